@@ -47,16 +47,27 @@ std::string name_of(const Session& session, int slot) {
 
 }  // namespace
 
+Place::Stand Place::stand_of(const Session::Visited& visited, const Lesson& lesson) {
+  const Subject &own = *visited.own.subject, &now = *visited.now.subject;
+  const Subject::Origin& origin = now.origin();
+  Stand stand{.dim = now.dim(),
+              .own = own.rows(),
+              .scattered = origin.seed != lesson.seed,
+              .recast = now.in_float() != own.in_float(),
+              .origin = origin,
+              .own_source = own.origin().source};
+  if (visited.now.slid.values != visited.own.slid.values) stand.sliders = visited.now.slid.values;
+  if (origin.edited) stand.rows = now.rows();
+  const bool generated = is_among(generator_kinds(), origin.source);
+  if (origin.source != stand.own_source && origin.source != kTaskSource && !generated) stand.file = file_of(now);
+  return stand;
+}
+
 Place::Place(const Session& session)
-    : lesson_(session.lesson().id), dim_(session.dim()), own_(session.own().rows()),
-      scattered_(session.seed() != session.lesson().seed), origin_(session.subject().origin()),
-      own_source_(session.own().origin().source), task_(session.task()), algorithm_(name_of(session, 0)),
-      step_(session.step()), at_end_(session.step() > 0 && session.step() == session.steps()),
-      previewing_(session.previewing()), outcomes_(session.outcomes()) {
-  if (session.has_slid()) sliders_ = session.slider_values();
-  if (session.edited()) rows_ = session.subject().rows();
-  const bool generated = is_among(generator_kinds(), origin_.source);
-  if (origin_.source != own_source_ && origin_.source != kTaskSource && !generated) file_ = file_of(session.subject());
+    : lesson_(session.lesson().id), task_(session.task()), algorithm_(name_of(session, 0)), step_(session.step()),
+      at_end_(session.step() > 0 && session.step() == session.steps()), previewing_(session.previewing()),
+      outcomes_(session.outcomes()) {
+  for (const Session::Visited& visited : session.visited()) stands_.push_back(stand_of(visited, session.lesson()));
   if (std::string beside = name_of(session, 1); beside != session.lesson().compare) beside_ = std::move(beside);
   if (const Outcome* told = session.outcome() != nullptr ? session.outcome() : session.deciding())
     told_ = told->question;
@@ -74,20 +85,31 @@ void Place::take(Session& session) const {
 }
 
 /// What the stage was filled from, before it was edited by hand. What is refused is left out.
-void Place::take_source(Session& session) const {
-  if (origin_.source == kTaskSource) return session.start_task(task_);
-  if (file_) return static_cast<void>(session.load(*file_, origin_.source));
-  if (origin_.source != own_source_)
-    return static_cast<void>(session.set_generator(origin_.source, origin_.generated, dim_, origin_.seed));
-  if (scattered_) session.scatter(origin_.seed);
+void Place::take_source(Session& session, const Stand& stand) const {
+  const Subject::Origin& origin = stand.origin;
+  if (origin.source == kTaskSource) return session.start_task(task_);
+  if (stand.file) return static_cast<void>(session.load(*stand.file, origin.source));
+  if (origin.source != stand.own_source)
+    return static_cast<void>(session.set_generator(origin.source, origin.generated, stand.dim, origin.seed));
+  if (stand.scattered) session.scatter(origin.seed);
 }
 
+void Place::take_stand(Session& session, const Stand& stand) const {
+  const bool same = session.dim() == stand.dim && session.own().rows() == stand.own;
+  take_source(session, stand);
+  if (stand.recast) static_cast<void>(session.set_float(stand.origin.in_float));
+  if (!stand.sliders.empty()) static_cast<void>(session.set_sliders(stand.sliders));  // unless there are others now
+  if (same && !stand.rows.empty() && !stand.file) static_cast<void>(session.set_rows(stand.rows));
+}
+
+/// The situations that are away come first. One that is gone is left out, but what is on the stage is then the lesson's
+/// own.
 void Place::take_stage(Session& session) const {
-  static_cast<void>(session.show_situation(origin_.situation));  // or the lesson's own, if that is gone
-  const bool same = session.dim() == dim_ && session.own().rows() == own_;
-  take_source(session);
-  if (!sliders_.empty()) static_cast<void>(session.set_sliders(sliders_));  // unless there are others now
-  if (same && !rows_.empty() && !file_) static_cast<void>(session.set_rows(rows_));
+  for (const Stand& stand : stands_) {
+    const bool on_stage = &stand == &stands_.back();
+    if (!on_stage && !stand.changed()) continue;
+    if (session.show_situation(stand.origin.situation) || on_stage) take_stand(session, stand);
+  }
 }
 
 void Place::take_methods(Session& session) const {

@@ -14,10 +14,10 @@ class Place {
  public:
   explicit Place(const Session& session);
 
-  /// Takes the place in a session that was just opened, as far as the lesson still has it. Edits of the stage are kept
-  /// unless the file now has something else there; the algorithm if it is still offered; the step, or the last one if
-  /// there are fewer, and the end stays the end. Answers are judged by what the file says now; those to questions that
-  /// are gone, or that cannot be answered so any more, are dropped. Does nothing for another lesson.
+  /// Takes the place in a session that was just opened, as far as the lesson still has it. Edits are kept in every
+  /// situation, unless the file now has something else there; the algorithm if it is still offered; the step, or the
+  /// last one if there are fewer, and the end stays the end. Answers are judged by what the file says now; those to
+  /// questions that are gone, or that cannot be answered so any more, are dropped. Does nothing for another lesson.
   void take(Session& session) const;
 
  private:
@@ -25,7 +25,23 @@ class Place {
     std::string question;  // its id
     Answer answer;
   };
-  void take_source(Session& session) const;
+  /// A situation's stage.
+  struct Stand {
+    int dim = 2;
+    Rows own, rows;               // of the lesson's own stage, and as it was edited; the latter empty if it was not
+    bool scattered = false;       // by another seed than the lesson's
+    bool recast = false;          // whether it is in another scalar than the lesson's own
+    std::vector<double> sliders;  // their values, if any has moved
+    Subject::Origin origin;       // of what is on the stage, and
+    std::string own_source;       // of the lesson's own
+    std::optional<io::PointFile> file;  // the points, if they come from a mesh or a file
+    [[nodiscard]] bool changed() const {
+      return !rows.empty() || scattered || !sliders.empty() || origin.source != own_source || recast;
+    }
+  };
+  [[nodiscard]] static Stand stand_of(const Session::Visited& visited, const Lesson& lesson);
+  void take_source(Session& session, const Stand& stand) const;
+  void take_stand(Session& session, const Stand& stand) const;
   void take_stage(Session& session) const;
   void take_methods(Session& session) const;
   void take_answers(Session& session) const;
@@ -33,14 +49,8 @@ class Place {
   void take_try(Session& session) const;
 
   std::string lesson_;
-  int dim_ = 2;
-  Rows own_, rows_;              // of the lesson's own stage, and as it was edited; the latter empty if it was not
-  bool scattered_ = false;       // by another seed than the lesson's
-  std::vector<double> sliders_;  // their values, if any has moved
-  Subject::Origin origin_;       // of what is on the stage, and
-  std::string own_source_;       // of the lesson's own
-  std::size_t task_;             // the one in hand, if the stage is a task's
-  std::optional<io::PointFile> file_;  // the points, if they come from a mesh or a file
+  std::vector<Stand> stands_;  // of the situations that were shown; that of the stage is the last
+  std::size_t task_;           // the one in hand, if the stage is a task's
   std::string algorithm_;
   std::optional<std::string> beside_;  // if it is not the lesson's own choice; "" for none
   int step_ = 0;

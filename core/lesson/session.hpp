@@ -54,6 +54,12 @@ class Session {
   /// The values of all of the lesson's sliders, and whether any is not where the situation begins.
   [[nodiscard]] const std::vector<double>& slider_values() const { return slid_.values; }
   [[nodiscard]] bool has_slid() const { return slid_.values != opened().slid.values; }
+  /// A situation that was shown: as the lesson opens it, and as it is or was left.
+  struct Visited {
+    Snapshot own, now;
+  };
+  /// Those that were shown; the one on the stage is the last.
+  [[nodiscard]] std::vector<Visited> visited() const;
   /// Moves sliders to what slider_values said, as one edit.
   Done set_sliders(std::vector<double> values);
   /// The situations that still have open questions, besides the one on the stage: as `waiting`.

@@ -23,6 +23,15 @@ void Session::leave_situation() {
   place.method = slots_[0].method, place.step = step_, place.previewing = previewing_;
 }
 
+std::vector<Session::Visited> Session::visited() const {
+  std::vector<Visited> visited;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (i != shown_ && places_[i].left.subject != nullptr)
+      visited.push_back({places_[i].own.clone(), places_[i].left.clone()});
+  visited.push_back({opened().clone(), snapshot()});
+  return visited;
+}
+
 /// The player stands where it stood, or if another method was chosen since then, where a lesson begins.
 void Session::enter_situation() {
   const auto is_here = [&](const Situated& place) { return place.own.subject->origin().situation == situation(); };

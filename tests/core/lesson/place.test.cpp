@@ -65,6 +65,41 @@ TEST_CASE("edits are kept, unless the file has something else on the stage") {
   CHECK_FALSE(replaced.edited());
 }
 
+TEST_CASE("what was moved in situations that are away is kept, and one that is gone is left out") {
+  const std::string square = R"(
+[[situation]]
+name = "square"
+title = "A square"
+[situation.points]
+list = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+)";
+  const std::string text = std::string(kSmallLesson) + square;
+  const auto with = [&](std::string_view from, std::string_view to) {
+    std::string other = text;
+    return other.replace(other.find(from), from.size(), to);
+  };
+  Session before = open(text);
+  REQUIRE(before.move(0, {-3, 0.5, 0}));
+  REQUIRE(before.set_float(true));
+  REQUIRE(before.show_situation("square"));
+  REQUIRE(before.move(2, {2, 2, 0}));
+  Session now = reread(with("title = \"Small\"", "title = \"Little\""), before);
+  CHECK(now.lesson().title == "Little");
+  CHECK(now.situation() == "square");
+  CHECK(now.point(2).x() == 2);
+  REQUIRE(now.show_situation("own"));
+  CHECK(now.point(0).x() == -3);
+  CHECK(now.subject().in_float());
+  Session moved = reread(with("[0, 2.5], [0.5", "[0, 3], [0.5"), before);  // the file has other points in the first
+  CHECK(moved.point(2).x() == 2);
+  REQUIRE(moved.show_situation("own"));
+  CHECK(moved.point(0).x() == -2);
+  REQUIRE(before.show_situation("own"));
+  const Session alone = reread(std::string(kSmallLesson), before);
+  CHECK(alone.situation() == "own");
+  CHECK(alone.point(0).x() == -3);
+}
+
 TEST_CASE("points of another seed, of a generator and of a file are kept") {
   const std::string other_words = small_lesson_with("Another paragraph.", "Other words.");
   Session before = open_small();
