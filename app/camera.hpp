@@ -55,6 +55,9 @@ class Camera {
   /// Magnifies the picture: what is at a pixel goes to another one, and what is around it is so many times larger.
   void magnify(double times, const std::array<double, 2>& from, const std::array<double, 2>& to);
 
+  /// Whether it does: then it is a close-up's.
+  [[nodiscard]] bool magnifies() const { return lens_.times != 1; }
+
   // What the pointer does: immediate, because it follows the pointer.
   void pan(float dx, float dy);
   void zoom(double factor, float x, float y);  // factor > 1 comes nearer; the place under (x, y) stays

@@ -97,6 +97,51 @@ void patterned(ImDrawList* list, std::span<const ImVec2> points, bool closed, St
   });
 }
 
+/// A circle as far as the clip rectangle shows it.
+class Arc {
+ public:
+  Arc(const ImDrawList* list, ImVec2 center, float radius) : center_(center), radius_(radius) {
+    const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
+    across_ = std::hypot(high.x - low.x, high.y - low.y);
+    const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    away_ = std::hypot(middle.x - center.x, middle.y - center.y);
+    if (!is_part()) return;
+    const float towards = std::atan2(middle.y - center.y, middle.x - center.x);
+    const float half = std::min(kPi, 1.2f * across_ / radius);
+    from_ = towards - half, to_ = towards + half;
+  }
+
+  /// Whether the line may reach the clip rectangle; if not, whether the rectangle is inside the circle.
+  [[nodiscard]] bool crosses() const { return std::abs(away_ - radius_) <= across_ || away_ + radius_ <= across_; }
+  [[nodiscard]] bool is_inside() const { return away_ < radius_; }
+  /// Whether only the arc towards the clip rectangle is drawn.
+  [[nodiscard]] bool is_part() const { return radius_ > 2 * across_; }
+
+  /// Chords deviate from the arc by at most kFlat; more of them would make no visible difference.
+  [[nodiscard]] std::vector<ImVec2> points() const {
+    const float flat = kFlat / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);
+    const int count = std::clamp(static_cast<int>((to_ - from_) / 2 * std::sqrt(radius_ / (2 * flat))), 24, 512);
+    std::vector<ImVec2> points(static_cast<std::size_t>(count));
+    const auto last = static_cast<float>(is_part() ? count - 1 : count);
+    for (int i = 0; i < count; ++i) points[i] = at(from_ + (to_ - from_) * static_cast<float>(i) / last, radius_);
+    return points;
+  }
+
+  /// Closes a part towards the centre, so far in that the clip rectangle does not reach there.
+  void close(std::vector<ImVec2>& points) const {
+    const float inner = std::max(0.0f, radius_ - 3 * across_);
+    points.insert(points.end(), {at(to_, inner), at(from_, inner)});
+  }
+
+ private:
+  [[nodiscard]] ImVec2 at(float angle, float radius) const {
+    return {center_.x + radius * std::cos(angle), center_.y + radius * std::sin(angle)};
+  }
+
+  ImVec2 center_;
+  float radius_, across_ = 0, away_ = 0, from_ = 0, to_ = 2 * kPi;
+};
+
 }  // namespace
 
 void path(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width) {
@@ -113,28 +158,27 @@ void line(ImDrawList* list, ImVec2 a, ImVec2 b, Stroke stroke, Color color, floa
 }
 
 void circle(ImDrawList* list, ImVec2 center, float radius, Stroke stroke, Color color, float width) {
+  const Arc arc(list, center, radius);
+  if (radius >= 0.5f && arc.crosses()) path(list, arc.points(), !arc.is_part(), stroke, color, width);
+}
+
+void filled_circle(ImDrawList* list, ImVec2 center, float radius, Color color) {
+  const Arc arc(list, center, radius);
   if (radius < 0.5f) return;
-  const ImVec2 low = list->GetClipRectMin(), high = list->GetClipRectMax();
-  const float across = std::hypot(high.x - low.x, high.y - low.y);
-  const ImVec2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
-  const float away = std::hypot(middle.x - center.x, middle.y - center.y);
-  if (std::abs(away - radius) > across && away + radius > across) return;  // the line does not reach the clip rectangle
-  float from = 0, to = 2 * kPi;
-  const bool part = radius > 2 * across;
-  if (part) {  // the arc towards the clip rectangle
-    const float towards = std::atan2(middle.y - center.y, middle.x - center.x);
-    const float half = std::min(kPi, 1.2f * across / radius);
-    from = towards - half, to = towards + half;
+  if (!arc.crosses()) {
+    if (arc.is_inside()) list->AddRectFilled(list->GetClipRectMin(), list->GetClipRectMax(), color);
+    return;
   }
-  // Chords deviate from the arc by at most kFlat; more of them would make no visible difference.
-  const float flat = kFlat / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);
-  const int count = std::clamp(static_cast<int>((to - from) / 2 * std::sqrt(radius / (2 * flat))), 24, 512);
-  std::vector<ImVec2> points(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const float angle = from + (to - from) * static_cast<float>(i) / static_cast<float>(part ? count - 1 : count);
-    points[i] = {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
-  }
-  path(list, points, !part, stroke, color, width);
+  std::vector<ImVec2> points = arc.points();
+  if (arc.is_part()) arc.close(points);
+  list->AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), color);
+}
+
+Color shaded(Color color, double share) {
+  const auto part = [&](int shift) {
+    return static_cast<Color>(std::clamp(static_cast<double>(color >> shift & 0xff) * share, 0.0, 255.0)) << shift;
+  };
+  return (color & 0xff000000u) | part(0) | part(8) | part(16);
 }
 
 void disc(ImDrawList* list, ImVec2 center, float radius, Color color) {

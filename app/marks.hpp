@@ -7,12 +7,17 @@
 
 namespace snug::app {
 
+/// A colour under the light.
+[[nodiscard]] Color shaded(Color color, double share);
+
 enum class Stroke { kSolid, kDotted, kDashed, kLongDashed };
 
 void path(ImDrawList* list, std::span<const ImVec2> points, bool closed, Stroke stroke, Color color, float width);
 void line(ImDrawList* list, ImVec2 a, ImVec2 b, Stroke stroke, Color color, float width);
 /// Only the part within the list's clip rectangle is computed, so that a very large circle costs no more.
 void circle(ImDrawList* list, ImVec2 center, float radius, Stroke stroke, Color color, float width);
+/// Fills a circle of any size, as far as the clip rectangle shows it.
+void filled_circle(ImDrawList* list, ImVec2 center, float radius, Color color);
 void disc(ImDrawList* list, ImVec2 center, float radius, Color color);
 /// size: from the centre to a corner. It has a rim, so that it stands out from lines that end at it.
 void diamond(ImDrawList* list, ImVec2 center, float size, Color color, Color rim);

@@ -204,7 +204,6 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
   scene_.point_radius = point_radius * std::sqrt(p.mark);
   scene_.view_projection = matrix_of(camera_, frame_);
   scene_.volumes.clear();
-  scene_.fills.clear();
   if (!scene_.three_d) {
     const double scale = camera_.scale_at(Point3::Zero());
     const double step = nice_at_least(32 / scale);  // cells of 32 to 80 pixels

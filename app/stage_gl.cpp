@@ -35,18 +35,6 @@ void main() {
 }
 )";
 
-constexpr const char* kFillVertex = R"(
-uniform vec2 center;
-uniform vec4 axes;
-in vec2 position;  // on the unit circle
-void main() { gl_Position = vec4(center + axes.xy * position.x + axes.zw * position.y, 0.0, 1.0); }
-)";
-constexpr const char* kFillFragment = R"(
-uniform vec4 color;
-out vec4 result;
-void main() { result = color; }
-)";
-
 constexpr const char* kMeshVertex = R"(
 uniform mat4 view_projection;
 uniform vec3 eye;
@@ -130,7 +118,6 @@ void main() {
 )";
 
 constexpr int kPositionSlot = 0, kNormalSlot = 1;
-constexpr int kFillParts = 128;
 
 struct Rgba {
   float r, g, b, a;
@@ -225,7 +212,6 @@ bool StageGl::create(const char* glsl_version) {
   abandon();
   error_.clear();
   const bool built = build(glsl_version, kLine, kLineVertex, kLineFragment) &&
-                     build(glsl_version, kFill, kFillVertex, kFillFragment) &&
                      build(glsl_version, kMesh, kMeshVertex, kMeshFragment) &&
                      build(glsl_version, kVolume, kVolumeVertex, kVolumeFragment) &&
                      build(glsl_version, kPoint, kPointVertex, kPointFragment);
@@ -240,7 +226,7 @@ bool StageGl::create(const char* glsl_version) {
 
 void StageGl::abandon() {
   programs_ = {};
-  lines_ = circle_ = sphere_ = mesh_ = points_ = {};
+  lines_ = sphere_ = mesh_ = points_ = {};
   uploaded_ = ~std::uint64_t{0};
   point_count_ = 0;
 }
@@ -248,7 +234,7 @@ void StageGl::abandon() {
 void StageGl::destroy() {
   for (const GLuint program : programs_)
     if (program != 0) glDeleteProgram(program);
-  for (const Shape* shape : {&lines_, &circle_, &sphere_, &mesh_, &points_}) {
+  for (const Shape* shape : {&lines_, &sphere_, &mesh_, &points_}) {
     glDeleteVertexArrays(1, &shape->array);
     glDeleteBuffers(1, &shape->vertices);
     glDeleteBuffers(1, &shape->indices);
@@ -257,7 +243,7 @@ void StageGl::destroy() {
 }
 
 void StageGl::make_shapes() {
-  for (Shape* shape : {&lines_, &circle_, &sphere_, &mesh_, &points_}) {
+  for (Shape* shape : {&lines_, &sphere_, &mesh_, &points_}) {
     glGenVertexArrays(1, &shape->array);
     glGenBuffers(1, &shape->vertices);
     glGenBuffers(1, &shape->indices);
@@ -265,15 +251,6 @@ void StageGl::make_shapes() {
   glBindVertexArray(lines_.array);
   glBindBuffer(GL_ARRAY_BUFFER, lines_.vertices);
   attribute(kPositionSlot, 4, sizeof(GroundVertex), 0);
-
-  std::array<float, 2 * kFillParts> circle{};
-  for (std::size_t i = 0; i < kFillParts; ++i) {
-    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kFillParts;
-    circle[2 * i] = std::cos(angle), circle[2 * i + 1] = std::sin(angle);
-  }
-  glBindVertexArray(circle_.array);
-  fill_buffer<float>(GL_ARRAY_BUFFER, circle_.vertices, circle, GL_STATIC_DRAW);
-  attribute(kPositionSlot, 2, 2 * sizeof(float), 0);
 
   std::vector<Point3f> vertices;
   std::vector<std::uint32_t> indices;
@@ -335,20 +312,6 @@ void StageGl::draw_ground(const GlScene& scene, int width, int height, float sca
   glBindVertexArray(lines_.array);
   fill_buffer<GroundVertex>(GL_ARRAY_BUFFER, lines_.vertices, lines, GL_STREAM_DRAW);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(lines.size()));
-}
-
-void StageGl::draw_fills(const GlScene& scene) const {
-  if (scene.fills.empty()) return;
-  glUseProgram(programs_[kFill]);
-  glBindVertexArray(circle_.array);
-  // Scales from page pixels of the stage to clip space.
-  const float across = 2 / scene.stage.width, up = -2 / scene.stage.height;
-  for (const GlFill& fill : scene.fills) {
-    set_color(kFill, "color", fill.color);
-    glUniform2f(uniform(kFill, "center"), (fill.x - scene.stage.x) * across - 1, (fill.y - scene.stage.y) * up + 1);
-    glUniform4f(uniform(kFill, "axes"), fill.ux * across, fill.uy * up, fill.vx * across, fill.vy * up);
-    glDrawArrays(GL_TRIANGLE_FAN, 0, kFillParts);
-  }
 }
 
 void StageGl::draw_mesh(const GlScene& scene) const {
@@ -422,7 +385,6 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
     draw_volumes(scene);
   }
   draw_points(scene, scale);
-  draw_fills(scene);
   glBindVertexArray(0);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);

@@ -22,12 +22,6 @@ struct GlVolume {
   float fill = 0.09f;  // alpha looking straight through one side; higher at the rim
 };
 
-/// A translucent planar ellipse, in page pixels: its centre and two half axes.
-struct GlFill {
-  float x = 0, y = 0, ux = 0, uy = 0, vx = 0, vy = 0;
-  Color color = 0;
-};
-
 struct GlScene {
   Rect stage;
   Color ground = 0, grid = 0, surface = 0, point = 0;
@@ -47,7 +41,6 @@ struct GlScene {
   std::uint64_t points_version = 0;  // changes with the points or the triangles
   float point_radius = 5;            // page pixels
   std::vector<GlVolume> volumes;     // 3-D: the farthest first
-  std::vector<GlFill> fills;         // 2-D: over the points
 };
 
 class StageGl {
@@ -64,7 +57,7 @@ class StageGl {
   void draw(const GlScene& scene, int framebuffer_width, int framebuffer_height, float scale);
 
  private:
-  enum Program { kLine, kFill, kMesh, kVolume, kPoint, kPrograms };
+  enum Program { kLine, kMesh, kVolume, kPoint, kPrograms };
   struct Shape {
     std::uint32_t array = 0, vertices = 0, indices = 0;
     int count = 0;
@@ -77,13 +70,12 @@ class StageGl {
   void make_shapes();
   void upload(const GlScene& scene);
   void draw_ground(const GlScene& scene, int width, int height, float scale);
-  void draw_fills(const GlScene& scene) const;
   void draw_mesh(const GlScene& scene) const;
   void draw_volumes(const GlScene& scene) const;
   void draw_points(const GlScene& scene, float scale) const;
 
   std::array<std::uint32_t, kPrograms> programs_{};
-  Shape lines_, circle_, sphere_, mesh_, points_;
+  Shape lines_, sphere_, mesh_, points_;
   std::uint64_t uploaded_ = ~std::uint64_t{0};
   int point_count_ = 0;
   std::string error_;

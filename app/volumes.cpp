@@ -25,7 +25,7 @@ float bounded(double value) { return static_cast<float>(std::clamp(value, -1e30,
 bool is_flat(const Canvas& canvas) { return canvas.camera.dim() == 2; }
 
 /// The points center + u cos t + v sin t.
-std::vector<V3> ellipse(const V3& center, const V3& u, const V3& v, int parts = kParts) {
+std::vector<V3> ellipse(const V3& center, const V3& u, const V3& v, int parts) {
   std::vector<V3> points;
   for (int i = 0; i < parts; ++i) {
     const double t = 2 * std::numbers::pi * i / parts;
@@ -47,21 +47,28 @@ void add_obstacle(const Canvas& canvas, const std::vector<ImVec2>& outline) {
   }
 }
 
+/// Of how many parts a curve is made, so that its chords are next to nowhere off: a chord of a circle is at most
+/// radius (pi / parts)^2 / 2 from it. radius: in pixels; magnified curves need more parts.
+int parts_for(double radius) {
+  constexpr double kOff = 0.1, kMostParts = 4096;  // the first in pixels
+  return static_cast<int>(std::clamp(std::numbers::pi * std::sqrt(radius / (2 * kOff)), double{kParts}, kMostParts));
+}
+
 /// The silhouette of an ellipsoid: an ellipse, computed on the unit sphere whose image the ellipsoid is.
-std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye) {
+std::vector<V3> silhouette(const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int parts) {
   const double square = unit_eye.squaredNorm();
   if (square <= 1.0001) return {};  // the eye is inside
   const V3 direction = unit_eye / std::sqrt(square);
   const V3 aside = direction.cross(std::abs(direction[1]) < 0.9 ? V3(V3::UnitY()) : V3(V3::UnitX())).normalized();
   const double radius = std::sqrt(1 - 1 / square);
-  return ellipse(center + axes * (unit_eye / square), axes * (aside * radius),
-                 axes * (direction.cross(aside) * radius));
+  return ellipse(center + axes * (unit_eye / square), axes * (aside * radius), axes * (direction.cross(aside) * radius),
+                 parts);
 }
 
 /// Draws a great circle, with its far half thinner and paler.
 void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const V3& unit_eye, int a, int b,
                   Color color) {
-  const std::vector<V3> points = ellipse(center, axes.col(a), axes.col(b));
+  const std::vector<V3> points = ellipse(center, axes.col(a), axes.col(b), kParts);
   const std::vector<ImVec2> screen = projected(canvas, points);
   for (int i = 0; i < kParts; i += kStride) {
     const double t = 2 * std::numbers::pi * (i + 0.5 * kStride) / kParts;
@@ -73,6 +80,12 @@ void great_circle(const Canvas& canvas, const V3& center, const Eigen::Matrix3d&
   }
 }
 
+void fill_convex(const Canvas& canvas, const std::vector<ImVec2>& outline, const VolumeStyle& style, float share) {
+  if (style.fill > 0 && outline.size() > 2)
+    canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
+                                     with_alpha(style.color, style.fill * share));
+}
+
 void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& axes, const VolumeStyle& style) {
   const double reach = axes.cwiseAbs().maxCoeff();
   if (!(reach > 0)) return;
@@ -82,7 +95,11 @@ void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& a
     if (full.col(i).norm() < 1e-4 * reach)
       full.col(i) = full.col((i + 1) % 3).cross(full.col((i + 2) % 3)).normalized() * 1e-4 * reach;
   const V3 unit_eye = full.inverse() * (canvas.camera.eye() - center);
-  if (style.fill > 0) {
+  const double pixels = reach * canvas.camera.scale_at(center);
+  const std::vector<ImVec2> outline = projected(canvas, silhouette(center, full, unit_eye, parts_for(pixels)));
+  if (canvas.camera.magnifies()) {  // OpenGL draws the stage alone
+    fill_convex(canvas, outline, style, 1);
+  } else if (style.fill > 0) {
     GlVolume volume;
     volume.axes = (full / canvas.frame.unit).cast<float>();
     volume.center = canvas.frame.to_stage(center);
@@ -92,7 +109,6 @@ void draw_solid(const Canvas& canvas, const V3& center, const Eigen::Matrix3d& a
     for (const auto& [a, b] : {std::pair{0, 2}, {0, 1}, {1, 2}})
       great_circle(canvas, center, full, unit_eye, a, b, style.color);
   }
-  const std::vector<ImVec2> outline = projected(canvas, silhouette(center, full, unit_eye));
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
   if (!outline.empty()) add_obstacle(canvas, outline);
 }
@@ -101,12 +117,6 @@ std::vector<ImVec2> around(const std::vector<ImVec2>& screen, const std::vector<
   std::vector<ImVec2> outline;
   for (const int corner : face) outline.push_back(screen[corner]);
   return outline;
-}
-
-void fill_convex(const Canvas& canvas, const std::vector<ImVec2>& outline, const VolumeStyle& style, float share) {
-  if (style.fill > 0 && outline.size() > 2)
-    canvas.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()),
-                                     with_alpha(style.color, style.fill * share));
 }
 
 void add_sides(const Canvas& canvas, const std::vector<ImVec2>& outline) {
@@ -161,16 +171,12 @@ std::vector<V3> tangent_points(const Kind<double, 3>& volume, const V3& eye) {
   return points;
 }
 
-/// The border of a convex volume of the plane. scale: pixels of a scene unit, for magnified arcs need more parts: a
-/// part of a circle is nowhere farther from it than radius (pi / parts)^2 / 2.
+/// The border of a convex volume of the plane. scale: pixels of a scene unit.
 template <template <class, int> class Kind>
 std::vector<V3> border_points(const Kind<double, 3>& volume, double scale) {
-  constexpr double kOff = 0.1, kMostParts = 4096;  // pixels
   const auto own = converted<double, 2>(volume);
   const Aabb<double, 2> box = query::box_around(own);
-  const double radius = (box.max - box.min).maxCoeff() / 2 * scale;
-  const int parts =
-      static_cast<int>(std::clamp(std::numbers::pi * std::sqrt(radius / (2 * kOff)), double{kParts}, kMostParts));
+  const int parts = parts_for((box.max - box.min).maxCoeff() / 2 * scale);
   std::vector<V3> points;
   for (const V3& direction : ellipse(V3::Zero(), V3::UnitX(), V3::UnitY(), parts))
     convert_into(points.emplace_back(), query::support(own, direction.head<2>()));
@@ -237,8 +243,7 @@ void draw_volume(const Canvas& canvas, const Sphere<double, 3>& ball, const Volu
   }
   const ImVec2 center = canvas.at(ball.center);
   const float radius = bounded(ball.radius * canvas.camera.scale_at(ball.center));
-  if (style.fill > 0 && radius < 1e5f)
-    canvas.gl.fills.push_back({center.x, center.y, radius, 0, 0, radius, with_alpha(style.color, style.fill)});
+  if (style.fill > 0) filled_circle(canvas.list, center, radius, with_alpha(style.color, style.fill));
   circle(canvas.list, center, radius, style.stroke, style.color, style.width);
   canvas.obstacles.circles.push_back({center.x, center.y, radius});
 }
@@ -252,12 +257,10 @@ void draw_volume(const Canvas& canvas, const Ellipsoid& ellipsoid, const VolumeS
   std::size_t found = 0;
   for (int i = 2; i >= 0 && found < 2; --i)
     if (std::abs(ellipsoid.half_axes(2, i)) == 0) axes[found++] = ellipsoid.half_axes.col(i);
-  const std::vector<ImVec2> outline = projected(canvas, ellipse(ellipsoid.center, axes[0], axes[1]));
-  if (style.fill > 0) {
-    const ImVec2 center = canvas.at(ellipsoid.center), u = outline[0], v = outline[kParts / 4];  // half axes' ends
-    canvas.gl.fills.push_back({center.x, center.y, u.x - center.x, u.y - center.y, v.x - center.x, v.y - center.y,
-                               with_alpha(style.color, style.fill)});
-  }
+  if (axes[0].cross(axes[1])[2] < 0) std::swap(axes[0], axes[1]);  // the way round that ImGui fills
+  const double reach = std::max(axes[0].norm(), axes[1].norm()) * canvas.camera.scale_at(ellipsoid.center);
+  const std::vector<ImVec2> outline = projected(canvas, ellipse(ellipsoid.center, axes[0], axes[1], parts_for(reach)));
+  fill_convex(canvas, outline, style, 1);
   path(canvas.list, outline, true, style.stroke, style.color, style.width);
   add_obstacle(canvas, outline);
 }

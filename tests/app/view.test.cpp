@@ -133,6 +133,48 @@ TEST_CASE("a close-up follows what is dragged, and covers no handle") {
   bench.release();
 }
 
+TEST_CASE("a close-up fills circles and spheres, and shades a mesh, as the stage does") {
+  // How many vertices of a colour, transparency aside, ImGui fills within the panel.
+  const auto filled = [](const Bench& bench, auto is_color) {
+    const auto close_up = bench.app.close_up();
+    REQUIRE(close_up);
+    int count = 0;
+    for (const ImDrawList* list : ImGui::GetDrawData()->CmdLists)
+      for (const ImDrawCmd& command : list->CmdBuffer)
+        if (command.ClipRect.x == close_up->panel.x + 1)
+          for (unsigned i = 0; i < command.ElemCount; ++i)
+            count +=
+                is_color(list->VtxBuffer[static_cast<int>(command.VtxOffset +
+                                                          list->IdxBuffer[static_cast<int>(command.IdxOffset + i)])]
+                             .col)
+                    ? 1
+                    : 0;
+    return count;
+  };
+  const auto is_fill = [](Color color) { return color == with_alpha(kLight.current, kLight.fill); };
+  for (const int dim : {2, 3}) {
+    CAPTURE(dim);
+    const std::string third = dim == 3 ? ", 0.3]" : "]";
+    const std::string points = "[points]\ndim = " + std::to_string(dim) + "\nlist = [[-1, 0" + third + ", [1, 0" +
+                               third + ", [0, 1" + third + ", [0, -0.9" + third + "]";
+    const auto close = [&](const char* size) {
+      return test::viewed("algorithms = [\"welzl\"]\nstart = \"end\"", points,
+                          "inset = { at = \"P1\", size = " + std::string(size) + " }");
+    };
+    for (const char* size : {"0.4", "0.004", "0.0001"}) CHECK(filled(Bench(close(size)), is_fill) > 0);
+  }
+  const io::PointFile tent{
+      3, {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+  const Bench mesh(test::viewed("algorithms = [\"ritter\"]", "[points]\ndim = 3\nmesh = \"bunny\"",
+                                "inset = { at = \"P1\", size = 0.5 }"),
+                   {.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}}, tent);
+  CHECK(filled(mesh, [](Color color) {
+          return color != kLight.surface && color >> 24 == 0xff && (color & 0xff) > 0x60 &&
+                 std::abs(static_cast<int>(color & 0xff) * static_cast<int>(kLight.surface >> 8 & 0xff) -
+                          static_cast<int>(color >> 8 & 0xff) * static_cast<int>(kLight.surface & 0xff)) < 600;
+        }) >= 3);
+}
+
 TEST_CASE("names that the file gives stand on the stage, or none that the step does not need") {
   Bench named(flat_kdop("names = [\"North\", \"South\"]"));
   CHECK(says(named, "North"));

@@ -30,14 +30,6 @@ int painted(const Brush& brush, std::size_t i) {
   return declared(lesson::set_of(brush.session), i, static_cast<std::size_t>(brush.session.size())).color;
 }
 
-/// A colour under the light.
-Color shaded(Color color, double share) {
-  const auto part = [&](int shift) {
-    return static_cast<Color>(std::clamp(static_cast<double>(color >> shift & 0xff) * share, 0.0, 255.0)) << shift;
-  };
-  return (color & 0xff000000u) | part(0) | part(8) | part(16);
-}
-
 /// Mixes a fraction of the second colour into the first.
 Color mixed(Color a, Color b, double share) {
   const auto part = [&](int shift) {
