@@ -282,17 +282,26 @@ bool names_handle(const Answer& picked, Index handle) {
 }
 
 bool can_be_said(const Asked& asked, std::string_view answer) {
+  if (asked.number) return typed_number(answer, asked.unit).has_value();
+  if (asked.ordered) return false;  // only all of the choices can
   if (is_among(asked.choices, in_words_of(asked.dim, std::string(answer)))) return true;
   return asked.on_stage && handle_named(*asked.subject, answer).has_value();
 }
 
-std::string meaning_of(const Asked& asked, const Answer& answer) {
-  const Truth none;
-  const std::string said = said_by(asked, answer, none);
-  for (const Meaning& meaning : asked.question->meanings) {
-    const bool handle = answer.kind == Kind::kPoint && asked.subject->name_of(answer.value) == meaning.answer;
-    if (handle || said == in_words_of(asked.dim, meaning.answer)) return in_words_of(asked.dim, meaning.says);
-  }
+std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth) {
+  const auto is_given = [&](const std::string& what) {
+    if (answer.kind == Kind::kNumber) {
+      const auto number = typed_number(what, asked.unit);
+      return number && std::abs(*number - answer.number) <= truth.tolerance;
+    }
+    const auto choice = std::find(asked.choices.begin(), asked.choices.end(), in_words_of(asked.dim, what));
+    const auto at = static_cast<int>(choice - asked.choices.begin());
+    if (choice != asked.choices.end() && is_picked(asked, answer, at)) return !contains(truth.choices, at);
+    const auto handle = handle_named(*asked.subject, what);
+    return handle && names_handle(answer, *handle) && !contains(truth.points, *handle);
+  };
+  for (const Meaning& meaning : asked.question->meanings)
+    if (answer.kind != Kind::kSkipped && is_given(meaning.answer)) return in_words_of(asked.dim, meaning.says);
   return {};
 }
 
@@ -358,7 +367,7 @@ Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
   outcome.because = asked.because;
   outcome.predicted = said_by(asked, answer, truth);
   outcome.right = !truth.pending && is_right(asked, answer, truth);
-  if (const std::string meaning = outcome.right ? std::string() : meaning_of(asked, answer); !meaning.empty())
+  if (const std::string meaning = outcome.right ? std::string() : meaning_of(asked, answer, truth); !meaning.empty())
     outcome.because = meaning + " " + outcome.because;
   outcome.says = std::move(truth.sentence);
   if (!truth.pending) outcome.happened = std::move(truth.happened);

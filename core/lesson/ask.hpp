@@ -147,9 +147,9 @@ void read_bounds(TomlTable& table, Question& question);
 /// Whether this can be an answer to the question: a choice in range, or a handle that can be tapped.
 [[nodiscard]] bool answers(const Asked& asked, const Answer& answer);
 
-/// What the lesson says to this wrong answer; empty for nothing.
-[[nodiscard]] std::string meaning_of(const Asked& asked, const Answer& answer);
-/// Whether the question can be answered with that: the text of a choice or the name of a handle.
+/// What the lesson says to this wrong answer, or to the first wrong part of it; empty for nothing.
+[[nodiscard]] std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth);
+/// Whether the question can be answered with that: the text of a choice, the name of a handle, a number.
 [[nodiscard]] bool can_be_said(const Asked& asked, std::string_view answer);
 
 /// The number that was typed, perhaps with its unit: "2.5", "−3", "12 %", "1,839". None if it is no number.

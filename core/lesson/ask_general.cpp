@@ -42,9 +42,17 @@ const char* offer_choices(Asked& asked, const Run&) {
   return nullptr;
 }
 
+/// Reads at least so many choices, none of them twice.
+void read_choice_texts(TomlTable& table, Question& question, std::size_t least) {
+  const std::vector<std::string>& choices = question.choices = table.texts("choices", least);
+  for (auto choice = choices.begin(); choice != choices.end(); ++choice)
+    if (std::find(choices.begin(), choice, *choice) != choice)
+      return table.wrong("choices", "has " + *choice + " twice");
+}
+
 /// Reads the choices and the right one.
 void read_choices(TomlTable& table, Question& question) {
-  question.choices = table.texts("choices", 2);
+  read_choice_texts(table, question, 2);
   const std::string answer = table.text("answer");
   const auto found = std::find(question.choices.begin(), question.choices.end(), answer);
   if (found == question.choices.end() && !answer.empty()) table.wrong("answer", "is none of the choices: " + answer);
@@ -74,7 +82,7 @@ const char* offer_sequence(Asked& asked, const Run&) {
   return nullptr;
 }
 
-void read_sequence(TomlTable& table, Question& question) { question.choices = table.texts("choices", 3); }
+void read_sequence(TomlTable& table, Question& question) { read_choice_texts(table, question, 3); }
 
 /// The right order, and its sentence. Each choice has its rank: equal ones may stand either way round.
 Truth truth_of_ranks(const Asked& asked, std::vector<int> ranks) {
@@ -201,11 +209,13 @@ Truth cost_order_truth(const Asked& asked, const Run& run) {
 /// Those of the first rank, each of which is right.
 Truth truth_of_first(const Asked& asked, const std::vector<int>& ranks) {
   Truth truth;
+  std::vector<std::string> firsts;
   for (std::size_t i = 0; i < ranks.size(); ++i) {
     if (ranks[i] > 0) continue;
     truth.choices.push_back(static_cast<int>(i));
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
+    firsts.push_back(asked.choices[i]);
   }
+  truth.happened = listed(firsts, " and ");
   return truth;
 }
 

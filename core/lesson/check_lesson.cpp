@@ -199,9 +199,9 @@ std::unique_ptr<Subject> opened(const Lesson& lesson, std::string_view name, Fil
 }
 
 /// Opens a situation as it will stand on the stage, and checks that its algorithms take it. Null, with complaints, if
-/// not.
-std::unique_ptr<InSituation> open_to_check(const Lesson& whole, std::string_view name, const TomlTable& root,
-                                           Complaints& complaints) {
+/// not. The lesson's view is checked on its own situation.
+std::unique_ptr<InSituation> open_to_check(const Lesson& whole, std::string_view name, const toml::table& toml,
+                                           const TomlTable& root, Complaints& complaints) {
   const std::size_t before = complaints.count();
   const FilePlace place = place_of_situation(whole, name, root);
   Lesson lesson = lesson_in(whole, name);
@@ -211,7 +211,9 @@ std::unique_ptr<InSituation> open_to_check(const Lesson& whole, std::string_view
   if (complaints.count() == before) check_sliders(lesson, *subject, complaints);
   if (complaints.count() == before && lesson.subject->check_first != nullptr)
     lesson.subject->check_first(lesson, *subject, complaints);
-  if (complaints.count() > before) return nullptr;
+  const bool sound = complaints.count() == before;
+  if (name == kOwnSituation) check_view(whole.view, toml, *subject, complaints);
+  if (!sound) return nullptr;
   auto standing = with_sliders(lesson, std::move(subject), true);
   if (!standing) return complaints.add(place, standing.error().what), nullptr;
   return std::make_unique<InSituation>(std::move(lesson), std::move(standing->subject));
@@ -282,11 +284,10 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, Checked checked, Comp
   std::vector<const Subject*> subjects;
   const std::size_t before = complaints.count();
   for (const std::string_view name : situation_names(lesson)) {
-    situations.push_back(open_to_check(lesson, name, root, complaints));
+    situations.push_back(open_to_check(lesson, name, toml, root, complaints));
     if (situations.back() != nullptr) subjects.push_back(situations.back()->own.get());
   }
   warn_of_words(lesson, toml, subjects, complaints);
-  if (!subjects.empty()) check_view(lesson.view, toml, *subjects.front(), complaints);
   if (complaints.count() > before) return subjects.size() == situations.size();
   check_links(lesson, toml, situations, complaints);
   warn_of_numbers(lesson, toml, situations, complaints);

@@ -55,6 +55,12 @@ std::optional<Figure> figure_of(const Requirement& due, const Method& method, co
   return std::nullopt;
 }
 
+std::string no_figure_text(const Requirement& due, const Method& method, const Subject& subject, const View& view) {
+  std::vector<std::string> keys;
+  for (const Figure& figure : subject.results(method, view)) keys.push_back(figure.key);
+  return "\"figure\" " + (keys.empty() ? "is not there: it has none" : none_of_text(due.figure, keys));
+}
+
 void read_bounds_of(TomlTable& table, Requirement& requirement) {
   if (table.has("equals")) {
     requirement.at_least = requirement.at_most = table.any_number("equals", 0);
@@ -80,7 +86,7 @@ std::string read_method(TomlTable& table, std::string_view key, const Lesson& le
 Requirement read_requirement(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[require]]", complaints);
   Requirement requirement;
-  requirement.place = table.place();
+  requirement.place = table.place_of(table.has("goal") ? "goal" : "figure");
   const auto goals = lesson.subject->goals;
   if (table.has("goal")) {
     requirement.goal = table.text("goal");
@@ -111,7 +117,7 @@ Judged judge_requirement(const Requirement& due, const Lesson& lesson, std::stri
   const Method& method = *find_method(lesson, due.algorithm.empty() ? algorithm : std::string_view(due.algorithm));
   if (const std::string refusal = subject.refusal(method); !refusal.empty()) return {false, 0, refusal + ".", false};
   const auto figure = figure_of(due, method, lesson, subject, view);
-  if (!figure) return {false, 0, title_in(lesson, method) + " has no figure " + due.figure + ".", false};
+  if (!figure) return {false, 0, title_in(lesson, method) + ": " + no_figure_text(due, method, subject, view), false};
   std::string says = figure->name;
   if (!due.algorithm.empty() && due.algorithm != algorithm) says += " (" + title_in(lesson, method) + ")";
   if (!figure->known) return {false, 0, says + ": none now; " + due_text(due, figure->unit) + "."};

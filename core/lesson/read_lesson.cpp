@@ -36,16 +36,24 @@ std::vector<std::string_view> charts() {
   return names;
 }
 
-std::vector<std::string_view> algorithm_names(const Lesson& lesson) {
+std::vector<std::string_view> algorithm_names(const Lesson& lesson, std::string_view volume) {
   std::vector<std::string_view> names;
-  for (const Method& method : lesson.subject->methods(lesson.volume)) names.push_back(method.name);
+  for (const Method& method : lesson.subject->methods(volume)) names.push_back(method.name);
   return names;
 }
 
 /// The lesson's name of an algorithm, "k8" or "kdop/k8". Complains if there is none.
 std::string known_algorithm(TomlTable& table, std::string_view key, const std::string& name, const Lesson& lesson) {
   if (const Method* method = find_method(lesson, name)) return name_in(lesson, *method);
-  check_name(table, key, name.empty() ? " " : name, algorithm_names(lesson));
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) {
+    check_name(table, key, name.empty() ? " " : name, algorithm_names(lesson, lesson.volume));
+    return {};
+  }
+  const std::string volume = name.substr(0, slash), own = name.substr(slash + 1);
+  const auto all = lesson.subject->volumes();
+  if (is_among(all, volume)) check_name(table, key, own.empty() ? " " : own, algorithm_names(lesson, volume));
+  else check_name(table, key, volume.empty() ? " " : volume, all);
   return {};
 }
 
@@ -164,7 +172,9 @@ void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   }
   if (asking != nullptr) names.push_back(asking->name);  // of another fact: what it asks of is told on the run
   check_name(table, "asks", question.asks, names);
-  if (asking != nullptr && asking->read != nullptr) asking->read(table, question);
+  if (asking != nullptr && asking->read != nullptr) return asking->read(table, question);
+  if (asking != nullptr) return;
+  for (const std::string_view key : {"choices", "answer", "figure", "bounds", "tolerance"}) table.allow(key);
 }
 
 /// Reads what wrong answers mean: a table from answers to sentences.
@@ -278,7 +288,7 @@ bool read_subject(TomlTable& table, Lesson& lesson, const Complaints& complaints
     return false;
   }
   read_algorithms(table, lesson);
-  return complaints.count() == before && !lesson.algorithms.empty();
+  return !lesson.algorithms.empty();  // those that there are can be shown
 }
 
 void read_head(TomlTable& table, Lesson& lesson) {

@@ -227,7 +227,8 @@ bool Session::give(const Answer& answer, bool for_good) {
     unpick();
     answer_says_ = kTryAgain;
     ProseFigures figures(*this);
-    if (const std::string meaning = meaning_of(*question, answer); !meaning.empty())
+    const Truth truth = question->asking->truth(*question, run(0));
+    if (const std::string meaning = meaning_of(*question, answer, truth); !meaning.empty())
       answer_says_ += " " + plain_now(meaning, figures);
     return true;
   }

@@ -9,10 +9,12 @@
 namespace snug::lesson {
 namespace {
 
+/// Each once: what is wrong in two situations is found twice.
 std::vector<FileError> in_order(std::vector<FileError> errors) {
-  std::stable_sort(errors.begin(), errors.end(), [](const FileError& a, const FileError& b) {
-    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
-  });
+  const auto place = [](const FileError& one) { return std::tie(one.place.line, one.place.column); };
+  std::stable_sort(errors.begin(), errors.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b) && a.what == b.what; };
+  errors.erase(std::unique(errors.begin(), errors.end(), same), errors.end());
   return errors;
 }
 

@@ -336,7 +336,7 @@ void add_cost(Commands& commands) {
   command.footer(kCostFooter);
   const auto options = add_command<CostOptions>(commands, command, run_cost);
   command.add_option("--generate", options->generate, "N points of a kind, KIND:N; kinds: " + kinds());
-  command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input");
+  command.add_option("FILE", options->file, "Point file, as for snug fit; - is xyz on standard input");
   command.add_option("--volume", options->volume, "Only this kind of volume");
   command
       .add_option("--algorithms", options->algorithms,

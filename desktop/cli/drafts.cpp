@@ -81,8 +81,7 @@ tl::expected<std::vector<std::string>, InputError> Drafts::paths() const {
     auto of_folder = lesson_paths(folder_);
     if (!of_folder) return of_folder;
     all = *std::move(of_folder);
-    if (all.empty() && file_.empty())
-      return tl::unexpected(InputError{.what = "there is no lesson: no file here ends in .toml", .file = folder_});
+    if (all.empty() && file_.empty()) return tl::unexpected(no_lessons(folder_));
   }
   if (file_.empty()) return all;
   if (const auto text = read_start(file_, 0); !text) return tl::unexpected(text.error());

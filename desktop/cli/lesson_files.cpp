@@ -15,16 +15,19 @@ fs::path folder_or_own(const std::string& folder) {
   return folder.empty() ? program_folder() / "lessons" : fs::path(folder);
 }
 
-/// Hidden files are an editor's own.
-bool is_lesson(const fs::path& path) {
-  return path.extension() == ".toml" && path.filename() != kCourseFile && !path.filename().string().starts_with('.');
+/// Hidden files are an editor's own; a pipe would be waited for.
+bool is_lesson(const fs::directory_entry& entry) {
+  const fs::path& path = entry.path();
+  std::error_code error;
+  return entry.is_regular_file(error) && path.extension() == ".toml" && path.filename() != kCourseFile &&
+         !path.filename().string().starts_with('.');
 }
 
 tl::expected<std::vector<std::string>, InputError> toml_files(const fs::path& folder) {
   std::vector<std::string> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (is_lesson(entry.path())) paths.push_back(entry.path().string());
+    if (is_lesson(entry)) paths.push_back(entry.path().string());
   if (error)
     return tl::unexpected(
         InputError{.what = "the lessons cannot be read: " + error.message(), .file = folder.string()});
@@ -65,6 +68,10 @@ std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::
 
 }  // namespace
 
+InputError no_lessons(const std::string& folder) {
+  return {.what = "there is no lesson: no file here ends in .toml", .file = folder};
+}
+
 bool is_path(std::string_view lesson) { return lesson.ends_with(".toml"); }
 
 std::string id_of(const std::string& path) { return fs::path(path).stem().string(); }
@@ -87,12 +94,13 @@ tl::expected<lesson::Course, InputError> read_course_of(const std::string& folde
 }
 
 tl::expected<std::vector<std::string>, InputError> files_of(const std::string& folder) {
-  return toml_files(folder_or_own(folder)).map([&](std::vector<std::string>&& paths) {
-    const fs::path course = folder_or_own(folder) / kCourseFile;
-    std::error_code error;
-    if (fs::exists(course, error)) paths.push_back(course.string());
-    return std::move(paths);
-  });
+  auto paths = toml_files(folder_or_own(folder));
+  if (!paths) return paths;
+  const fs::path course = folder_or_own(folder) / kCourseFile;
+  std::error_code error;
+  if (fs::exists(course, error)) paths->push_back(course.string());
+  if (paths->empty()) return tl::unexpected(no_lessons(folder));
+  return paths;
 }
 
 tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder) {

@@ -37,7 +37,11 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// The course of a folder; none if it has no course file. Errors: those of lesson::read_course.
 [[nodiscard]] tl::expected<lesson::Course, InputError> read_course_of(const std::string& folder);
 
-/// The paths of a folder's lessons, by name, and of its course file at the end. Errors: those of the folder.
+/// The error of a folder without lessons.
+[[nodiscard]] InputError no_lessons(const std::string& folder);
+
+/// The paths of a folder's lessons, by name, and of its course file at the end. Errors: those of the folder; it has
+/// none of these files.
 [[nodiscard]] tl::expected<std::vector<std::string>, InputError> files_of(const std::string& folder);
 
 /// Every lesson of a folder in the order of its course, or by id if it has none; "" is the folder beside the program.

@@ -165,7 +165,7 @@ void add_update(Commands& commands) {
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   command.add_option("--steps", options->steps, "File to write the trace of all frames to, one JSON object a line");
-  command.add_option("FILE", options->file, "Point file, as of snug fit; - is xyz on standard input")->required();
+  command.add_option("FILE", options->file, "Point file, as for snug fit; - is xyz on standard input")->required();
 }
 
 }  // namespace snug::desktop

@@ -331,6 +331,96 @@ test("a link to a lesson that is not in the lesson's folder is refused with its 
   good(["lesson", "check", "linked.toml"]);
 });
 
+test("a folder without a lesson is refused, and what is no file in one is passed by", () => {
+  mkdirSync(join(folder, "none/dir.toml"), { recursive: true });
+  refused(["lesson", "check", "none"], "none: there is no lesson: no file here ends in .toml");
+  assert.equal(spawnSync("mkfifo", [join(folder, "none/pipe.toml")]).status, 0);
+  refused(["lesson", "check", "none"], "none: there is no lesson: no file here ends in .toml");
+  write("none/mine.toml", readFileSync(join(lessons, "examples/cloud.toml"), "utf8"));
+  assert.equal(json_lines(good(["lesson", "check", "none"])).length, 1);
+});
+
+test("a mistake in the head or in a text hides none of the others, and each has its line", () => {
+  write("many.toml", `version = 2
+title = "Many mistakes"
+summary = "Each in a line of its own."
+minutes = 0 # wrong
+algorithms = ["kdop/k8", "obb/exakt", "obb/exact"] # wrong
+reference = "hull/quickhul" # wrong
+
+[points]
+list = [[0, 0], [1, 0], [0, 1], [2, 2]]
+
+[view]
+inset = { at = "P7", size = 0.2 } # wrong
+names = ["A", "A"] # wrong
+
+[[situation]]
+name = "two"
+title = "Three points"
+[situation.points]
+list = [[0, 0], [1, 1], [3, 1]]
+
+[[slider]]
+title = "Turn"
+drives = "angel" # wrong
+from = 0
+to = 5
+
+[[section]]
+title = "One"
+situation = "nowhere" # wrong
+text = """
+A **term without an end. # wrong
+
+There is [it](situation:gone). # wrong
+
+| a | b |
+|---| # wrong
+| 1 | 2 |
+
+Its size: {excess kdop/k9} # wrong
+"""
+
+[[question]]
+id = "number"
+algorithm = "kdop/k8"
+before = "slab_found"
+asks = "number"
+figure = "excess"
+tolerance = -1 # wrong
+prompt = "How many per cent?"
+because = "It is so."
+
+[[question]]
+id = "twice"
+algorithm = "kdop/k8"
+before = "finished"
+asks = "choice"
+choices = ["yes", "yes"] # wrong
+answer = "yes"
+holds = "always"
+prompt = "Twice?"
+because = "It is so."
+section = "Nine" # wrong
+
+[[task]]
+prompt = "Build it."
+hint = "Try."
+model = [[0, 0]]
+
+[[task.require]]
+figure = "excess"
+over = "obb/exact"
+at_least = 3
+at_most = 2 # wrong
+`);
+  const { err, status } = snug(["lesson", "check", "many.toml"]);
+  assert.equal(status, 2);
+  const wrong = read("many.toml").split("\n").flatMap((line, i) => (line.includes("# wrong") ? [i + 1] : []));
+  assert.deepEqual(err.trimEnd().split("\n").map((line) => Number(line.match(/^snug: many\.toml:(\d+):\d+: /)?.[1])), wrong, err);
+});
+
 test("a lesson that is wrong is refused with its line, each in a line of its own", () => {
   const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8");
   const line = text.split("\n").findIndex((row) => /^algorithms\b/.test(row));

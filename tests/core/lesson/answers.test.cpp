@@ -45,8 +45,8 @@ const Outcome& outcome_of_own(const Session& session) {
 
 constexpr const char* kSupport = "algorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"points\"\n";
 
-Session at_support() {
-  Session session = test::open(with_question(kSupport));
+Session at_support(const std::string& more = "") {
+  Session session = test::open(with_question(kSupport + more));
   REQUIRE(session.choose(0, "welzl").has_value());
   session.last();
   REQUIRE(session.asked() != nullptr);
@@ -186,6 +186,23 @@ TEST_CASE("a wrong answer is told what it means, at the first try and in the out
   while (session.asked() == nullptr) session.forward();
   REQUIRE(session.answer(point(4)));
   CHECK(outcome_of_own(session).because == "P4 is far from the origin, not from another point. So.");
+}
+
+TEST_CASE("a wrong number and a wrong one of several points are told what they mean") {
+  Session session = at_own(
+      "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n"
+      "wrong = { \"2\" = \"That is the old radius.\" }\n");
+  REQUIRE(session.pick("2.005 units"));
+  REQUIRE(session.commit());
+  CHECK(session.answer_says() == "Not that one. Try once more. That is the old radius.");
+  REQUIRE(session.pick("2.5"));
+  REQUIRE(session.commit());
+  CHECK(outcome_of_own(session).because == "So.");
+
+  Session several = at_support("wrong = { P0 = \"Never said: P0 is right.\", P2 = \"P2 is inside.\" }\n");
+  REQUIRE((several.pick(point(0)) && several.pick(point(2))));
+  REQUIRE(several.commit());
+  CHECK(several.answer_says() == "Not that one. Try once more. P2 is inside.");
 }
 
 TEST_CASE("two questions at one place are both asked before either is told") {

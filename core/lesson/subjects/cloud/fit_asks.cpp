@@ -55,12 +55,12 @@ Truth axis_truth(const Asked& asked, const Run& run) {
 Truth grows_truth(const Asked& asked, const Run& run) {
   const FitTrace trace = fit_run(run).trace();
   const auto size = [&](int steps) { return steps == 0 ? 0.0 : fit::size_of(trace[steps - 1].step.volume, asked.dim); };
+  const bool ball = std::holds_alternative<fit::Sphere3>(trace[asked.until - 1].step.volume);
+  const std::string it = std::string("The ") + (ball ? "radius" : asked.dim == 2 ? "area" : "volume");
   const double before = size(asked.step), after = size(asked.until);
-  if (grew(before, after))
-    return yes("The radius grows from " + number_text(before) + " to " + number_text(after) + ".");
-  if (grew(after, before))
-    return no("The radius shrinks from " + number_text(before) + " to " + number_text(after) + ".");
-  return no("The radius stays " + number_text(before) + ".");
+  if (grew(before, after)) return yes(it + " grows from " + number_text(before) + " to " + number_text(after) + ".");
+  if (grew(after, before)) return no(it + " shrinks from " + number_text(before) + " to " + number_text(after) + ".");
+  return no(it + " stays " + number_text(before) + ".");
 }
 
 /// The choices of "sign".

@@ -8,7 +8,7 @@ namespace snug::lesson {
 /// "axis": which pair of extremes; the choices are the pairs.
 const char* offer_axes(Asked& asked, const Run& run);
 Truth axis_truth(const Asked& asked, const Run& run);
-/// "grows": whether the radius is larger after the step than where the question is asked.
+/// "grows": whether the volume is larger after the step than where the question is asked.
 Truth grows_truth(const Asked& asked, const Run& run);
 /// "leaves": which point leaves the support set; the choices are its points, and none.
 const char* offer_support(Asked& asked, const Run& run);

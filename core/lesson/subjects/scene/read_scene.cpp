@@ -10,6 +10,7 @@
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
+#include "scene/effect.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -102,9 +103,15 @@ scene::Setting read_setting(TomlTable& table, const std::string& key, const toml
   return places;
 }
 
-scene::EffectCall read_effect(const toml::table& toml, Complaints& complaints) {
+scene::EffectCall read_effect(const toml::table& toml, const std::vector<SceneBody>& bodies, Complaints& complaints) {
   TomlTable table(toml, "[[scene.effect]]", complaints);
   scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.place().line};
+  std::vector<std::string_view> effects, names;
+  for (const scene::EffectKind& kind : scene::catalogue()) effects.push_back(kind.name);
+  for (const SceneBody& one : bodies)
+    if (!one.body.name.empty()) names.push_back(one.body.name);
+  check_name(table, "effect", call.name, effects);
+  if (!names.empty()) check_name(table, "body", call.body, names);
   for (const auto& [key, node] : toml) {
     const std::string name(key.str());
     if (name == "effect" || name == "body") continue;
@@ -134,7 +141,8 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   const toml::table* points = lesson.table("points");
   const bool has_mesh = points != nullptr && points->contains("mesh");
   for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));
-  for (const toml::table* effect : table.tables("effect")) set.effects.push_back(read_effect(*effect, complaints));
+  for (const toml::table* effect : table.tables("effect"))
+    set.effects.push_back(read_effect(*effect, set.bodies, complaints));
   if (set.bodies.empty()) complaints.add(table.place(), "[scene] has no [[scene.body]]");
   table.refuse_others();
   return set;
