@@ -157,6 +157,19 @@ test("what cannot be drawn leaves the stage as it was", async (t) => {
   assert.equal(await page.locator("#title").textContent(), "Who decides?");
 });
 
+test("a folder that is gone is told, and followed again once it is back", async (t) => {
+  const page = await open(t, "?lesson=mine&step=2", { ...kWide, may_complain: /404/ });
+  const before = await state(page);
+  renameSync(folder, `${folder}-away`);
+  await page.locator("#strip h2").getByText("The lessons cannot be looked at.").waitFor();
+  await page.keyboard.press("ArrowRight"); // it goes on as it was
+  await until(page, (it, step) => it.step !== step || it.asked, before.step);
+  renameSync(`${folder}-away`, folder);
+  write("mine.toml", changed("Who sets the radius?", "Who decides?"));
+  await page.locator("#title").getByText("Who decides?").waitFor();
+  await page.locator("#strip").waitFor({ state: "hidden" });
+});
+
 test("a lesson that cannot be drawn at first opens once it is mended", async (t) => {
   write("mine.toml", kCloud);
   write("late.toml", "version = ");

@@ -6,11 +6,13 @@ const kLook = 250; // milliseconds between looks at the files
 const kAgain = 2000; // the same after a look that failed: the server may be gone for a while
 
 const nothing = { heading: "", lines: [] };
+const lost = { heading: "The lessons cannot be looked at.", lines: [{ text: "Their folder, or the program that serves it, is gone. The lesson is shown as it was.", warning: false }] };
 
 export class Preview {
   #stamps; // by the files' names
   #lesson = nothing;
   #course = nothing;
+  #files = nothing;
   #ideas;
 
   /** of: the course's "preview": the files' stamps as the course was made, the ids of the ideas that it lists, and what
@@ -25,6 +27,8 @@ export class Preview {
     for (;;) {
       await new Promise((go_on) => setTimeout(go_on, kLook));
       const names = await this.#look().catch(() => null);
+      this.#files = names ? nothing : lost;
+      this.#show(this.says);
       if (names?.length > 0) await changed(names).catch((failed) => console.warn(failed));
       if (names === null) await new Promise((go_on) => setTimeout(go_on, kAgain));
     }
@@ -63,7 +67,7 @@ export class Preview {
 
   /** What the strip says, part by part. */
   get says() {
-    return [this.#lesson, this.#course].filter(({ lines }) => lines.length > 0);
+    return [this.#files, this.#lesson, this.#course].filter(({ lines }) => lines.length > 0);
   }
 
   #show = when_changed((parts) => {
