@@ -74,7 +74,7 @@ constexpr Broken kBroken[] = {
     {"holds = \"here\"", "holds = \"there\"", "holds", "none of always or here: there; did you mean here?"},
     {"holds = \"here\"\n", "", "id = \"number\"", "a choice needs \"holds\""},
     {"holds = \"here\"\nbecause = \"Extremes, growth, check.\"",
-     "because = \"So.\"\n[[question.require]]\nfigure = \"excess\"\nat_most = 3", "[[question.require]]",
+     "because = \"So.\"\n[[question.require]]\nfigure = \"excess\"\nat_most = 3", "figure = \"excess\"\nat_most",
      "9.8 %; it must be at most 3 %"},
     {"figure = \"excess\"\nat_least = 5", "figure = \"gap\"\nat_least = 5", "figure = \"gap\"",
      "is none of radius, excess"},
