@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { folder, good, json_lines, refused, write } from "./support.mjs";
 
 const kStrategies = { sphere: ["transform"], aabb: ["loose", "rebuild", "hill_climb", "rotated_box"], obb: ["transform"],
-  kdop: ["k6_hill_climb", "k14_hill_climb", "k18_hill_climb", "k26_hill_climb"] };
+  kdop: ["k6_hill_climb", "k14_hill_climb", "k18_hill_climb", "k26_hill_climb", "k14_loose", "k14_rebuild", "k14_rotated"] };
 const args = (volume, strategy, ...more) => ["update", "--volume", volume, "--strategy", strategy, ...more];
 const update = (volume, strategy, ...more) => json_lines(good(args(volume, strategy, ...more)));
 

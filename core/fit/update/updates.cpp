@@ -14,6 +14,7 @@
 #include "fit/sphere/pivot.hpp"
 #include "fit/tally.hpp"
 #include "fit/update/update_hill_climb.hpp"
+#include "fit/update/update_kdop.hpp"
 #include "fit/update/update_kdop_climb.hpp"
 #include "fit/update/update_loose.hpp"
 #include "fit/update/update_obb.hpp"
@@ -125,12 +126,9 @@ struct ClimbedAabb : UpdatedAabb<Scalar, Dim>, Climbed<Scalar, Dim> {
   }
 };
 
+/// What the updates of k-DOPs have in common.
 template <class Scalar, int Dim>
-struct ClimbedKdop : Climbed<Scalar, Dim> {
-  ClimbedKdop(PointSpan<Scalar, Dim> span, int of_k) : Climbed<Scalar, Dim>(span, of_k), points(span), k(of_k) {}
-  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
-    return update_kdop_climb(this->climb, k, pose, watch).volume;
-  }
+struct UpdatedKdop {
   /// The tightest measure at a pose; 0 if a point is beyond the largest coordinate.
   [[nodiscard]] double tightest(const Pose<Scalar, Dim>& pose) const {
     std::vector<Vector<Scalar, Dim>> world;
@@ -141,6 +139,55 @@ struct ClimbedKdop : Climbed<Scalar, Dim> {
 
   PointSpan<Scalar, Dim> points;
   int k;
+};
+
+template <class Scalar, int Dim>
+struct ClimbedKdop : UpdatedKdop<Scalar, Dim>, Climbed<Scalar, Dim> {
+  ClimbedKdop(PointSpan<Scalar, Dim> points, int k)
+      : UpdatedKdop<Scalar, Dim>{points, k}, Climbed<Scalar, Dim>(points, k) {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_kdop_climb(this->climb, this->k, pose, watch).volume;
+  }
+};
+
+template <class Scalar, int Dim>
+struct LooseKdop : UpdatedKdop<Scalar, Dim> {
+  LooseKdop(PointSpan<Scalar, Dim> points, int k) : UpdatedKdop<Scalar, Dim>{points, k} {}
+  /// Finds the farthest point, in the first frame.
+  void prepare(auto& watch) {
+    if (reach) return;
+    reach = loose_reach(this->points).reach;
+    watch.count(Operation::kPointsTouched, this->points.size());
+    watch.count(Operation::kDistanceTests, this->points.size());
+  }
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_kdop_loose(*reach, this->k, pose, watch).volume;
+  }
+
+  std::optional<Scalar> reach;
+};
+
+template <class Scalar, int Dim>
+struct RebuiltKdop : UpdatedKdop<Scalar, Dim> {
+  RebuiltKdop(PointSpan<Scalar, Dim> points, int k) : UpdatedKdop<Scalar, Dim>{points, k} {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_kdop_rebuild(this->points, this->k, pose, watch).volume;
+  }
+};
+
+template <class Scalar, int Dim>
+struct RotatedKdop : UpdatedKdop<Scalar, Dim> {
+  RotatedKdop(PointSpan<Scalar, Dim> points, int k) : UpdatedKdop<Scalar, Dim>{points, k} {
+    const Kdop<Scalar, Dim> local = kdop_fit(points, k).volume;
+    size = size_of(local);
+    for (const auto& vertex : kdop_vertices(local)) vertices.push_back(vertex.template cast<Scalar>());
+  }
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {
+    return update_kdop_rotated(std::span<const Vector<Scalar, Dim>>(vertices), size, this->k, pose, watch).volume;
+  }
+
+  std::vector<Vector<Scalar, Dim>> vertices;
+  Scalar size;
 };
 
 /// Compiled once for each kind of volume, whatever the update.
@@ -238,6 +285,12 @@ constexpr UpdateStrategy kdop_row(std::string_view name, std::string_view title,
   return row<ClimbedKdop>("kdop", name, title, kUpdateKdopClimbPseudocode, k, plane, space);
 }
 
+template <template <class, int> class Update>
+constexpr UpdateStrategy kdop_row(std::string_view name, std::string_view title, int k,
+                                  std::span<const std::string_view> pseudocode) {
+  return row<Update>("kdop", name, title, pseudocode, k, k == 8, k == 14);
+}
+
 constexpr std::array kStrategies{
     row<TransformedSphere>("sphere", "transform", "Transformed sphere", kUpdateSpherePseudocode),
     row<LooseAabb>("aabb", "loose", "Loose AABB", kUpdateLoosePseudocode),
@@ -251,6 +304,12 @@ constexpr std::array kStrategies{
     kdop_row("k14_hill_climb", "14-DOP by hill climbing", 14, false, true),
     kdop_row("k18_hill_climb", "18-DOP by hill climbing", 18, false, true),
     kdop_row("k26_hill_climb", "26-DOP by hill climbing", 26, false, true),
+    kdop_row<LooseKdop>("k8_loose", "Loose 8-DOP", 8, kUpdateKdopLoosePseudocode),
+    kdop_row<RebuiltKdop>("k8_rebuild", "Rebuilt 8-DOP", 8, kUpdateKdopRebuildPseudocode),
+    kdop_row<RotatedKdop>("k8_rotated", "8-DOP of rotated 8-DOP", 8, kUpdateKdopRotatedPseudocode),
+    kdop_row<LooseKdop>("k14_loose", "Loose 14-DOP", 14, kUpdateKdopLoosePseudocode),
+    kdop_row<RebuiltKdop>("k14_rebuild", "Rebuilt 14-DOP", 14, kUpdateKdopRebuildPseudocode),
+    kdop_row<RotatedKdop>("k14_rotated", "14-DOP of rotated 14-DOP", 14, kUpdateKdopRotatedPseudocode),
 };
 
 }  // namespace

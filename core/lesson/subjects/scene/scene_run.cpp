@@ -25,9 +25,10 @@ Method scene_method(std::string_view name, std::string_view title, std::span<con
 constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose",
                                                    "touching",  "slack",    "cost",        "energy"};
 
-/// The name of an update in lessons: with the volume, if that is not an AABB.
+/// The name of an update in lessons: with the volume, if that is not an AABB. A k-DOP climbs where nothing is said.
 std::string name_of(const fit::UpdateStrategy& strategy) {
-  if (strategy.volume == "aabb") return std::string(strategy.name);
+  const bool climbs = strategy.k > 0 && strategy.name.ends_with("_hill_climb");
+  if (strategy.volume == "aabb" || (strategy.k > 0 && !climbs)) return std::string(strategy.name);
   return strategy.k > 0 ? "k" + std::to_string(strategy.k) : std::string(strategy.volume);
 }
 
