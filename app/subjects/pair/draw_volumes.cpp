@@ -5,7 +5,7 @@
 #include "app/box_marks.hpp"
 #include "app/polytope.hpp"
 #include "app/subjects/pair/draw.hpp"
-#include "lesson/subjects/pair/volumes.hpp"
+#include "lesson/subjects/pair/feature.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
@@ -81,7 +81,20 @@ struct Drawing {
   }
   void operator()(const query::CoresCompared& fact) const {
     for (const int side : {0, 1}) core(side, brush.p.examined, 1.1f);
+    for (const int side : {0, 1}) feature(side, side == 0 ? fact.on_a : fact.on_b, fact.distance);
     between_cores(fact.on_a, fact.on_b, fact.distance, fact.apart);
+  }
+  /// Draws the vertex, the edge or the face of a rectangle that is nearest to the other core.
+  void feature(int side, const Point3& nearest, double distance) const {
+    const auto* lozenge = std::get_if<Lozenge<double, 3>>(&pair.held[side].volume);
+    if (lozenge == nullptr || !(distance > 0)) return;
+    const Palette& p = brush.p;
+    std::vector<ImVec2> at;
+    for (const Point3& corner : lesson::feature_at(*lozenge, nearest).corners) at.push_back(brush.at(corner));
+    if (at.size() == 1) return diamond(brush.list, at[0], 8 * p.mark, p.support, p.ground);
+    if (at.size() > 2)
+      brush.list->AddConvexPolyFilled(at.data(), static_cast<int>(at.size()), with_alpha(p.support, 0.14f));
+    path(brush.list, at, at.size() > 2, Stroke::kSolid, p.support, brush.stroke(1.5f));
   }
   /// Draws the line between the nearest points, and the parts of it that the radii cover.
   void between_cores(const Point3& on_a, const Point3& on_b, double distance, bool known_apart) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lesson/held_volume.hpp"
+#include "lesson/subjects/pair/feature.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "lesson/words.hpp"
 
@@ -170,7 +171,8 @@ struct Entry<query::SlabTested> : EntryDefaults {
 template <>
 struct Entry<query::CoresCompared> : EntryDefaults {
   using Fact = query::CoresCompared;
-  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &cores_truth}};
+  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &cores_truth},
+                                       Asking{"feature", &offer_features, &feature_truth}};
   static std::string sentence(const Fact& fact, const PairWhere&) {
     const auto [distance, radii] = number_texts_apart(fact.distance, fact.radii);
     return "The cores are " + distance + " apart, and the radii add up to " + radii +
