@@ -4,8 +4,10 @@
 
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/call_tree_view.hpp"
+#include "app/subjects/cloud/census_panel.hpp"
 #include "app/subjects/cloud/draw.hpp"
 #include "app/subjects/cloud/hand.hpp"
+#include "app/subjects/cloud/matrix_inset.hpp"
 #include "app/subjects/cloud/products_panel.hpp"
 #include "app/subjects/cloud/ulp_inset.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
@@ -49,8 +51,9 @@ class CloudView final : public SubjectView {
   void draw_marks(Brush& brush) const override { mark_cloud(brush, shown_); }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
-    const Rect tree = draw_call_tree(brush, top);
-    return tree.width > 0 ? tree : draw_ulp_inset(brush, shown_, top);
+    Rect inset = draw_call_tree(brush, top);
+    if (!(inset.width > 0)) inset = draw_matrix_inset(brush, top);
+    return inset.width > 0 ? inset : draw_ulp_inset(brush, shown_, top);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     fit::Sphere3 all = with_hand(session, with_left_outside(SubjectView::extent(session), session));
@@ -70,7 +73,8 @@ class CloudView final : public SubjectView {
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     float height = draw_call_panel(look, session, at, width);
     if (height == 0) height = draw_call_stack(look, session, at, width);
-    return height > 0 ? height : draw_products_panel(look, session, at, width);
+    if (height == 0) height = draw_products_panel(look, session, at, width);
+    return height > 0 ? height : draw_census_panel(look, session, at, width);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;
