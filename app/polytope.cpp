@@ -66,6 +66,24 @@ std::vector<int> face_of(const std::vector<V3>& corners, const V3& outward, doub
   return face;
 }
 
+constexpr std::size_t kMostFacetsJoined = 128;  // of more facets, those in one plane are too small to matter
+
+/// A solid's facets; those that lie in one plane but for rounding are one face.
+std::vector<std::vector<int>> joined_facets(const ConvexHull<double, 3>& hull) {
+  const double doubt = tolerance::kOnOutline * size_of(hull);
+  std::vector<std::vector<int>> faces;
+  for (const auto& [a, b, c] : hull.facets) {
+    const V3& corner = hull.vertices[a];
+    const V3 outward = (hull.vertices[b] - corner).cross(hull.vertices[c] - corner).normalized();
+    std::vector<int> face = face_of(hull.vertices, outward, outward.dot(corner), doubt);
+    if (face.size() < 3) face = {a, b, c};
+    std::vector<int> first = face;
+    std::rotate(first.begin(), std::min_element(first.begin(), first.end()), first.end());
+    if (std::find(faces.begin(), faces.end(), first) == faces.end()) faces.push_back(std::move(first));
+  }
+  return faces;
+}
+
 }  // namespace
 
 Polytope polytope_of(const Obb<double, 3>& obb, int dim) {
@@ -98,7 +116,11 @@ Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim) {
     polytope.faces.push_back(joined(hull.facets, hull.vertices.size()));
     return polytope;
   }
-  for (const auto& facet : hull.facets) polytope.faces.push_back({facet[0], facet[1], facet[2]});
+  if (hull.facets.size() > kMostFacetsJoined) {
+    for (const auto& facet : hull.facets) polytope.faces.push_back({facet[0], facet[1], facet[2]});
+    return polytope;
+  }
+  polytope.faces = joined_facets(hull);
   return polytope;
 }
 

@@ -42,4 +42,20 @@ TEST_CASE("a k-DOP in space is drawn by its flat faces, one for each side of a s
     }
 }
 
+TEST_CASE("facets of a hull that lie in one plane are drawn as one face") {
+  std::vector<lesson::Point3> cube;
+  for (int i = 0; i < 8; ++i) cube.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  const auto hull_of = [](const std::vector<lesson::Point3>& points) {
+    const fit::Result result = fit::find_algorithm("hull", "quickhull")->fit(*lesson::to_set(points, 3), {});
+    return polytope_of(*std::get_if<ConvexHull<double, 3>>(&result.volume), 3);
+  };
+  const Polytope solid = hull_of(cube);
+  CHECK(solid.faces.size() == 6);
+  for (const std::vector<int>& face : solid.faces) CHECK(face.size() == 4);
+  for (lesson::Point3& corner : cube) corner += 1e-15 * lesson::Point3(corner[1], corner[2] - corner[0], corner[0]);
+  CHECK(hull_of(cube).faces.size() == 6);
+  cube.push_back({0.5, 0.5, 1.5});  // a roof of four triangles
+  CHECK(hull_of(cube).faces.size() == 9);
+}
+
 }  // namespace snug::app

@@ -54,3 +54,30 @@ test("an address brings back what the hand has set", async (t) => {
   const again = await visit(t, new URL(page.url()).search);
   assert.equal(text_of(await until(again, (now, text) => now.figures.some((figure) => figure.key === "measure" && figure.text === text), text_of(dragged))), text_of(dragged));
 });
+
+test("directions of a k-DOP are added by the slider, dragged and deleted, and their address brings them back", async (t) => {
+  const page = await visit(t, "?lesson=kdop-slabs&a=kdop/by_hand&step=9");
+  const two = await state(page);
+  assert.deepEqual((await handles(page)).map(({ id }) => id).filter((id) => id.startsWith("Axis")), ["Axis 1", "Axis 2"]);
+  await page.getByRole("slider", { name: "Your slabs" }).fill("2");  // its third place: from 2 to 4
+  const four = await until(page, differs, text_of(two));
+  assert.equal(number_of(four, "slabs"), 4);
+  assert.ok(measure_of(four) < measure_of(two), "x+y and x−y cut the AABB's corners off");
+  await page.locator("#canvas").focus();
+  await drag(page, "Axis 3", 30, 30);
+  const turned = await until(page, differs, text_of(four));
+  assert.equal(number_of(turned, "outside"), 0);
+  await page.keyboard.press("Delete");
+  const three = await until(page, differs, text_of(turned));
+  assert.equal(number_of(three, "slabs"), 3);
+  await page.waitForTimeout(400);
+  const again = await visit(t, new URL(page.url()).search);
+  assert.equal(text_of(await until(again, (now) => now.figures.some(({ key, text }) => key === "slabs" && text.startsWith("3")))), text_of(three));
+});
+
+test("before its slab is shown, the points that bound a direction by hand are asked for, and tapped", async (t) => {
+  const page = await visit(t, "?lesson=kdop-slabs&a=kdop/by_hand&step=1");
+  const { asked } = await until(page, (now) => now.asked !== null);
+  assert.equal(asked.id, "own-extremes");
+  assert.ok(asked.targets.every((name) => name.startsWith("P")), "a knob is no answer");
+});

@@ -183,7 +183,7 @@ test("a turn has slack for each update", () => {
   assert.ok(of("rebuild").every(({ slack }) => slack === 0));
   assert.ok(of("loose").every(({ slack, contains }) => slack > 0 && contains));
   assert.ok(rows.every(({ update_ns }) => update_ns.median > 0));
-  assert.equal(new Set(rows.map(({ volume, strategy }) => `${volume} ${strategy}`)).size, 10);
+  assert.equal(new Set(rows.map(({ volume, strategy }) => `${volume} ${strategy}`)).size, 13);
   assert.match(good(["cost", ...quick, "--turn", "--volume", "aabb", cloud]), /aabb +hill_climb +\S+ \S+( \?)? +0\.0 % +0\.0 % +0\.0 %/);
 });
 

@@ -7,7 +7,7 @@
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
 #include "lesson/figures.hpp"
-#include "lesson/names.hpp"
+#include "lesson/subjects.hpp"
 #include "measure/census.hpp"
 
 namespace snug::app {
@@ -34,9 +34,14 @@ RatioAxis axis_over(const std::vector<cost::CensusRow>& rows, float x, float wid
 }
 
 bool compares_both(const lesson::Session& session) {
-  const auto& names = session.lesson().algorithms;
-  return session.dim() == 3 && session.method(0)->volume == "kdop" && lesson::is_among(names, "kdop/k14") &&
-         lesson::is_among(names, "obb/exact");
+  const auto has = [&](std::string_view volume, std::string_view name) {
+    const auto& names = session.lesson().algorithms;
+    return std::any_of(names.begin(), names.end(), [&](const std::string& own) {
+      const lesson::Method* method = lesson::find_method(session.lesson(), own);
+      return method->volume == volume && method->name == name;
+    });
+  };
+  return session.dim() == 3 && session.method(0)->volume == "kdop" && has("kdop", "k14") && has("obb", "exact");
 }
 
 }  // namespace

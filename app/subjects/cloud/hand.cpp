@@ -49,6 +49,18 @@ void draw_handle(Brush& brush, const lesson::HeldVolume& held, const Handle& han
   }
 }
 
+/// A direction of a k-DOP: a line through the points with a knob at its end, and its name.
+void draw_axis(Brush& brush, const lesson::AxesByHand& axes, Index i) {
+  const Point3 at = axes.at(i);
+  draw_line(brush.canvas, axes.opposite(i), at, {Stroke::kDotted, brush.p.current, brush.stroke(0.6f)});
+  draw_knob(brush, at, at, true);
+  const ImVec2 middle = brush.at(axes.center()), end = brush.at(at);
+  brush.label(end, 12, {end.x - middle.x, end.y - middle.y},
+              std::to_string(i + 1) + ": " +
+                  lesson::direction_text(axes.axes()[static_cast<std::size_t>(i)], brush.dim()),
+              brush.p.current_text, Face::kRegular, 13);
+}
+
 /// An arrow from the mean with its name; the longest is as long as the points spread twice.
 void draw_named_arrow(Brush& brush, const Point3& from, const Point3& way, const std::string& name, Color color,
                       Color words) {
@@ -74,6 +86,10 @@ void draw_hand(Brush& brush) {
   for (Index i = 0; i < hand.size(); ++i) {
     if (!shows_hand_of(brush.session, hand.volume_of(i))) continue;
     const lesson::HeldVolume* held = hand.held(hand.volume_of(i));
+    if (held == nullptr) {
+      draw_axis(brush, *hand.axes(), hand.axis_of(i));
+      continue;
+    }
     if (held != last) draw_core(brush, *held);
     last = held;
     draw_handle(brush, *held, hand.handle(i), hand.at(i));

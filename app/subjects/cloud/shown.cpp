@@ -158,10 +158,17 @@ struct CloudFiller {
   }
   void operator()(const fit::RecursionStopped&) const {}
   void operator()(const fit::SlabFound& fact) const {
-    const Point3 axis = lesson::slab_axis(step, fact.slab, session.dim());
+    const auto& run = lesson::fit_run(session.run(0));
+    const int last = static_cast<int>(steps.size()) - 1;
+    const Point3 axis = run.slab_axis(last, fact.slab);
     const double length = axis.norm();
-    shown.slab = {fact.slab + 1, axis / length, fact.min / length,      fact.max / length,
-                  fact.least,    fact.greatest, lesson::axis_name(axis)};
+    shown.slab = {fact.slab + 1,
+                  axis / length,
+                  fact.min / length,
+                  fact.max / length,
+                  fact.least,
+                  fact.greatest,
+                  run.slab_name(last, fact.slab)};
     named();
   }
   void operator()(const fit::Finished&) const {}  // its support set is marked anyway

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fit/catalogue_rows.hpp"
+#include "fit/kdop/kdop_by_hand.hpp"
 #include "fit/obb/certify_obb.hpp"
 #include "fit/obb/obb_by_hand.hpp"
 #include "fit/swept/certify_swept.hpp"
@@ -28,6 +29,7 @@ constexpr std::array kHandMethods{
     by_hand("obb", kEigenByHand, "Eigenvector by hand", fit::kObbEigenByHandPseudocode),
     by_hand("capsule", kFitByHand, "By hand", fit::kCapsuleByHandPseudocode),
     by_hand("lozenge", kFitByHand, "By hand", fit::kLozengeByHandPseudocode),
+    by_hand("kdop", kFitByHand, "Directions by hand", fit::kKdopByHandPseudocode),
 };
 
 /// How each kind of volume is fitted. There is no other kind that a hand can set.

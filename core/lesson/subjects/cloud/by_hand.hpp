@@ -17,7 +17,8 @@ inline constexpr std::string_view kFitByHand = "by_hand", kEigenByHand = "eigen_
 /// Sorted by volume, as in the catalogue, which has none of them: they need a hand.
 [[nodiscard]] std::span<const Method> hand_methods();
 
-/// Runs one of them. hand: a volume of its kind, of which only the axes, the segment or the rectangle count.
+/// Runs one of them but the k-DOP's (axes_by_hand.hpp). hand: a volume of its kind, of which only the axes, the segment
+/// or the rectangle count.
 [[nodiscard]] fit::Recording record_by_hand(const Method& method, const fit::Volume3& hand, const AnyPointSet& points,
                                             fit::Recording room = {});
 /// The volume alone.

@@ -1,6 +1,7 @@
 #include "lesson/subjects/cloud/cloud.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "lesson/subjects.hpp"
@@ -137,6 +138,29 @@ Done CloudSubject::move(Index i, const Point3& to) {
   return {};
 }
 
+Done CloudSubject::remove(Index i) {
+  if (i < count()) return PointSubject::remove(i);
+  if (Done removed = hand_.remove(i - count()); !removed) return removed;
+  worked_ = {};
+  origin_.edited = true;
+  return {};
+}
+
+std::vector<Drive> CloudSubject::drives() const {
+  std::vector<Drive> all = PointSubject::drives();
+  if (hand_.axes() != nullptr)
+    all.push_back({.name = "axes", .unit = "slabs", .now = static_cast<double>(hand_.axes()->size()), .whole = true});
+  return all;
+}
+
+Done CloudSubject::drive(std::string_view name, double from, double to) {
+  if (name != "axes" || hand_.axes() == nullptr) return PointSubject::drive(name, from, to);
+  if (Done resized = hand_.resize_axes(static_cast<int>(std::lround(to))); !resized) return resized;
+  worked_ = {};
+  origin_.edited = true;
+  return {};
+}
+
 /// Other points start with the hand at its first place.
 Done CloudSubject::begun(Done done) {
   if (done) hand_.begin(*points());
@@ -162,19 +186,21 @@ void CloudSubject::begin_task(const Lesson& lesson, const Task& task, const Subj
 }
 
 fit::Recording CloudSubject::record(const Method& method, fit::Recording room) const {
-  if (method.by_hand) return record_by_hand(method, hand_.held(method.volume)->volume, *points(), std::move(room));
+  if (method.by_hand) return hand_.record(method, *points(), std::move(room));
   return algorithm_of(method).record(*points(), {.seed = origin_.seed}, std::move(room));
 }
 
 fit::Volume3 CloudSubject::fitted(const Method& method) const {
-  if (method.by_hand) return fit_by_hand(hand_.held(method.volume)->volume, *points());
+  if (method.by_hand) return hand_.fitted(method, *points());
   return algorithm_of(method).fit(*points(), {.seed = origin_.seed}).volume;
 }
 
 std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run> earlier) const {
   fit::Recording room;
   if (earlier != nullptr) room = static_cast<FitRun&>(*earlier).give_up();
-  return std::make_unique<FitRun>(*points(), method.exact, record(method, std::move(room)), names(), hand_.size() > 0);
+  const bool slabs = method.by_hand && hand_.axes() != nullptr && hand_.held(method.volume) == nullptr;
+  return std::make_unique<FitRun>(*points(), method.exact, record(method, std::move(room)), names(), hand_.size() > 0,
+                                  slabs ? hand_.axes()->axes() : std::vector<Point3>());
 }
 
 std::string CloudSubject::opening(const Method& method) const {

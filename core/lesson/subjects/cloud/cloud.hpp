@@ -40,6 +40,11 @@ class CloudSubject final : public PointSubject {
   /// rows: if there are none of the points, or none of the hand, those stay as they are.
   Done set_rows(const Rows& rows) override;
   Done move(Index i, const Point3& to) override;
+  /// Deletes a point, or a direction of a k-DOP that is set by hand.
+  Done remove(Index i) override;
+  /// What points have, and the number of a k-DOP's "axes" that are set by hand.
+  [[nodiscard]] std::vector<Drive> drives() const override;
+  Done drive(std::string_view name, double from, double to) override;
   Done load(const io::PointFile& file, std::string_view name) override;
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override;
   void scatter(std::uint64_t seed, const Subject& own) override;

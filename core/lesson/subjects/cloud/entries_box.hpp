@@ -106,7 +106,14 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
                                                    : "The smallest rectangle lies on the hull's edge from " +
                                                          where.name(fact.edge_a) + " to " + where.name(fact.edge_b);
     return on + (where.dim() == 2 ? ": " : ", in the projection along the axis; its box has ") + where.size_word() +
-           number_text(fact.measure) + (fact.better ? ", the smallest so far." : ": no better than before.");
+           number_text(fact.measure) + (fact.better ? gain(fact, where) : ": no better than before.");
+  }
+  /// By how much it is smaller than the box before.
+  static std::string gain(const Fact& fact, const FitWhere& where) {
+    const bool first = where.before() == nullptr || !where.before()->has_volume;
+    const double before = first ? 0 : fit::measure_of(where.before()->volume, where.dim());
+    if (!(before > fact.measure)) return ", the smallest so far.";
+    return ", " + without_plus(percent_text(1 - fact.measure / before)) + " less than before.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
     return points_of({{&fact.edge_a, 1}, {&fact.edge_b, 1}});
@@ -202,8 +209,7 @@ struct Entry<fit::SlabFound> : FitEntry {
   using Fact = fit::SlabFound;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "Slab " + std::to_string(fact.slab + 1) + " lies between " + where.name(fact.least) + " and " +
-           where.name(fact.greatest) + ", the extremes along " +
-           axis_name(slab_axis(where.step(), fact.slab, where.dim())) + ".";
+           where.name(fact.greatest) + ", the extremes along " + where.run.slab_name(where.i, fact.slab) + ".";
   }
   /// They stay on its boundary, however it is cut further.
   static std::vector<Index> adds_to_support(const Fact& fact) {

@@ -322,7 +322,7 @@ struct Entry<fit::Finished> : FitEntry {
     if (where.next() != nullptr)
       return "It starts from Ritter's " + where.ball() + ", with radius " + number_text(where.radius()) + ".";
     const std::string done = "Done: " + where.size(), names = where.names(fact.support);
-    if (std::holds_alternative<ConvexHull<double, 3>>(where.step().volume))
+    if (std::holds_alternative<ConvexHull<double, 3>>(where.step().volume) && where.run.axes_by_hand().empty())
       return done + "; the hull has " +
              (fact.support.size() == 1 ? "1 vertex."
                                        : count_text(static_cast<std::int64_t>(fact.support.size())) + " vertices.");

@@ -85,7 +85,7 @@ const char* offer_narrowest(Asked& asked, const Run& run) {
   const Step3& step = fit_run(run).trace()[asked.fact].step;
   const auto* kdop = std::get_if<Kdop<double, 3>>(&step.volume);
   if (kdop == nullptr) return "\"slab\" can only be asked of a k-DOP";
-  for (int i = 0; i < kdop->k / 2; ++i) asked.add_choice(axis_name(slab_axis(step, i, asked.dim)));
+  for (int i = 0; i < kdop->k / 2; ++i) asked.add_choice(fit_run(run).slab_name(asked.fact, i));
   return nullptr;
 }
 
@@ -95,7 +95,7 @@ Truth narrowest_truth(const Asked& asked, const Run& run) {
   const auto& kdop = *std::get_if<Kdop<double, 3>>(&step.volume);
   std::vector<double> widths;
   for (int i = 0; i < kdop.k / 2; ++i)
-    widths.push_back((kdop.max[i] - kdop.min[i]) / slab_axis(step, i, asked.dim).norm());
+    widths.push_back((kdop.max[i] - kdop.min[i]) / fit_run(run).slab_axis(asked.fact, i).norm());
   const double least = *std::min_element(widths.begin(), widths.end());
   Truth truth;
   for (std::size_t i = 0; i < widths.size(); ++i) {

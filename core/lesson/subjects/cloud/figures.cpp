@@ -36,6 +36,7 @@ class FitBoard {
     seen();
     best();
     hull();
+    slabs();
     calls();
     if (entry_ != nullptr) spread(entry_->step.fact);
     image();
@@ -143,7 +144,7 @@ class FitBoard {
   /// How far Quickhull has come: the same rows at every step.
   void hull() {
     const auto* result = std::get_if<ConvexHull<double, 3>>(&run_.recording().result.volume);
-    if (result == nullptr) return;
+    if (result == nullptr || !run_.axes_by_hand().empty()) return;
     const auto grown = growing_hull(trace_, view_.step);
     const bool done = view_.step == static_cast<int>(trace_.size());
     const auto number = [&](std::string_view name, std::string key, std::size_t n, std::string_view unit) {
@@ -158,6 +159,17 @@ class FitBoard {
     number("Dropped", "dropped", grown->dropped.size(), "points");
     number("Farthest points chosen", "rounds", static_cast<std::size_t>(grown->rounds), "points");
     if (run_.dim() == 3) number("Facets that see the eye", "seen_facets", grown->seen.size(), "facets");
+  }
+
+  /// The slabs that were found so far in directions set by hand, and what it takes to store them.
+  void slabs() {
+    if (run_.axes_by_hand().empty()) return;
+    const auto is_slab = [](const auto& entry) { return std::holds_alternative<SlabFound>(entry.step.fact); };
+    const auto found = std::count_if(trace_.begin(), trace_.begin() + view_.step, is_slab);
+    constexpr int kBytes = 2 * sizeof(float);
+    add("Slabs" + so_far(), "slabs", things_text(found, "slab", "slabs"), static_cast<double>(found), "slabs");
+    add("Stored as float", "bytes", things_text(kBytes * found, "byte", "bytes"), static_cast<double>(kBytes * found),
+        "bytes");
   }
 
   /// How deep the recursion is.

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "lesson/fact_run.hpp"
+#include "lesson/subjects/cloud/axes_by_hand.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
 #include "lesson/words.hpp"
 
@@ -23,11 +24,16 @@ std::string FitRun::Where::size() const {
   return size_word() + number_text(fit::size_of(step().volume, dim()));
 }
 
-Point3 slab_axis(const fit::Step3& step, int slab, int dim) {
-  const int k = std::get_if<Kdop<double, 3>>(&step.volume)->k;
+Point3 FitRun::slab_axis(int i, int slab) const {
+  if (!axes_.empty()) return axes_[static_cast<std::size_t>(slab)];
+  const int k = std::get_if<Kdop<double, 3>>(&trace()[i].step.volume)->k;
   Point3 axis = Point3::Zero();
-  for (int i = 0; i < dim; ++i) axis[i] = dim == 2 ? kdop_axes<2>(k)[slab][i] : kdop_axes<3>(k)[slab][i];
+  for (int j = 0; j < dim(); ++j) axis[j] = dim() == 2 ? kdop_axes<2>(k)[slab][j] : kdop_axes<3>(k)[slab][j];
   return axis;
+}
+
+std::string FitRun::slab_name(int i, int slab) const {
+  return axes_.empty() ? axis_name(slab_axis(i, slab)) : direction_text(slab_axis(i, slab), dim());
 }
 
 std::vector<Index> FitRun::support(int steps) const {

@@ -15,11 +15,12 @@ using FitTrace = std::span<const Recorder<fit::Step3>::Entry>;
 class FitRun final : public FactRun<FitRun, fit::Step3> {
  public:
   /// points: those of the run; they must outlive it. names: the lesson's own for them. points_alone: whether the
-  /// subject has other handles than points, which are no answers.
+  /// subject has other handles than points, which are no answers. axes: the directions of the slabs, if they were set
+  /// by hand; otherwise a k-DOP has its own.
   FitRun(const AnyPointSet& points, bool exact, fit::Recording recording, NamesOfPoints names = {},
-         bool points_alone = false)
+         bool points_alone = false, std::vector<Point3> axes = {})
       : points_(points), exact_(exact), points_alone_(points_alone), recording_(std::move(recording)),
-        names_(std::move(names)) {}
+        names_(std::move(names)), axes_(std::move(axes)) {}
 
   [[nodiscard]] FitTrace trace() const { return recording_.steps; }
   [[nodiscard]] const fit::Recording& recording() const { return recording_; }
@@ -28,6 +29,11 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   [[nodiscard]] const AnyPointSet& points() const { return points_; }
   [[nodiscard]] int dim() const { return fit::dim_of(points_); }
   [[nodiscard]] bool exact() const { return exact_; }
+  [[nodiscard]] const std::vector<Point3>& axes_by_hand() const { return axes_; }
+  /// The direction across a slab of step i's k-DOP: small whole numbers, or unit where it was set by hand; and its
+  /// name.
+  [[nodiscard]] Point3 slab_axis(int i, int slab) const;
+  [[nodiscard]] std::string slab_name(int i, int slab) const;
   [[nodiscard]] std::vector<Index> support(int steps) const override;
   [[nodiscard]] std::vector<Index> candidates(int i) const override;
 
@@ -59,12 +65,10 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   bool exact_, points_alone_;
   fit::Recording recording_;
   NamesOfPoints names_;
+  std::vector<Point3> axes_;
 };
 
 extern template class FactRun<FitRun, fit::Step3>;
-
-/// The direction across a slab of the step's k-DOP, not unit: small whole numbers.
-[[nodiscard]] Point3 slab_axis(const fit::Step3& step, int slab, int dim);
 
 /// The run of a subject whose methods fit volumes.
 [[nodiscard]] inline const FitRun& fit_run(const Run& run) { return static_cast<const FitRun&>(run); }

@@ -9,7 +9,8 @@
 namespace snug::lesson {
 namespace {
 
-constexpr double kKnobAway = 0.12;  // how far a knob is from its volume, over the points' largest extent
+constexpr std::string_view kSlabsVolume = "kdop";  // whose directions are set, and which has no handles of its own
+constexpr double kKnobAway = 0.12;                 // how far a knob is from its volume, over the points' largest extent
 
 /// The axis-aligned box around the points.
 struct Extents {
@@ -74,11 +75,14 @@ std::string title_of(std::string_view volume) {
 }  // namespace
 
 Hand::Hand(std::span<const std::string_view> volumes, const AnyPointSet& points) {
-  for (const std::string_view volume : volumes) parts_.push_back({volume, {}});
+  for (const std::string_view volume : volumes)
+    if (volume == kSlabsVolume) axes_.emplace(points);
+    else parts_.push_back({volume, {}});
   begin(points);
 }
 
 void Hand::begin(const AnyPointSet& points) {
+  if (axes_) axes_->begin(points);
   grips_.clear();
   if (parts_.empty()) return;
   const Start start{Extents(points)};
@@ -94,13 +98,22 @@ void Hand::begin(const AnyPointSet& points) {
 }
 
 void Hand::follow(const AnyPointSet& points) {
+  if (axes_) axes_->follow(points);
   if (!parts_.empty() && parts_.front().held.dim != fit::dim_of(points)) return begin(points);
   for (Part& part : parts_) fit_to(part.held, points);
 }
 
-Point3 Hand::at(Index i) const { return at_handle(parts_[grips_[i].part].held, grips_[i].handle); }
+Point3 Hand::at(Index i) const {
+  if (i >= held_handles()) return axes_->at(axis_of(i));
+  return at_handle(parts_[grips_[i].part].held, grips_[i].handle);
+}
+
+std::string_view Hand::volume_of(Index i) const {
+  return i >= held_handles() ? kSlabsVolume : parts_[grips_[i].part].volume;
+}
 
 std::string Hand::name_of(Index i) const {
+  if (i >= held_handles()) return "Axis " + std::to_string(axis_of(i) + 1);
   const auto& [part, handle] = grips_[i];
   const std::string title = title_of(parts_[part].volume);
   if (handle.kind != Handle::Kind::kVertex) return title + handle_name(parts_[part].held, handle);
@@ -109,12 +122,28 @@ std::string Hand::name_of(Index i) const {
 }
 
 Done Hand::move(Index i, const Point3& to, const AnyPointSet& points) {
+  if (i >= held_handles()) return axes_->move(axis_of(i), to);
   HeldVolume& held = parts_[grips_[i].part].held;
   auto next = moved(held, grips_[i].handle, to);
   if (!next) return tl::unexpected(std::move(next.error()));
   held = *std::move(next);
   fit_to(held, points);
   return {};
+}
+
+Done Hand::remove(Index i) {
+  if (i >= held_handles()) return axes_->remove(axis_of(i));
+  return tl::unexpected(InputError{.what = name_of(i) + " cannot be deleted"});
+}
+
+fit::Recording Hand::record(const Method& method, const AnyPointSet& points, fit::Recording room) const {
+  if (method.volume == kSlabsVolume) return record_slabs(axes_->axes(), points, std::move(room));
+  return record_by_hand(method, held(method.volume)->volume, points, std::move(room));
+}
+
+fit::Volume3 Hand::fitted(const Method& method, const AnyPointSet& points) const {
+  if (method.volume == kSlabsVolume) return fit_slabs(axes_->axes(), points);
+  return fit_by_hand(held(method.volume)->volume, points);
 }
 
 const HeldVolume* Hand::held(std::string_view volume) const {
@@ -126,19 +155,22 @@ const HeldVolume* Hand::held(std::string_view volume) const {
 Rows Hand::rows() const {
   Rows rows;
   for (const Part& part : parts_) rows.push_back(row_of(part.held));
+  if (axes_) rows.push_back(axes_->row());
   return rows;
 }
 
 Done Hand::set_rows(std::span<const std::vector<double>> rows, const AnyPointSet& points) {
   if (rows.empty()) return {};
-  if (rows.size() != parts_.size())
+  if (rows.size() != parts_.size() + (axes_ ? 1 : 0))
     return tl::unexpected(InputError{.what = "as many volumes are set by hand as the lesson has"});
   std::vector<HeldVolume> next;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
     auto held = with_row(parts_[i].held, rows[i]);
     if (!held) return tl::unexpected(std::move(held.error()));
     next.push_back(*std::move(held));
   }
+  if (axes_)
+    if (Done set = axes_->set_row(rows.back()); !set) return set;
   for (std::size_t i = 0; i < next.size(); ++i) {
     parts_[i].held = std::move(next[i]);
     fit_to(parts_[i].held, points);

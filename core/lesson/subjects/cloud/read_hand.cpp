@@ -45,6 +45,15 @@ struct HandReader {
   }
 };
 
+/// Reads the directions of a k-DOP; what is not there stays.
+std::vector<double> read_axes(TomlTable& table, AxesByHand axes, int dim) {
+  if (!table.has("axes")) return axes.row();
+  std::vector<double> row;
+  for (const Point3& axis : table.points("axes", dim)) row.insert(row.end(), axis.data(), axis.data() + dim);
+  if (const Done set = axes.set_row(row); !set) table.wrong("axes", set.error().what);
+  return axes.row();
+}
+
 /// The points that the task's model stands on; none if they could not be read.
 std::optional<AnyPointSet> model_points(TomlTable& task, const Lesson& lesson, Complaints& complaints) {
   auto set = task.has("hand") && !task.has("model")
@@ -77,10 +86,12 @@ Rows read_cloud_model(TomlTable& task, const Lesson& lesson, Complaints& complai
   const std::vector<std::string_view> volumes = volumes_by_hand(lesson);
   const Hand hand(volumes, *points);
   for (const std::string_view volume : volumes) {
+    if (hand.held(volume) == nullptr) continue;
     HeldVolume held = *hand.held(volume);
     std::visit(HandReader{table, lesson.points.dim}, held.volume);
     rows.push_back(row_of(held));
   }
+  if (hand.axes() != nullptr) rows.push_back(read_axes(table, *hand.axes(), lesson.points.dim));
   table.refuse_others();
   return rows;
 }

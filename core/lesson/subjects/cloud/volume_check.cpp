@@ -27,7 +27,7 @@ Index outside(const PointSet<Scalar, Dim>& set, const fit::Sphere3& ball) {
   return outside;
 }
 
-/// None: a hull consists of the points themselves, and comes only at the end.
+/// None: a hull consists of the points themselves and comes only at the end, and what is between slabs contains them.
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>&, const ConvexHull<double, 3>&) {
   return 0;

@@ -5,7 +5,7 @@
 namespace snug::lesson {
 namespace {
 
-using Kind = RectangleFeature::Kind;
+using FeatureKind = RectangleFeature::Kind;
 
 constexpr double kAtEnd = 1e-9;  // how far from an edge's end a point may be that counts as the end, in edges
 
@@ -35,7 +35,10 @@ RectangleFeature feature_at(const Lozenge<double, 3>& lozenge, const Point3& at)
       places.back()[i] = 1;
     }
   }
-  RectangleFeature feature{places.size() == 1 ? Kind::kVertex : places.size() == 2 ? Kind::kEdge : Kind::kFace, {}};
+  RectangleFeature feature{places.size() == 1   ? FeatureKind::kVertex
+                           : places.size() == 2 ? FeatureKind::kEdge
+                                                : FeatureKind::kFace,
+                           {}};
   for (const auto& [u, v] : places)
     feature.corners.push_back(lozenge.origin + u * lozenge.edges[0] + v * lozenge.edges[1]);
   return feature;

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "core/lesson/small_lesson.hpp"
@@ -151,6 +152,95 @@ TEST_CASE("a point that moves takes the volume along, and only points can be del
   CHECK(session.name_of(4) == "P4");
   CHECK(session.run(0).candidates(0).size() == 5);
   CHECK(session.subject().things().front().size() == 5);
+}
+
+namespace {
+
+const std::string kSlabsByHand = R"("kdop/by_hand", "kdop/k4", "kdop/k8", "aabb/min_max")";
+const std::string kSlabsInSpace = R"("kdop/by_hand", "kdop/k14", "kdop/k26", "aabb/min_max")";
+
+/// With a slider for the number of slabs.
+std::string slabs_lesson(const std::string& points, const std::string& methods) {
+  const bool space = points.starts_with("dim = 3");
+  return hand_lesson(points, methods) +
+         "\n[[slider]]\ntitle = \"Slabs\"\ndrives = \"axes\"\nfrom = " + (space ? "3\nto = 13\n" : "2\nto = 8\n");
+}
+
+double measure_by(Session& session, const std::string& method) {
+  REQUIRE(session.choose(0, method));
+  session.last();
+  return figure(session, "measure");
+}
+
+void check_same_as(Session& session, double axes, const std::string& method) {
+  CAPTURE(method);
+  REQUIRE(session.slide(0, axes));
+  CHECK(measure_by(session, "kdop/by_hand") == doctest::Approx(measure_by(session, method)).epsilon(1e-12));
+}
+
+}  // namespace
+
+TEST_CASE("directions by hand begin as an AABB, and added ones make the k-DOPs of the textbooks") {
+  Session plane = test::open(slabs_lesson("generate = \"gaussian\"\ncount = 30", kSlabsByHand));
+  check_same_as(plane, 2, "aabb/min_max");
+  check_same_as(plane, 4, "kdop/k8");
+  Session space = test::open(slabs_lesson("dim = 3\ngenerate = \"gaussian\"\ncount = 30", kSlabsInSpace));
+  check_same_as(space, 3, "aabb/min_max");
+  check_same_as(space, 7, "kdop/k14");
+  check_same_as(space, 13, "kdop/k26");
+}
+
+TEST_CASE("slabs in any directions contain every point, exactly, and are no larger than with fewer of them") {
+  for (const std::string dim : {"2", "3"})
+    for (const std::string kind : {"gaussian", "stick", "sphere", "line", "lattice"}) {
+      CAPTURE(kind);
+      Session session =
+          test::open(slabs_lesson("dim = " + dim + "\ngenerate = \"" + kind + "\"\ncount = 20", R"("kdop/by_hand")"));
+      REQUIRE(session.slide(0, 7));
+      Random random(1);
+      for (int moves = 0; moves < 12; ++moves) {
+        const Index first = count_of(session.subject());
+        Point3 to = Point3::Zero();
+        for (int axis = 0; axis < session.dim(); ++axis) to[axis] = random.between(-9, 9);
+        REQUIRE(session.move(first + static_cast<Index>(random.below(7)), to));
+        session.last();
+        const fit::Recording& recording = *recording_of(session, 0);
+        CHECK(recording.certificate.contains);
+        CHECK(recording.certificate.on_boundary);
+        double before = std::numeric_limits<double>::infinity();
+        for (const auto& entry : recording.steps) {
+          if (!entry.step.has_volume) continue;
+          const double now = fit::measure_of(entry.step.volume, session.dim());
+          CHECK(now <= before * (1 + 1e-9) + 1e-12);
+          before = now;
+        }
+      }
+    }
+}
+
+TEST_CASE("slabs are never endless, a direction can be deleted, and its row and undo bring it back") {
+  Session session = test::open(slabs_lesson(kDiamond, R"("kdop/by_hand")"));
+  session.last();
+  CHECK(figure(session, "measure") == doctest::Approx(8));
+  CHECK_FALSE(session.move(handle_of(session, "Axis 2"), {5, 0.001, 0}));
+  CHECK_FALSE(session.remove(handle_of(session, "Axis 2")));
+  REQUIRE(session.move(handle_of(session, "Axis 1"), {1, 2, 0}));  // perpendicular to an edge of the diamond
+  REQUIRE(session.move(handle_of(session, "Axis 2"), {1, -2, 0}));
+  session.last();
+  CHECK(figure(session, "measure") == doctest::Approx(4));
+  CHECK(figure(session, "slabs") == 2);
+  CHECK(figure(session, "bytes") == 16);
+  const Rows rows = session.subject().rows();
+  CHECK(rows.back().size() == 4);
+  REQUIRE(session.slide(0, 5));
+  REQUIRE(session.remove(handle_of(session, "Axis 1")));
+  CHECK(session.size() == 4 + 4);
+  session.undo();
+  CHECK(session.size() == 4 + 5);
+  REQUIRE(session.set_rows(rows));
+  session.last();
+  CHECK(session.subject().rows() == rows);
+  CHECK(figure(session, "measure") == doctest::Approx(4));
 }
 
 TEST_CASE("a lesson without a method by hand has no more handles than points") {
