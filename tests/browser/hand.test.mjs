@@ -64,9 +64,10 @@ test("directions of a k-DOP are added by the slider, dragged and deleted, and th
   assert.equal(number_of(four, "slabs"), 4);
   assert.ok(measure_of(four) < measure_of(two), "x+y and x−y cut the AABB's corners off");
   await page.locator("#canvas").focus();
-  await drag(page, "Axis 3", 30, 30);
+  await drag(page, "Axis 4", 28, -22);  // across the stick
   const turned = await until(page, differs, text_of(four));
   assert.equal(number_of(turned, "outside"), 0);
+  assert.ok(measure_of(turned) < measure_of(four));
   await page.keyboard.press("Delete");
   const three = await until(page, differs, text_of(turned));
   assert.equal(number_of(three, "slabs"), 3);
