@@ -1,6 +1,6 @@
 // `snug scene`: the counts of both lessons' effects, and every way in which a scene can be declared wrongly.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { good, json_lines, mistake, refused, root, snug, write } from "./support.mjs";
@@ -20,6 +20,24 @@ test("each lesson's scene runs just what it calls for", () => {
     assert.equal(lines.at(-1).frames_drawn, 121);
     assert.equal(lines.at(-1).frames_skipped, 0);
   }
+});
+
+test("every effect is called for in some lesson of the course", () => {
+  const table = readFileSync(join(root, "lessons/README.md"), "utf8").split("| effect | needs | its keys |")[1].split("\n\n")[0];
+  const known = [...table.matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name);
+  assert.equal(known.length, 14);
+  const lessons = readdirSync(join(root, "lessons")).filter((name) => name.endsWith(".toml") && name !== "course.toml");
+  const called = new Set(lessons.flatMap((name) => [...readFileSync(join(root, "lessons", name), "utf8").matchAll(/^effect = "(\w+)"/gm)].map(([, effect]) => effect)));
+  if (called.has("fall")) called.add("move"); // which comes with it
+  assert.deepEqual(known.filter((effect) => !called.has(effect)), []);
+});
+
+test("the pile sleeps while the crane moves, and then nothing runs", () => {
+  const at = (frames) => counts(scene("scene-effects", "--frames", String(frames)));
+  const [moving, later, rest, end] = [at(189), at(190), at(201), at(260)];
+  for (const [effect, [, run, skipped]] of Object.entries(later))
+    assert.deepEqual([run, skipped], effect === "fall" ? [moving.fall[1], moving.fall[2] + 1] : [190, 0], effect);
+  for (const [effect, [, run]] of Object.entries(end)) assert.equal(run, rest[effect][1], effect);
 });
 
 test("a lesson that declares no scene stands still", () => {
