@@ -21,19 +21,22 @@ inline float float_above(double value) {
 }
 inline float float_below(double value) { return -float_above(-value); }
 
-using RoundTo = float (*)(double);
+enum class RoundTo { kNearest, kBelow, kAbove };
 
-inline void round_field(float& to, double from, RoundTo round) { to = round(from); }
+inline void round_field(float& to, double from, RoundTo round) {
+  to = round == RoundTo::kBelow ? float_below(from) : float_above(from);
+}
 template <class To, class From>
 void round_field(To& to, const From& from, RoundTo round) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) to[i] = round(from[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(from.size()); ++i) round_field(to[i], from[i], round);
 }
 
-/// The direction in which a field with that name is rounded; null: to the nearest. A single number is a length.
+/// The direction in which a field with that name is rounded. A single number is a length.
 template <class Field>
 constexpr RoundTo outward(std::string_view field) {
-  if (field == "min") return &float_below;
-  return std::is_same_v<Field, double> || field == "max" || field == "half_extents" ? &float_above : nullptr;
+  if (field == "min") return RoundTo::kBelow;
+  const bool above = std::is_same_v<Field, double> || field == "max" || field == "half_extents";
+  return above ? RoundTo::kAbove : RoundTo::kNearest;
 }
 
 template <int Dim>
@@ -44,7 +47,7 @@ template <int Dim>
       const auto field = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
         using Field = std::remove_cvref_t<std::tuple_element_t<at, decltype(from)>>;
         constexpr RoundTo kRound = outward<Field>(Kind<double, Dim>::kFields[at]);
-        if constexpr (kRound != nullptr) round_field(std::get<at>(to), std::get<at>(from), kRound);
+        if constexpr (kRound != RoundTo::kNearest) round_field(std::get<at>(to), std::get<at>(from), kRound);
       };
       (field(std::integral_constant<std::size_t, kAt>()), ...);
     }
