@@ -27,6 +27,10 @@ constexpr std::string_view kSays =
     "Drag points, turn boxes, and watch each algorithm answer at once: how a volume is fitted, how tight it is, what "
     "it costs, and where the arithmetic breaks.";
 
+constexpr std::string_view kGalleryTitle = "Gallery of hard cases",
+                           kGallerySays = "Small inputs on which programs fail, and the places where they did. Each "
+                                          "opens on the stage, a naive method beside a careful one.";
+
 /// How far one is, in a mark and a word.
 struct Progress {
   enum class Kind { kOpen, kBegun, kDone } kind;
@@ -74,6 +78,27 @@ void draw_blank(const app::Look& look, const app::Rect& place, bool all_round) {
   for (float x = kGrid; x < place.width; x += kGrid)
     list->AddRectFilled({place.x + x, place.y + 1}, {place.x + x + 1, place.y + place.height - 1}, line);
   for (float y = kGrid; y < place.height; y += kGrid) app::rule(list, place.x + 1, place.y + y, place.width - 2, line);
+}
+
+/// What the gallery is, above its first chapter. Returns how high that is.
+float draw_gallery_words(const app::Look& look, float x, float y, float width) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float room = std::min(width, look.px(640));
+  const float said = app::paragraph(list, look, Face::kSemiBold, 20, 28, {x, y}, room, look->ink, kGalleryTitle);
+  return said + 4 +
+         app::paragraph(list, look, Face::kRegular, 15, 24, {x, y + said + 4}, room, look->ink, kGallerySays);
+}
+
+/// How high a case's card is so that none of these is cut.
+float case_height(const app::Look& look, const std::vector<LessonFile>& files, float width) {
+  float most = 0;
+  for (const LessonFile& file : files) {
+    if (!file.is_case) continue;
+    const auto title = app::lines_of(look, Face::kSemiBold, 15, file.lesson.title, width - 24).size();
+    const auto says = app::lines_of(look, Face::kRegular, 13, file.lesson.summary, width - 24).size();
+    most = std::max(most, look.px(21) * static_cast<float>(title) + look.px(19) * static_cast<float>(says));
+  }
+  return std::ceil(most) + 28;
 }
 
 }  // namespace
@@ -173,6 +198,25 @@ void CourseScreen::draw_card(Shell& shell, std::size_t lesson, const app::Rect& 
   if (touch.clicked) shell.open_at_place(lesson);
 }
 
+/// A case has no picture and no progress: its title, and what is hard about it.
+void CourseScreen::draw_case(Shell& shell, std::size_t lesson, const app::Rect& card) {
+  const app::Look& look = shell.app().look();
+  const lesson::Lesson& own = shell.lessons()[lesson].lesson;
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const auto touch = app::touch_area(own.id.c_str(), card, own.title);
+  cards_.push_back({lesson, ImGui::GetItemID(), card});
+  list->AddRectFilled({card.x, card.y}, {card.x + card.width, card.y + card.height}, look->panel, 8);
+  const float x = card.x + 12, room = card.width - 24;
+  const float said = app::paragraph(list, look, Face::kSemiBold, 15, 21, {x, card.y + 9}, room,
+                                    touch.hovered ? look->current_text : look->ink, own.title);
+  const ImVec2 corner{card.x + card.width, card.y + card.height - 8};
+  list->PushClipRect({card.x, card.y}, corner, true);
+  app::paragraph(list, look, Face::kRegular, 13, 19, {x, card.y + 9 + said + 4}, room, look->muted, own.summary);
+  list->PopClipRect();
+  outline(list, card, touch.hovered ? look->current : look->line, 1);
+  if (touch.clicked) shell.open_at_place(lesson);
+}
+
 /// Those of its lessons that are found, under its title and how many of them are done.
 void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from, std::size_t to, float& y) {
   const app::Look& look = shell.app().look();
@@ -189,15 +233,17 @@ void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from
   y += look.px(36);
   app::text(list, look, Face::kSemiBold, 16, {grid.left, y}, look->ink, lessons[from].chapter);
   app::text_right(list, look, Face::kRegular, 13, {grid.left + grid.width, y + look.px(2)}, look->muted,
-                  std::to_string(done) + " of " + std::to_string(to - from) + " done");
+                  lessons[from].is_case ? "Hard cases"
+                                        : std::to_string(done) + " of " + std::to_string(to - from) + " done");
   y += look.px(26);
   app::rule(list, grid.left, y, grid.width, look->line);
   y += 16;
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const auto column = static_cast<int>(k) % grid.across;
     if (column == 0 && k > 0) y += grid.height + kGap;
-    draw_card(shell, shown[k],
-              {grid.left + static_cast<float>(column) * (grid.card + kGap), y, grid.card, grid.height});
+    const app::Rect card{grid.left + static_cast<float>(column) * (grid.card + kGap), y, grid.card, grid.height};
+    if (lessons[from].is_case) draw_case(shell, shown[k], card);
+    else draw_card(shell, shown[k], card);
   }
   y += grid.height;
 }
@@ -237,6 +283,13 @@ void CourseScreen::draw(Shell& shell, const app::Rect& rect) {
   const auto& lessons = shell.lessons();
   for (std::size_t i = 0, end = 0; i < lessons.size(); i = end) {
     while (end < lessons.size() && lessons[end].chapter == lessons[i].chapter) ++end;
+    if (lessons[i].is_case && i == shell.course_size()) {
+      if (!lesson::is_search(asked())) {
+        y += look.px(52);
+        y += draw_gallery_words(look, grid.left, y, width);
+      }
+      grid.height = case_height(look, lessons, grid.card);
+    }
     draw_chapter(shell, grid, i, end, y);
   }
   y += look.px(40);
@@ -281,9 +334,10 @@ int CourseScreen::chosen(const Shell& shell) const {
   return -1;
 }
 
-std::vector<std::size_t> CourseScreen::found() const {
+std::vector<std::size_t> CourseScreen::found(const Shell& shell) const {
   std::vector<std::size_t> lessons;
-  for (const Card& card : cards_) lessons.push_back(card.lesson);
+  for (const Card& card : cards_)
+    if (card.lesson < shell.course_size()) lessons.push_back(card.lesson);
   return lessons;
 }
 

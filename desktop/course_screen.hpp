@@ -30,8 +30,8 @@ class CourseScreen {
   bool answer_key(Shell& shell, std::string_view key);
   /// Which lesson has the keyboard, counted from 0; -1 for none.
   [[nodiscard]] int chosen(const Shell& shell) const;
-  /// The lessons that are shown, counted from 0, in their order.
-  [[nodiscard]] std::vector<std::size_t> found() const;
+  /// The course's lessons that are shown, counted from 0, in their order.
+  [[nodiscard]] std::vector<std::size_t> found(const Shell& shell) const;
   [[nodiscard]] std::string_view asked() const { return asked_.data(); }
 
  private:
@@ -49,6 +49,7 @@ class CourseScreen {
   void draw_found(Shell& shell, const app::Rect& place, float& y);
   void draw_chapter(Shell& shell, const Grid& grid, std::size_t from, std::size_t to, float& y);
   void draw_card(Shell& shell, std::size_t lesson, const app::Rect& card);
+  void draw_case(Shell& shell, std::size_t lesson, const app::Rect& card);
   void draw_picture(Shell& shell, const std::string& id, const app::Rect& place, bool all_round);
   [[nodiscard]] const std::string& text_of(const Shell& shell, std::size_t lesson);
   [[nodiscard]] const Card* next_card(const Card* from, std::string_view key) const;

@@ -32,6 +32,12 @@ Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::opt
   if (drafts_) take_files();
 }
 
+std::size_t Shell::course_size() const {
+  const auto first =
+      std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& file) { return file.is_case; });
+  return static_cast<std::size_t>(first - lessons_.begin());
+}
+
 tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
   for (const LessonFile& file : lessons_) {
     if (file.lesson.id != id) continue;
@@ -59,7 +65,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
 
 std::pair<std::size_t, std::string> Shell::lead() const {
   std::size_t last = lessons_.size();
-  for (std::size_t i = 0; i < lessons_.size(); ++i)
+  for (std::size_t i = 0; i < course_size(); ++i)
     if (lessons_[i].lesson.id == kept_.last() && kept_.lesson(kept_.last()) != nullptr) last = i;
   if (last == lessons_.size()) return {0, "Start here"};
   const auto done = [&](std::size_t i) {
@@ -67,7 +73,7 @@ std::pair<std::size_t, std::string> Shell::lead() const {
     return kept != nullptr && kept->done;
   };
   if (!done(last)) return {last, "Continue"};
-  for (std::size_t i = last + 1; i < lessons_.size(); ++i)
+  for (std::size_t i = last + 1; i < course_size(); ++i)
     if (!done(i)) return {i, "Next lesson"};
   return {last, "Continue"};
 }
@@ -103,7 +109,7 @@ void Shell::open_at_place(const std::string& id) {
 
 std::optional<std::size_t> Shell::beside(int by) const {
   const std::size_t to = open_ + static_cast<std::size_t>(by);  // below the first it wraps beyond the last
-  return to < lessons_.size() ? std::optional(to) : std::nullopt;
+  return to < course_size() || (lessons_[open_].is_case && to < lessons_.size()) ? std::optional(to) : std::nullopt;
 }
 
 void Shell::show_course() {
@@ -136,6 +142,7 @@ void Shell::keep() {
     kept_.invited = followed;
     kept_.write();
   }
+  if (lessons_[open_].is_case) return;  // it is not worked through
   if (app_.playing() || session().revision() == kept_revision_) return;
   kept_revision_ = session().revision();
   kept_.keep(session());

@@ -32,7 +32,10 @@ class Shell {
   [[nodiscard]] app::App& app() { return app_; }
   [[nodiscard]] const app::App& app() const { return app_; }
   [[nodiscard]] lesson::Session& session() { return *app_.session(); }
+  /// The course's lessons in order, then the named cases.
   [[nodiscard]] const std::vector<LessonFile>& lessons() const { return lessons_; }
+  /// How many of them are the course's.
+  [[nodiscard]] std::size_t course_size() const;
 
   /// The title of the open lesson's chapter.
   [[nodiscard]] const std::string& chapter() const { return lessons_[open_].chapter; }

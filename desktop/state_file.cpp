@@ -28,11 +28,16 @@ Json mistakes_of(const Shell& shell) {
 }
 
 Json course_state(Shell& shell) {
-  Json state{{"lesson", nullptr},           {"chosen", shell.course.chosen(shell)}, {"lead", shell.lead().second},
-             {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found()},
-             {"kept", shell.kept().works()}};
+  Json state{
+      {"lesson", nullptr},           {"chosen", shell.course.chosen(shell)}, {"lead", shell.lead().second},
+      {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found(shell)},
+      {"kept", shell.kept().works()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
-    const auto& [path, lesson, chapter, slides] = shell.lessons()[i];
+    const auto& [path, lesson, chapter, slides, is_case] = shell.lessons()[i];
+    if (is_case) {
+      state["cases"].push_back(lesson.id);
+      continue;
+    }
     const KeptLesson* const kept = shell.kept().lesson(lesson.id);
     state["course"].push_back({{"id", lesson.id},
                                {"number", i + 1},

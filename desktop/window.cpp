@@ -373,7 +373,13 @@ struct Lessons {
 };
 
 tl::expected<Lessons, InputError> lessons_of(const WindowOptions& options) {
-  if (!is_own(options)) return read_lessons("").map([](auto&& files) { return Lessons{std::move(files), {}}; });
+  if (!is_own(options))
+    return read_lessons("").and_then([](std::vector<LessonFile>&& files) {
+      return read_cases().map([&](std::vector<LessonFile>&& cases) {
+        std::move(cases.begin(), cases.end(), std::back_inserter(files));
+        return Lessons{std::move(files), {}};
+      });
+    });
   return Drafts::open(options.folder, is_path(options.lesson) ? options.lesson : "").map([](Drafts&& drafts) {
     return Lessons{{}, std::move(drafts)};
   });

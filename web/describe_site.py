@@ -1,6 +1,8 @@
 """describe_site.py SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a static host
 does not tell.
 
+cases.json: the same of the named cases, in the folder cases beside the course: the id, title and summary of each, and where a
+program failed on it.
 course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
 whether it has a task, and the words that a search finds it by.
 sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed.
@@ -31,6 +33,11 @@ def lesson_entry(path: pathlib.Path, slides_of: dict[str, str]) -> dict:
     return {"id": path.stem} | shown | asked | {"words": words_of(lesson, slides_of)}
 
 
+def case_entry(path: pathlib.Path) -> dict:
+    lesson = tomllib.loads(path.read_text(encoding="utf-8"))
+    return {"id": path.stem, "title": lesson["title"], "summary": lesson["summary"], "source": lesson.get("source", "")}
+
+
 def slides_in(course: pathlib.Path) -> dict[str, str]:
     """The slide of each idea that the course lists."""
     return {idea["id"]: idea["slide"] for idea in tomllib.loads(course.read_text(encoding="utf-8")).get("idea", [])}
@@ -50,6 +57,8 @@ def write(path: pathlib.Path, what: dict) -> None:
 
 def main(site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     try:
+        cases = course.parent / "cases"
+        write(site / "cases.json", course_of(cases / course.name, {path.stem: case_entry(path) for path in cases.glob("*.toml") if path.name != course.name}))
         write(site / "course.json", course_of(course, {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}))
     except ValueError as error:
         sys.exit(str(error))

@@ -195,6 +195,7 @@ struct Lesson {
   std::string summary;              // one sentence
   int minutes = 0;                  // how long it takes, about
   std::vector<std::string> covers;  // the ids of the ideas that it covers (see Course)
+  std::string source;               // of a named case: where a known program failed on it; empty for none
   std::vector<Section> sections;
   Points points;
   const SubjectRow* subject = nullptr;   // what the stage is about; null: determined by the volume

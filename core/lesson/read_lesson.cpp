@@ -296,6 +296,7 @@ void read_head(TomlTable& table, Lesson& lesson) {
   lesson.summary = table.text("summary");
   lesson.minutes = static_cast<int>(table.integer("minutes", 1, kMostMinutes));
   lesson.covers = table.texts("covers", 0);
+  lesson.source = table.text_or("source", "");
   lesson.seed = static_cast<std::uint64_t>(table.integer_or("seed", 0, 1LL << 53, 1));
   const std::string start = table.text_or("start", "begin");
   check_name(table, "start", start, std::array<std::string_view, 2>{"begin", "end"});
@@ -347,6 +348,13 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   return sound;
 }
 
+/// A case's source is a section of its own. It is no text of the file's sections, which the checks go through.
+void add_source(Lesson& lesson) {
+  if (lesson.source.empty()) return;
+  const std::string words = lesson.source.substr(0, lesson.source.find(" https:"));  // a column is too narrow for more
+  lesson.sections.push_back({.title = "Where it was seen", .blocks = {{.rows = {{{{.text = words}}}}}}});
+}
+
 /// The file's name without folders and .toml.
 std::string id_of(std::string_view name) {
   name.remove_prefix(std::min(name.find_last_of("/\\") + 1, name.size()));
@@ -368,7 +376,10 @@ Draft read_draft(std::string_view text, std::string_view name, Checked checked) 
   Lesson lesson;
   lesson.id = id_of(name);
   if (!read(*toml, lesson, complaints)) return finished();
-  if (check_lesson(lesson, *toml, checked, complaints)) draft.lesson = std::move(lesson);
+  if (check_lesson(lesson, *toml, checked, complaints)) {
+    add_source(lesson);
+    draft.lesson = std::move(lesson);
+  }
   return finished();
 }
 

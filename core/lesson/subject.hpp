@@ -205,6 +205,11 @@ class Subject {
   /// moved out of A, from centre to centre. None if there are not two volumes.
   [[nodiscard]] virtual std::optional<std::array<Point3, 2>> gap() const { return std::nullopt; }
 
+  /// The volumes that its tests are given, in space: both of a pair, the body beside a frustum. None of points.
+  [[nodiscard]] virtual std::vector<fit::Volume3> volumes() const { return {}; }
+  /// The planes of a frustum on it, each a row: its normal, then d. None without one.
+  [[nodiscard]] virtual Rows planes() const { return {}; }
+
   /// What is on the stage, in words, for people who cannot see it.
   [[nodiscard]] virtual std::string_view stage_says() const = 0;
 

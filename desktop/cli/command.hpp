@@ -56,9 +56,13 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
   return CLI::Validator(read, "");
 }
 
+/// How commands that read a file take a named case in its place.
+inline constexpr const char* kCaseHelp = "A named case in place of FILE; `snug cases` lists them";
+
 void add_window(Commands& commands);
 void add_fit(Commands& commands);
 void add_algorithms(Commands& commands);
+void add_cases(Commands& commands);
 void add_overlap(Commands& commands);
 void add_update(Commands& commands);
 void add_cull(Commands& commands);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "desktop/cli/cases.hpp"
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/cull_tree.hpp"
 #include "desktop/cli/fact_json.hpp"
@@ -22,7 +23,7 @@ struct CullOptions {
   std::string test = "planes";
   std::string tree;
   std::string steps;
-  std::string file = "-";
+  std::string file = "-", name;  // a file's path; a case's name, in place of it
 };
 
 using Rows = std::vector<std::vector<double>>;
@@ -235,19 +236,20 @@ tl::expected<void, InputError> takes_frustum(const CullLine& line, bool as_float
 /// Reads all lines as one scene, with one frustum and one kind of volume.
 tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const CullOptions& options) {
   std::vector<CullLine> scene;
-  const auto read = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
-    auto line = line_from(json, options);
-    if (!line) return fault(line.error());
-    if (!scene.empty() && scene[0].frustum != line->frustum)
-      return fault("frustum differs from the first line's; a tree is tested against one");
-    if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
-      return fault("volume is of another kind than the first line's; a tree takes one kind");
-    if (scene.empty())
-      if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
-        return fault("frustum: " + taken.error().what);
-    scene.push_back(std::move(*line));
-    return Json();
-  });
+  const auto read =
+      answer_given(options.file, options.name, cull_case, [&](const Json& json) -> tl::expected<Json, std::string> {
+        auto line = line_from(json, options);
+        if (!line) return fault(line.error());
+        if (!scene.empty() && scene[0].frustum != line->frustum)
+          return fault("frustum differs from the first line's; a tree is tested against one");
+        if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
+          return fault("volume is of another kind than the first line's; a tree takes one kind");
+        if (scene.empty())
+          if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
+            return fault("frustum: " + taken.error().what);
+        scene.push_back(std::move(*line));
+        return Json();
+      });
   if (!read) return tl::unexpected(read.error());
   return scene;
 }
@@ -299,7 +301,7 @@ CommandResult run_cull(const CullOptions& options) {
   if (!trace) return bad_input(trace.error());
   if (!options.tree.empty()) return with_trace(run_tree(options, *trace), *trace);
   std::int64_t number = 0;
-  auto answers = answer_lines(options.file, [&](const Json& line) {
+  auto answers = answer_given(options.file, options.name, cull_case, [&](const Json& line) {
     return answer_line(line, options, {options.test, *trace ? &**trace : nullptr, ++number});
   });
   return with_trace(std::move(answers), *trace);
@@ -355,6 +357,7 @@ void add_cull(Commands& commands) {
   command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")
       ->check(CLI::IsMember(kTreeRules));
   command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
+  command.add_option("--case", options->name, kCaseHelp);
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 

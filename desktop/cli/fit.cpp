@@ -1,9 +1,11 @@
+#include "desktop/cli/cases.hpp"
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/cli/trace_file.hpp"
 #include "fit/catalogue.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -11,12 +13,12 @@ namespace {
 struct FitOptions {
   std::string volume;
   std::string algorithm;
-  std::string scalar = "double";
+  std::string scalar;  // empty: double, or a case's own
   int dim = 0;
   std::uint64_t seed = 1;
   int repeat = 5;
   std::string steps;
-  std::string file;
+  std::string file, name;  // a file's path, or a case's name
 };
 
 /// The volumes, or one volume's algorithms, as a list for a sentence.
@@ -41,10 +43,39 @@ tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& o
                                                      options.volume + "; known: " + known});
 }
 
-tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const fit::Algorithm& algorithm) {
-  auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
+tl::expected<AnyPointSet, InputError> read_points(const FitOptions& options) {
+  if (!options.name.empty())
+    return point_case(options.name).and_then([&](PointCase&& own) -> tl::expected<AnyPointSet, InputError> {
+      if (options.scalar.empty() && options.dim == 0) return std::move(own.points);
+      const int dim = options.dim == 0 ? fit::dim_of(own.points) : options.dim;
+      return lesson::to_set(lesson::all_points(own.points), dim, options.scalar == "float");
+    });
+  return read_point_file(options.file).and_then([&](const io::PointFile& file) {
     return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
   });
+}
+
+/// Takes what a case offers first where the user names no volume or no algorithm.
+tl::expected<FitOptions, InputError> completed(FitOptions options) {
+  if (!options.name.empty() && !options.file.empty())
+    return tl::unexpected(InputError{.what = "--case stands in place of a file: leave out one of them"});
+  if (!options.name.empty() && options.algorithm.empty()) {
+    const auto own = point_case(options.name);
+    if (!own) return tl::unexpected(own.error());
+    if (options.volume.empty() || options.volume == own->volume)
+      options.volume = own->volume, options.algorithm = own->algorithm;
+  }
+  const auto lacks = [&](const char* what) {
+    return tl::unexpected(InputError{.what = std::string(what) + " is required"});
+  };
+  if (options.volume.empty()) return lacks("--volume");
+  if (options.algorithm.empty()) return lacks("--algorithm");
+  if (options.name.empty() && options.file.empty()) return lacks("FILE");
+  return options;
+}
+
+tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const fit::Algorithm& algorithm) {
+  auto points = read_points(options);
   if (points && !fit::takes(algorithm, fit::dim_of(*points)))
     return tl::unexpected(InputError{.what = options.algorithm + " takes points of " + (algorithm.plane ? "2" : "3") +
                                              " coordinates, and these have " + std::to_string(fit::dim_of(*points)),
@@ -93,7 +124,10 @@ Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const
   return json;
 }
 
-CommandResult run_fit(const FitOptions& options) {
+CommandResult run_fit(const FitOptions& given) {
+  const auto whole = completed(given);
+  if (!whole) return bad_input(whole.error());
+  const FitOptions& options = *whole;
   const auto algorithm = algorithm_of(options);
   if (!algorithm) return bad_input(algorithm.error());
   const auto points = points_of(options, **algorithm);
@@ -127,11 +161,10 @@ void add_fit(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("fit", "Fit a volume to the points of a file");
   command.footer(kFitFooter);
   const auto options = add_command<FitOptions>(commands, command, run_fit);
-  command.add_option("--volume", options->volume, "Kind of volume: " + names(""))->required();
-  command.add_option("--algorithm", options->algorithm, "Algorithm; `snug algorithms` lists all")->required();
-  command.add_option("--scalar", options->scalar, "Number type: double or float")
-      ->check(CLI::IsMember({"double", "float"}))
-      ->capture_default_str();
+  command.add_option("--volume", options->volume, "Kind of volume: " + names(""));
+  command.add_option("--algorithm", options->algorithm, "Algorithm; `snug algorithms` lists all");
+  command.add_option("--scalar", options->scalar, "Number type: double or float; by default double, or a case's own")
+      ->check(CLI::IsMember({"double", "float"}));
   command.add_option("--dim", options->dim, "2 or 3; by default that of the file")->transform(whole_number(2, 3));
   command.add_option("--seed", options->seed, "Seed of the random order")
       ->transform(whole_number())
@@ -140,7 +173,8 @@ void add_fit(Commands& commands) {
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
   command.add_option("--steps", options->steps, "File to write the trace to, one JSON object a line");
-  command.add_option("FILE", options->file, "Point file")->required();
+  command.add_option("--case", options->name, std::string(kCaseHelp) + ". Its own algorithm is the default");
+  command.add_option("FILE", options->file, "Point file");
 }
 
 }  // namespace snug::desktop

@@ -33,27 +33,40 @@ tl::expected<Json, std::string> json_line(const std::string& line) {
   }
 }
 
-}  // namespace
-
-CommandResult answer_lines(const std::string& file,
-                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
-  const auto bytes = read_file(file);
-  if (!bytes) return bad_input(bytes.error());
+/// text: the lines. name: for errors.
+CommandResult answer_text(const std::string& text, const std::string& name,
+                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
   Printed printed;
   std::int64_t number = 0;
-  Progress progress("lines", static_cast<int>(std::count(bytes->begin(), bytes->end(), '\n')) + 1);
-  for (std::size_t from = 0; from < bytes->size();) {
-    const std::size_t end = std::min(bytes->find('\n', from), bytes->size());
-    const std::string line = bytes->substr(from, end - from);
+  Progress progress("lines", static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1);
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string line = text.substr(from, end - from);
     from = end + 1;
     ++number;
     progress.advance();
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const auto answered = json_line(line).and_then(answer);
-    if (!answered) return bad_input(InputError{answered.error(), file, InputError::Unit::kLine, number});
+    if (!answered) return bad_input(InputError{answered.error(), name, InputError::Unit::kLine, number});
     printed.text += line_of(*answered);
   }
   return printed;
+}
+
+}  // namespace
+
+CommandResult answer_lines(const std::string& file,
+                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
+  const auto bytes = read_file(file);
+  return bytes ? answer_text(*bytes, file, answer) : bad_input(bytes.error());
+}
+
+CommandResult answer_given(const std::string& file, const std::string& name,
+                           tl::expected<std::string, InputError> (*line_of_case)(const std::string&),
+                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
+  if (name.empty()) return answer_lines(file, answer);
+  const auto line = line_of_case(name);
+  return line ? answer_text(*line, name, answer) : bad_input(line.error());
 }
 
 }  // namespace snug::desktop

@@ -15,4 +15,9 @@ namespace snug::desktop {
 [[nodiscard]] CommandResult answer_lines(const std::string& file,
                                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer);
 
+/// The same of a case, where one is named: line_of_case gives what a file would have.
+[[nodiscard]] CommandResult answer_given(const std::string& file, const std::string& name,
+                                         tl::expected<std::string, InputError> (*line_of_case)(const std::string&),
+                                         const std::function<tl::expected<Json, std::string>(const Json&)>& answer);
+
 }  // namespace snug::desktop

@@ -15,6 +15,10 @@ fs::path folder_or_own(const std::string& folder) {
   return folder.empty() ? program_folder() / "lessons" : fs::path(folder);
 }
 
+/// The folder of the named cases, in that of the lessons.
+constexpr const char* kCases = "cases";
+std::string folder_of_cases() { return (folder_or_own("") / kCases).string(); }
+
 /// Hidden files are an editor's own; a pipe would be waited for.
 bool is_lesson(const fs::directory_entry& entry) {
   const fs::path& path = entry.path();
@@ -48,6 +52,14 @@ tl::expected<lesson::Course, InputError> course_of(const fs::path& folder, const
   return read_start(path.string(), lesson::kMostLessonBytes).and_then([&](const std::string& text) {
     return lesson::read_course(text, path.string(), ids_of(paths));
   });
+}
+
+/// The file of a case; none if there is none of that name, or no folder of cases.
+std::optional<std::string> path_of_case(const std::string& name) {
+  if (const auto paths = toml_files(folder_of_cases()))
+    for (const std::string& path : *paths)
+      if (id_of(path) == name) return path;
+  return std::nullopt;
 }
 
 /// Sorts lessons into the course's order with their chapters; those without one (if there is no course) come last.
@@ -131,14 +143,32 @@ tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, cons
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
     if (id_of(path) == id) return read_lesson_file(path, checked);
+  if (const auto path = folder.empty() ? path_of_case(id) : std::nullopt) return read_lesson_file(*path, checked);
   return tl::unexpected(no_lesson(folder, id));
+}
+
+tl::expected<std::vector<LessonFile>, InputError> read_cases() {
+  return read_lessons(folder_of_cases()).map([](std::vector<LessonFile>&& cases) {
+    for (LessonFile& file : cases) file.is_case = true;
+    return std::move(cases);
+  });
+}
+
+tl::expected<LessonFile, InputError> find_case(const std::string& name) {
+  if (const auto path = path_of_case(name)) return read_lesson_file(*path, lesson::Checked::kAsWritten);
+  return tl::unexpected(InputError{.what = "there is no case \"" + name + "\"; `snug cases` lists them"});
 }
 
 lesson::Beside beside(const std::string& path) {
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
   lesson::Beside beside;
-  if (const auto paths = toml_files(folder)) beside.lessons = ids_of(*paths);
-  if (const auto course = read_course_of(folder.string()))  // what is wrong with it is told of its own file
+  const auto add = [&](const fs::path& from) {
+    if (const auto paths = toml_files(from))
+      for (std::string& id : ids_of(*paths)) beside.lessons.push_back(std::move(id));
+  };
+  add(folder);
+  add(folder.filename() == kCases ? folder / ".." : folder / kCases);  // links go both ways
+  if (const auto course = read_course_of(folder.string()))             // what is wrong with it is told of its own file
     for (const lesson::Idea& idea : course->ideas) beside.ideas.push_back(idea.id);
   return beside;
 }

@@ -17,6 +17,7 @@ struct LessonFile {
   lesson::Lesson lesson;
   std::string chapter;  // the chapter's title; empty if the folder has no course, or if the lesson was read alone
   std::vector<std::string> slides = {};  // those that it covers, by the course's list
+  bool is_case = false;                  // a named case, and no lesson of the course
 };
 
 /// The file in a folder that lists the lessons of its course.
@@ -48,9 +49,16 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// Errors: those of the folder, and of the first bad file.
 [[nodiscard]] tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder);
 
-/// The lesson with an id in a folder, or of the file that a path leads to. Errors: those of its file; no such lesson.
+/// The lesson with an id in a folder, or of the file that a path leads to; without a folder, a case as well. Errors:
+/// those of its file; no such lesson.
 [[nodiscard]] tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
                                                                lesson::Checked checked = lesson::Checked::kAsRun);
+
+/// The named cases, on which programs are known to fail: lessons without questions, in a folder of their own, in the
+/// order of its course. Errors: as of read_lessons.
+[[nodiscard]] tl::expected<std::vector<LessonFile>, InputError> read_cases();
+/// The case of a name. Errors: those of its file; no such case.
+[[nodiscard]] tl::expected<LessonFile, InputError> find_case(const std::string& name);
 
 /// Says that a folder has no lesson with an id.
 [[nodiscard]] InputError no_lesson(const std::string& folder, const std::string& id);

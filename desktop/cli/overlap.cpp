@@ -1,5 +1,6 @@
 #include "query/overlaps_any.hpp"
 
+#include "desktop/cli/cases.hpp"
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/fact_json.hpp"
 #include "desktop/cli/in_float.hpp"
@@ -14,7 +15,7 @@ struct OverlapOptions {
   std::string scalar = "double";
   int dim = 0;
   std::string steps;
-  std::string file = "-";
+  std::string file = "-", name;  // a file's path; a case's name, in place of it
 };
 
 struct VolumePair {
@@ -108,16 +109,17 @@ CommandResult run_overlap(const OverlapOptions& options) {
   auto file = trace_file(options.steps);
   if (!file) return bad_input(file.error());
   std::int64_t number = 0;
-  auto answers = answer_lines(options.file, [&](const Json& json) -> tl::expected<Json, std::string> {
-    const auto pair = pair_of(json, options);
-    if (!pair) return tl::unexpected(pair.error());
-    const bool as_float = options.scalar == "float", in_plane = dim_of(pair->a) == 2;
-    std::optional<Trace> trace;
-    if (*file) trace.emplace(**file, ++number, in_plane ? 2 : 3);
-    Trace* const watch = trace ? &*trace : nullptr;
-    return in_plane ? answer<2>(std::get<0>(pair->a), std::get<0>(pair->b), as_float, watch)
-                    : answer<3>(std::get<1>(pair->a), std::get<1>(pair->b), as_float, watch);
-  });
+  auto answers =
+      answer_given(options.file, options.name, overlap_case, [&](const Json& json) -> tl::expected<Json, std::string> {
+        const auto pair = pair_of(json, options);
+        if (!pair) return tl::unexpected(pair.error());
+        const bool as_float = options.scalar == "float", in_plane = dim_of(pair->a) == 2;
+        std::optional<Trace> trace;
+        if (*file) trace.emplace(**file, ++number, in_plane ? 2 : 3);
+        Trace* const watch = trace ? &*trace : nullptr;
+        return in_plane ? answer<2>(std::get<0>(pair->a), std::get<0>(pair->b), as_float, watch)
+                        : answer<3>(std::get<1>(pair->a), std::get<1>(pair->b), as_float, watch);
+      });
   return with_trace(std::move(answers), *file);
 }
 
@@ -149,6 +151,7 @@ void add_overlap(Commands& commands) {
       ->capture_default_str();
   command.add_option("--dim", options->dim, "2 or 3; by default that of each line")->transform(whole_number(2, 3));
   command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
+  command.add_option("--case", options->name, kCaseHelp);
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 

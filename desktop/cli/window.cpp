@@ -36,10 +36,7 @@ tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
 }
 
 /// Whether the program has a lesson with that id.
-bool is_offered(const std::string& id) {
-  const auto paths = lesson_paths("");
-  return paths && std::any_of(paths->begin(), paths->end(), [&](const std::string& path) { return id_of(path) == id; });
-}
+bool is_offered(const std::string& id) { return find_lesson("", id, lesson::Checked::kAsWritten).has_value(); }
 
 /// Reports what can be found wrong before there is a window, and then opens it.
 CommandResult open_on(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {

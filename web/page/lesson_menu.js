@@ -49,7 +49,7 @@ export class LessonMenu {
 
   show(lesson) {
     this.#open_id = lesson.id;
-    set_text(by_id("picker-group"), this.#lessons.find(({ id }) => id === lesson.id)?.chapter ?? "");
+    set_text(by_id("picker-group"), this.#lessons.find(({ id }) => id === lesson.id)?.chapter ?? "Hard cases");
     set_text(by_id("picker-title"), lesson.title);
   }
 

@@ -6,6 +6,7 @@ import { open_door } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
+import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
 import { Kept } from "./kept.js";
 import { listen_to_keys } from "./keys.js";
@@ -35,6 +36,7 @@ class Page {
   #door;
   #downloads;
   #lessons;
+  #gallery;
   #stage;
   #settings;
   #menu;
@@ -59,16 +61,17 @@ class Page {
   #wanted = null; // what could not be opened, because of its file
 
   /** go_to(id): to another lesson. preview: where the lessons are being written, else null. */
-  constructor({ door, downloads, lessons, formulas, settings, kept, embed, preview, go_to }) {
+  constructor({ door, downloads, lessons, gallery, formulas, settings, kept, embed, preview, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
+    this.#gallery = gallery;
     this.#settings = settings;
     this.#kept = kept;
     this.#embed = embed;
     this.#preview = preview;
     const act = (what) => this.act(what);
-    const next = (id) => lessons[lessons.findIndex((lesson) => lesson.id === id) + 1];
+    const next = (id) => (this.#is_of_course(id) ? lessons[lessons.findIndex((lesson) => lesson.id === id) + 1] : undefined);
     const texts = new Words(formulas);
     const question = this.#question = new QuestionCard(door, act, texts, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
@@ -160,6 +163,10 @@ class Page {
     this.#erased_at = this.#address();
   }
 
+  #is_of_course(id) {
+    return this.#lessons.some((lesson) => lesson.id === id);
+  }
+
   /** Opens what an address asks for, or says why it cannot. A later call cancels one that waits for its files.
    *  reveal: shows the page once it has something new. */
   async open(asked, reveal = () => {}) {
@@ -172,7 +179,9 @@ class Page {
     this.written = null;
     this.#wanted = { asked, reveal };
     const id = asked.lesson;
-    if (!this.#lessons.some((lesson) => lesson.id === id)) return reveal(), this.#offer_lessons(asked.lesson);
+    const known = this.#is_of_course(id) || (await this.#gallery?.has(id));
+    if (turn !== this.#opens) return;
+    if (!known) return reveal(), this.#offer_lessons(asked.lesson);
     const read = await this.#read(id, turn).catch((failed) => (console.warn(failed), null));
     if (turn !== this.#opens) return;
     reveal();
@@ -233,7 +242,7 @@ class Page {
   async #read(id, turn) {
     const slow = setTimeout(() => (this.#reveal(), veil.loading()), kFilesDelay);
     try {
-      const toml = await this.#downloads.text(`lessons/${id}.toml`);
+      const toml = await this.#downloads.text(`lessons/${this.#is_of_course(id) ? "" : "cases/"}${id}.toml`);
       if (turn !== this.#opens) return null; // the program holds one lesson that it has read
       const { draws, error, says, mesh } = this.#door.read_lesson(toml, `${id}.toml`);
       this.#preview?.lesson_says(says);
@@ -353,6 +362,7 @@ class Page {
 
   /** Keeps the student's place and answers, once the student has done something here. */
   #keep(address) {
+    if (!this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
     const { previewing, outcomes, step, steps, questions, tasksDone, edited, asked, outcome, deciding } = this.#view;
     const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
     if (address === this.#erased_at && outcomes.length === 0) return;
@@ -412,6 +422,7 @@ class Site {
   #settings = new Settings();
   #kept = new Kept();
   #course = null;
+  #gallery = null;
   #preview = null;
   #typeset = {}; // the formulas
   #page = null;
@@ -469,6 +480,7 @@ class Site {
     const made = JSON.parse(await this.#downloads.text("course.json"));
     const course = new Course(made, this.#kept, (id) => this.#go_into(id));
     if (made.preview) await this.#follow(made.preview);
+    else this.#gallery = new Gallery(this.#downloads, (id) => this.#go_into(id));
     this.#settings.on_change(() => course.show_theme(["dark", "contrast"].includes(this.#settings.theme)));
     return course;
   }
@@ -506,7 +518,7 @@ class Site {
     veil.loading();
     const door = await open_door(this.#downloads, attempt);
     Object.assign(this.#typeset, await this.#formulas());
-    const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, formulas: this.#typeset, settings: this.#settings,
+    const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, gallery: this.#gallery, formulas: this.#typeset, settings: this.#settings,
       kept: this.#kept, embed, preview: this.#preview, go_to: (id) => this.#go_into(id) });
     return page;
   }

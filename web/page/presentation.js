@@ -26,12 +26,12 @@ export class Presentation {
   open(lesson) {
     this.#here = this.#lessons.findIndex(({ id }) => id === lesson.id);
     by_id("previous-lesson").disabled = !this.#lessons[this.#here - 1];
-    by_id("next-lesson").disabled = !this.#lessons[this.#here + 1];
+    by_id("next-lesson").disabled = this.#here < 0 || !this.#lessons[this.#here + 1]; // a case of the gallery stands in no order
   }
 
   #move(by) {
     const to = this.#lessons[this.#here + by];
-    if (to) this.#go_to(to.id);
+    if (to && this.#here >= 0) this.#go_to(to.id);
   }
 
   #show_text(shown = !document.documentElement.classList.contains("text-shown")) {

@@ -223,9 +223,10 @@ void show_optimum(CloudShown& shown, const lesson::Session& session, bool wanted
 
 std::optional<lesson::LeftOutside> left_outside_now(const lesson::Session& session) {
   const fit::Recording& run = lesson::fit_run(session.run(0)).recording();
-  const auto* sphere = std::get_if<fit::Sphere3>(&run.result.volume);
-  if (!session.view().at_end() || run.certificate.contains || sphere == nullptr) return std::nullopt;
-  return lesson::left_outside(lesson::fit_run(session.run(0)).points(), *sphere);
+  const bool naive = session.method(0)->naive;  // its hull may have dents, though it contains every point
+  if (!session.view().at_end() || (run.certificate.contains && !naive)) return std::nullopt;
+  auto left = lesson::left_by(lesson::fit_run(session.run(0)).points(), run.result);
+  return left && left->none() ? std::nullopt : left;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kButtons = 42;              // how high the stage's own buttons are, pixels
-constexpr double kSeenAsItIs = 1e-2;        // in parts of the radius: from there on, the stage itself shows it
+constexpr double kSeenAsItIs = 1e-2;        // in parts of the volume's extent: from there on, the stage itself shows it
 constexpr int kTicksOut = 4, kTicksIn = 2;  // on either side of the boundary
 constexpr double kLongestShare = 3;         // ticks that the worst point is out, at most
 
@@ -91,6 +91,7 @@ void mark_left_outside(Brush& brush, const CloudShown& shown) {
     ring(brush.list, at, (kRing + 4) * brush.p.mark, brush.p.examined, brush.stroke());
     brush.canvas.obstacles.discs.push_back({at.x, at.y, kRing + 6});
   }
+  for (const Index i : shown.left->dents) cross(brush.list, brush.at(brush.point(i)), 9, brush.p.wrong, 2);
 }
 
 void name_left_outside(PointNames& names, const CloudShown& shown) {
@@ -99,14 +100,17 @@ void name_left_outside(PointNames& names, const CloudShown& shown) {
   const auto name = [&](Index i, const std::string& words) {
     names.name(i, names.brush.session.name_of(i) + words, p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
   };
+  for (const Index i : shown.left->dents)
+    names.name(i, names.brush.session.name_of(i) + " is a dent", p.wrong_text, Face::kSemiBold, 19 * p.mark, 15);
+  if (shown.left->points.empty()) return;
   const double ulps = shown.left->ulps();
   name(shown.left->worst, std::isfinite(ulps) ? " outside by " + lesson::ulps_text(ulps) : " outside");
   for (const Index i : shown.left->points) name(i, " outside");
 }
 
 Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, float top) {
-  const fit::Sphere3* sphere = ball_in(shown.volume);
-  if (!shown.left || sphere == nullptr || !(shown.left->by < kSeenAsItIs * sphere->radius)) return {};
+  if (!shown.left || shown.left->points.empty()) return {};
+  if (!(shown.left->by < kSeenAsItIs * shown.left->extent)) return {};
   const Point3 worst = brush.point(shown.left->worst);
   const ImVec2 source = brush.at(worst);
   const auto panel = free_place(brush, source, top + brush.look.px(kButtons), {});

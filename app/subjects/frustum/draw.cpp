@@ -6,6 +6,7 @@
 
 #include "app/box_marks.hpp"
 #include "lesson/figures.hpp"
+#include "lesson/subjects/frustum/matrix_planes.hpp"
 
 namespace snug::app {
 namespace {
@@ -171,6 +172,22 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
   if (signs) draw_box_axes(brush, pair);
 }
 
+/// Draws the far plane that the matrix gives, beside the frustum's own.
+void draw_matrix_far(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& shown) {
+  const std::string_view test = brush.session.method(0)->name;
+  const bool tested = shown.plane && !shown.plane_asked && shown.plane->plane == lesson::planes_of_frustum(3) - 1;
+  if (!lesson::is_of_matrix(test) || (!tested && !shown.finished)) return;
+  const lesson::FarPlane far = lesson::far_plane_of(test, pair);
+  std::vector<ImVec2> outline;
+  for (const Point3& corner : far.corners) outline.push_back(brush.at(corner));
+  if (outline.empty()) return;
+  const Palette& p = brush.p;
+  brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(p.wrong, 0.08f));
+  path(brush.list, outline, true, Stroke::kDotted, p.wrong, brush.stroke(1.4f));
+  const ImVec2 low = *std::max_element(outline.begin(), outline.end(), [](ImVec2 a, ImVec2 b) { return a.y < b.y; });
+  brush.label(low, 12, {0, 1}, "far plane of the matrix", p.wrong_text, Face::kSemiBold, 13);
+}
+
 /// Draws the distance from each vertex to the plane.
 void draw_distances(Brush& brush, const lesson::BoxPair& pair, const Plane& plane) {
   const Palette& p = brush.p;
@@ -225,6 +242,7 @@ void draw_frustum(Brush& brush, const FrustumShown& shown) {
                                                                                     : p.current_text;
   brush.label(lowest_corner(brush.canvas, pair), 16, {0, 1}, verdict_words(shown, brush.session), verdict,
               Face::kSemiBold, 15);
+  draw_matrix_far(brush, pair, shown);
   if (shown.plane_at >= 0) draw_plane(brush, pair, shown);
   if (shown.plane && !shown.plane_asked) draw_distances(brush, pair, *shown.plane);
   draw_corners(brush, shown);

@@ -28,8 +28,17 @@ inline constexpr std::array<std::string_view, 7> kQuickhull2Pseudocode{
     "return the edges in their order",
 };
 
+/// How sides are decided: exactly. quickhull_naive.hpp has two others.
+struct ExactSides {
+  using Point = Vector<double, 2>;
+  /// Whether p lies outside of the edge from a to b: on its right.
+  static bool outside(const Point& a, const Point& b, const Point& p) { return orient2d(a, b, p) < 0; }
+  /// Above 0 if q lies farther out than p, 0 if neither does.
+  static int farther(const Point& a, const Point& b, const Point& p, const Point& q) { return -cross_sign(a, b, p, q); }
+};
+
 /// One run. At: returns the point of an index, as Vector<double, 2>. The steps are those of a hull in Scalar.
-template <class Scalar, class At, class Observer>
+template <class Scalar, class At, class Observer, class Sides = ExactSides>
 class Quickhull2 {
  public:
   Quickhull2(Index n, At at, Observer& observe) : n_(n), at_(at), observe_(observe) {}
@@ -88,10 +97,10 @@ class Quickhull2 {
     Place first_end = edge.begin, second_end = edge.begin;
     for (Place i = edge.begin; i != edge.end; ++i) {
       const Point p = at_(*i);
-      if (orient2d(from, middle, p) < 0) {
+      if (Sides::outside(from, middle, p)) {
         std::swap(*second_end++, *i);
         std::swap(*first_end++, *(second_end - 1));
-      } else if (orient2d(middle, to, p) < 0) {
+      } else if (Sides::outside(middle, to, p)) {
         std::swap(*second_end++, *i);
       }
     }
@@ -114,7 +123,7 @@ class Quickhull2 {
     const Point a = at_(edge.a), b = at_(edge.b);
     Index best = *edge.begin;
     for (Place i = edge.begin + 1; i != edge.end; ++i) {
-      int farther = -cross_sign(a, b, at_(best), at_(*i));
+      int farther = Sides::farther(a, b, at_(best), at_(*i));
       if (farther == 0) farther = dot_sign<2>(a, b, at_(best), at_(*i));
       if (farther > 0 || (farther == 0 && *i < best)) best = *i;
     }
@@ -174,10 +183,10 @@ ConvexHull<Scalar, 2> quickhull_2d(std::span<const Vector<Scalar, 2>> points, Co
   return polygon_on<Scalar>(points, hull_ring<Scalar>(static_cast<Index>(points.size()), at, count));
 }
 
-template <class Scalar, class Observer>
+template <class Scalar, class Sides = ExactSides, class Observer>
 Fit<ConvexHull<Scalar, 2>> quickhull_2d(PointSpan<Scalar, 2> points, Observer& observe) {
   const auto at = [points](Index i) -> Vector<double, 2> { return points[i].template cast<double>(); };
-  const std::vector<Index> ring = hull_ring<Scalar>(points.size(), at, observe);
+  const std::vector<Index> ring = Quickhull2<Scalar, decltype(at), Observer, Sides>(points.size(), at, observe).run();
   const std::span<const Vector<Scalar, 2>> all(points.begin(), points.end());
   const ConvexHull<Scalar, 2> hull = polygon_on<Scalar>(all, ring);
   observe(HullStep<Scalar, 2>{6, true, hull, Finished{ring}});

@@ -223,10 +223,12 @@ std::optional<double> CloudSubject::result_size(const Method& method, bool by_me
   return by_measure ? fit::measure_of(volume, dim()) : fit::size_of(volume, dim());
 }
 
-bool CloudSubject::reaches(std::string_view) const { return breaks(compare_scalars(*points(), origin_.seed)); }
+bool CloudSubject::reaches(std::string_view goal) const {
+  return breaks(compare_scalars(goal, *points(), origin_.seed));
+}
 
-std::string CloudSubject::goal_says(std::string_view) const {
-  return says_of(compare_scalars(*points(), origin_.seed), [&](Index i) { return name_of(i); });
+std::string CloudSubject::goal_says(std::string_view goal) const {
+  return says_of(compare_scalars(goal, *points(), origin_.seed), [&](Index i) { return name_of(i); });
 }
 
 std::int64_t CloudSubject::operations(const Method& method) const {

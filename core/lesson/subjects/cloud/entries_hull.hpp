@@ -58,7 +58,7 @@ struct Entry<fit::EyeChosen> : FitEntry {
   using Fact = fit::EyeChosen;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.point) + " is farthest from its " + (where.dim() == 2 ? "edge" : "facet") + ", at " +
-           number_text(fact.distance) + ": it is a vertex of the hull.";
+           number_text(fact.distance) + ": it becomes a vertex.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere& where, bool) {

@@ -140,8 +140,8 @@ Truth holds_truth(const Asked& asked, const Run& run) {
 
 const char* offer_left_outside(Asked& asked, const Run& run) {
   const FitRun& own = fit_run(run);
-  if (!std::holds_alternative<Sphere3>(own.recording().result.volume) || asked.fact + 1 != own.steps())
-    return "\"outside\" can only be asked of the last step of a sphere's run";
+  if (!left_by(own.points(), own.recording().result) || asked.fact + 1 != own.steps())
+    return "\"outside\" can only be asked of the last step of a sphere's run, or of a hull's in the plane";
   asked.add_choice("none");
   for (Index i = 0; i < fit::size_of(own.points()); ++i) asked.add_choice(asked.subject->name_of(i), {i});
   asked.on_stage = true;
@@ -150,13 +150,13 @@ const char* offer_left_outside(Asked& asked, const Run& run) {
 
 Truth left_outside_truth(const Asked& asked, const Run& run) {
   const FitRun& own = fit_run(run);
-  const LeftOutside left = left_outside(own.points(), ball_of(own.recording().result));
+  const LeftOutside left = *left_by(own.points(), own.recording().result);
   if (left.points.empty()) return {{0}, {}, "none", "Every point is inside, in exact arithmetic."};
   Truth truth{{}, left.points, asked.names(left.points), {}};
   for (const Index i : left.points) truth.choices.push_back(static_cast<int>(i) + 1);
   truth.sentence = truth.happened + (left.points.size() == 1 ? " is" : " are") + " left outside" +
                    (left.points.size() == 1 ? " by " : ", " + asked.subject->name_of(left.worst) + " by ") +
-                   ulps_text(left.ulps()) + " of the radius.";
+                   ulps_text(left.ulps()) + of_ulps(own.recording().result) + ".";
   return truth;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/convert.hpp"
+#include "geometry/orientation.hpp"
 #include "geometry/sphere.hpp"
 #include "number/double_double.hpp"
 
@@ -28,11 +29,92 @@ LeftOutside left_outside_of(const PointSet<Scalar, Dim>& set, const fit::Sphere3
     const double by = outside_by(fit::point_of(set, i), sphere);
     if (left.worst == kNoIndex || by > left.by) left.worst = i, left.by = by;
   }
-  left.radius_ulp = ulp_of<Scalar>(sphere.radius), left.size_ulp = ulp_of<Scalar>(largest);
+  left.extent = sphere.radius, left.radius_ulp = ulp_of<Scalar>(sphere.radius), left.size_ulp = ulp_of<Scalar>(largest);
   return left;
 }
 
+/// Twice the area of the triangle, in twice a double's digits.
+DoubleDouble cross(const Point3& a, const Point3& b, const Point3& p) {
+  const auto apart = [&](const Point3& to, int axis) { return DoubleDouble::sum(to[axis], -a[axis]); };
+  return apart(b, 0) * apart(p, 1) + -(apart(b, 1) * apart(p, 0));
+}
+
+/// A closed outline in the plane, which may cross itself.
+class Outline {
+ public:
+  explicit Outline(std::vector<Point3> ring) : ring_(std::move(ring)) {}
+  [[nodiscard]] std::size_t size() const { return ring_.size(); }
+  [[nodiscard]] int turn_at(std::size_t i) const { return turn(before(i), ring_[i], after(i)); }
+
+  /// Whether it goes around the point, or the point lies on it. Every sign is exact.
+  [[nodiscard]] bool contains(const Point3& p) const {
+    int winding = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Point3 &a = ring_[i], &b = after(i);
+      const int side = turn(a, b, p);
+      if (side == 0 && p.x() >= std::min(a.x(), b.x()) && p.x() <= std::max(a.x(), b.x()) &&
+          p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y()))
+        return true;
+      if (a.y() <= p.y() && b.y() > p.y() && side > 0) ++winding;
+      if (a.y() > p.y() && b.y() <= p.y() && side < 0) --winding;
+    }
+    return winding != 0;
+  }
+
+  /// How far the point is from the nearest edge, scene units.
+  [[nodiscard]] double distance(const Point3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Point3 &a = ring_[i], &b = after(i);
+      const Point3 along = b - a;
+      const double length = along.norm(), at = length > 0 ? (p - a).dot(along) / length : 0;
+      const double to_line = length > 0 ? std::abs(cross(a, b, p).value()) / length : (p - a).norm();
+      least = std::min(least, at < 0 ? (p - a).norm() : at > length ? (p - b).norm() : to_line);
+    }
+    return least;
+  }
+
+ private:
+  static int turn(const Point3& a, const Point3& b, const Point3& c) {
+    return orient2d(a.head<2>(), b.head<2>(), c.head<2>());
+  }
+  [[nodiscard]] const Point3& after(std::size_t i) const { return ring_[(i + 1) % size()]; }
+  [[nodiscard]] const Point3& before(std::size_t i) const { return ring_[(i + size() - 1) % size()]; }
+  std::vector<Point3> ring_;
+};
+
 }  // namespace
+
+LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> support) {
+  std::vector<Point3> ring;
+  for (const Index i : support) ring.push_back(fit::point_of(points, i));
+  Point3 least = ring.front(), greatest = least;
+  for (const Point3& vertex : ring) least = least.cwiseMin(vertex), greatest = greatest.cwiseMax(vertex);
+  const Outline outline(std::move(ring));
+  LeftOutside left;
+  left.extent = (greatest - least).maxCoeff() / 2;
+  double largest = 0;
+  for (Index i = 0; i < fit::size_of(points); ++i) {
+    const Point3 point = fit::point_of(points, i);
+    largest = std::max(largest, point.cwiseAbs().maxCoeff());
+    if (outline.contains(point)) continue;
+    left.points.push_back(i);
+    const double by = outline.distance(point);
+    if (left.worst == kNoIndex || by > left.by) left.worst = i, left.by = by;
+  }
+  for (std::size_t i = 0; i < support.size() && support.size() > 2; ++i)
+    if (outline.turn_at(i) < 0) left.dents.push_back(support[i]);
+  const bool in_float = std::visit([](const auto& set) { return sizeof(set[0][0]) == sizeof(float); }, points);
+  left.size_ulp = left.radius_ulp = in_float ? ulp_of<float>(largest) : ulp_of<double>(largest);
+  return left;
+}
+
+std::optional<LeftOutside> left_by(const AnyPointSet& points, const fit::Result& result) {
+  if (const auto* sphere = std::get_if<fit::Sphere3>(&result.volume)) return left_outside(points, *sphere);
+  if (fit::dim_of(points) == 2 && std::holds_alternative<ConvexHull<double, 3>>(result.volume))
+    return left_outside_hull(points, result.support);
+  return std::nullopt;
+}
 
 // The difference of the squares is computed in twice double's digits, because it may be far below an ulp of either.
 double outside_by(const Point3& point, const fit::Sphere3& sphere) {
@@ -54,10 +136,15 @@ std::string ulps_text(double ulps) {
   return number_text(ulps, 3) + (ulps == 1 ? " ulp" : " ulps");
 }
 
+const char* of_ulps(const fit::Result& result) {
+  return std::holds_alternative<fit::Sphere3>(result.volume) ? " of the radius" : " of the coordinates";
+}
+
 void add_left_outside(std::vector<Figure>& figures, const FitRun& run) {
-  const auto* sphere = std::get_if<fit::Sphere3>(&run.recording().result.volume);
-  if (sphere == nullptr) return;
-  const LeftOutside left = left_outside(run.points(), *sphere);
+  const fit::Result& result = run.recording().result;
+  const auto found = left_by(run.points(), result);
+  if (!found) return;
+  const LeftOutside& left = *found;
   std::erase_if(figures, [](const Figure& figure) { return figure.key == "outside"; });  // allows for rounding
   const auto add = [&](std::string name, std::string key, std::string text, double value, std::string unit) {
     figures.push_back({std::move(name), std::move(key), std::move(text), value, std::move(unit)});
@@ -66,8 +153,13 @@ void add_left_outside(std::vector<Figure>& figures, const FitRun& run) {
   add("Outside, exactly", "outside_count", count_text(count) + " of " + count_text(fit::size_of(run.points())),
       static_cast<double>(count), "points");
   const double size_ulps = left.by / left.size_ulp;
-  add("Worst, by radius", "worst_ulps", ulps_text(left.ulps()), left.ulps(), "ulps");
-  if (!std::isfinite(left.ulps())) figures.back() = {"Worst, by radius", "worst_ulps", "—", 0, "ulps", false};
+  if (std::holds_alternative<fit::Sphere3>(result.volume)) {
+    add("Worst, by radius", "worst_ulps", ulps_text(left.ulps()), left.ulps(), "ulps");
+    if (!std::isfinite(left.ulps())) figures.back() = {"Worst, by radius", "worst_ulps", "—", 0, "ulps", false};
+  } else {
+    const auto dents = static_cast<std::int64_t>(left.dents.size());
+    add("Dents", "dents", count_text(dents), static_cast<double>(dents), "dents");
+  }
   add("Worst, by size", "worst_size_ulps", ulps_text(size_ulps), size_ulps, "ulps");
   add("Steps", "steps", count_text(run.steps()), run.steps(), "steps");
 }

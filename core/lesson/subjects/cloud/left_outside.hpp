@@ -1,6 +1,9 @@
-// The points that a finished sphere leaves outside, judged in exact arithmetic on the numbers as they are.
+// The points that a finished sphere, or a hull in the plane, leaves outside, judged in exact arithmetic on the numbers
+// as they are.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "lesson/subjects/cloud/fit_run.hpp"
@@ -13,8 +16,11 @@ struct LeftOutside {
   Index worst = kNoIndex;
   double by = 0;  // scene units
   // An ulp, the distance to the next number, in the scalar of the points; scene units:
-  double radius_ulp = 0;  // of the radius
-  double size_ulp = 0;    // of the largest coordinate of the points
+  double radius_ulp = 0;          // of the radius; of a hull the same as the next
+  double size_ulp = 0;            // of the largest coordinate of the points
+  double extent = 0;              // the radius, or half of a hull's width; scene units
+  std::vector<Index> dents = {};  // of a hull: the vertices at which its outline turns inward
+  [[nodiscard]] bool none() const { return points.empty() && dents.empty(); }
   [[nodiscard]] double ulps() const { return by / radius_ulp; }
 };
 
@@ -22,9 +28,16 @@ struct LeftOutside {
 [[nodiscard]] double outside_by(const Point3& point, const fit::Sphere3& sphere);
 
 [[nodiscard]] LeftOutside left_outside(const AnyPointSet& points, const fit::Sphere3& sphere);
+/// support: the ring of its vertices, as the fit gives it.
+[[nodiscard]] LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> support);
+/// Of either; none of any other volume, or in space of a hull.
+[[nodiscard]] std::optional<LeftOutside> left_by(const AnyPointSet& points, const fit::Result& result);
 
 /// "0.62 ulps", "1 ulp".
 [[nodiscard]] std::string ulps_text(double ulps);
+
+/// What an ulp is of: " of the radius", " of the coordinates".
+[[nodiscard]] const char* of_ulps(const fit::Result& result);
 
 /// Adds the figures of a finished run: how many points it leaves outside, how far the worst one is, and its steps.
 void add_left_outside(std::vector<Figure>& figures, const FitRun& run);

@@ -4,6 +4,7 @@
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/frustum/entries.hpp"
 #include "lesson/subjects/frustum/frustum_figures.hpp"
+#include "lesson/subjects/frustum/matrix_planes.hpp"
 
 namespace snug::lesson {
 
@@ -11,10 +12,12 @@ template class FactRun<FrustumRun, FrustumStep>;
 
 namespace {
 
-/// The goals: a box that this wrong test loses, although it shares a point with the frustum; a circle or sphere that
-/// this one loses; a body that the right test keeps, although it shares none.
+/// The goals: a box that this wrong or naive test loses, although it shares a point with the frustum; a circle or
+/// sphere that this one loses; a body that the right test keeps, although it shares none.
 constexpr std::string_view kFalsePositive = "false_positive";
-constexpr std::array<std::string_view, 3> kFrustumGoals{"corners_outside", "wrong_sign", kFalsePositive};
+constexpr std::string_view kNear = "near";  // what a slider drives: the near distance over the far one
+constexpr std::array<std::string_view, 4> kFrustumGoals{"corners_outside", "wrong_sign", kFalsePositive,
+                                                        kMatrixTests[1]};
 
 std::vector<std::string_view> frustum_volumes() { return {kFrustumBox, kFrustumSphere, kFrustumPoint}; }
 
@@ -135,6 +138,38 @@ std::string FrustumSubject::opening(const Method& method) const {
 std::vector<Figure> FrustumSubject::figures(const View& view) const { return frustum_figures(view, boxes()); }
 std::vector<Proof> FrustumSubject::proofs(const View& view) const { return frustum_proofs(view, boxes()); }
 
+std::vector<Drive> FrustumSubject::drives() const {
+  std::vector<Drive> all = BoxSubject::drives();
+  all.push_back({.name = std::string(kNear), .unit = "", .now = boxes().taper});
+  return all;
+}
+
+Done FrustumSubject::drive(std::string_view name, double from, double to) {
+  if (name != kNear) return BoxSubject::drive(name, from, to);
+  BoxPair next = boxes();
+  next.taper = to;
+  return set_boxes(next);
+}
+
+std::vector<fit::Volume3> FrustumSubject::volumes() const {
+  const Obb<double, 3>& box = boxes().boxes[0];
+  if (boxes().form == Form::kBox) return {box};
+  return {Sphere<double, 3>{box.center, box.half_extents[0]}};
+}
+
+Rows FrustumSubject::planes() const {
+  const auto rows_in = [](const auto& frustum) {
+    Rows rows;
+    if (!frustum) return rows;
+    for (const auto& [normal, d] : frustum->planes()) {
+      rows.emplace_back(normal.begin(), normal.end());
+      rows.back().push_back(d);
+    }
+    return rows;
+  };
+  return dim() == 2 ? rows_in(frustum_of<2>(boxes())) : rows_in(frustum_of<3>(boxes()));
+}
+
 namespace {
 
 /// The right test of the body.
@@ -144,6 +179,7 @@ std::string_view right_test(const BoxPair& pair) {
 
 bool fits(std::string_view goal, const BoxPair& pair) {
   if (goal == "corners_outside") return pair.form == Form::kBox;
+  if (is_of_matrix(goal)) return pair.form == Form::kBox && pair.dim == 3;
   return goal != "wrong_sign" || pair.form == Form::kBall;
 }
 
@@ -169,6 +205,7 @@ std::string FrustumSubject::goal_says(std::string_view goal) const {
     return "This " + body + " is lost: the wrong test says outside, yet the " + body + " reaches into the frustum.";
   if (fits(goal, boxes()) && verdict_of(goal, boxes()) == query::Culling::kOutside)
     return "The wrong test says outside, and it is right here: the " + body + " does not touch the frustum.";
+  if (is_of_matrix(goal)) return "This test keeps the box, as the right one does or to be on the safe side.";
   return boxes().form == Form::kBox ? "The wrong test keeps this box: a vertex of it lies in the frustum."
                                     : "The wrong test keeps this " + body + ": all of it lies in the frustum.";
 }

@@ -46,6 +46,9 @@ class FrustumSubject final : public BoxSubject {
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<FrustumSubject>(*this); }
   /// "Box", "Box turn", "+−" (sign_name), "Circle", "Circle radius", "Point", "Frustum", "Frustum turn", "F3".
   [[nodiscard]] std::string name_of(Index i) const override;
+  /// The body; a point is a sphere without a radius.
+  [[nodiscard]] std::vector<fit::Volume3> volumes() const override;
+  [[nodiscard]] Rows planes() const override;
   [[nodiscard]] std::string_view stage_says() const override;
   [[nodiscard]] Tools tools() const override;
   [[nodiscard]] Words words_of(int box) const override;
@@ -53,6 +56,9 @@ class FrustumSubject final : public BoxSubject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  /// Besides the number fields, "near": its distance over that of the far plane. The far face stays.
+  [[nodiscard]] std::vector<Drive> drives() const override;
+  Done drive(std::string_view name, double from, double to) override;
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 

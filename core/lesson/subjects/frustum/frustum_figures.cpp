@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "lesson/subjects/frustum/matrix_planes.hpp"
+
 namespace snug::lesson {
 namespace {
 
@@ -14,12 +16,15 @@ std::string word(Culling culling) { return std::string(query::kCullingNames[stat
 /// Collects the figures at one step of a run.
 class FrustumBoard {
  public:
-  FrustumBoard(const View& view, int dim) : view_(view), steps_(frustum_run(view.run()).trace()), dim_(dim) {
+  FrustumBoard(const View& view, const BoxPair& pair)
+      : view_(view), pair_(pair), steps_(frustum_run(view.run()).trace()), dim_(pair.dim) {
     for (int i = 0; i < view.step; ++i) std::visit(*this, steps_[i].step.fact);
   }
 
   std::vector<Figure> figures() && {
-    const bool by_planes = view_.method().name == "p_n_vertex", by_center = view_.method().volume != kFrustumBox;
+    const bool matrix = is_of_matrix(view_.method().name);
+    const bool by_planes = matrix || view_.method().name == "p_n_vertex",
+               by_center = view_.method().volume != kFrustumBox;
     const int plane = plane_at(steps_.first(view_.step));
     const bool any = plane >= 0;
     add("Plane", "plane", any ? plane_name(dim_, plane) : "", plane, "");
@@ -44,6 +49,7 @@ class FrustumBoard {
     if (!by_center) add("Vertex tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
     add(done_ ? "Verdict" : "Verdict so far", "verdict",
         view_.step > 0 && (done_ || by_planes || by_center) ? word(verdict_) : "", static_cast<double>(verdict_), "");
+    if (matrix) far_plane();
     return std::move(figures_);
   }
 
@@ -75,7 +81,17 @@ class FrustumBoard {
         "units");
   }
 
+  /// Once it was tested: before, the figures would give away which plane is off.
+  void far_plane() {
+    if (!done_ && tested_.plane != planes_of_frustum(dim_) - 1) return;
+    const FarPlane far = far_plane_of(view_.method().name, pair_);
+    const std::string off = far.lost ? "no normal left" : (far.off > 0 ? "+" : "") + number_text(far.off, 3) + " %";
+    add("Far plane, off by", "far_off", off, far.off, "%");
+    if (!far.lost) add("Far plane, tilted by", "far_tilt", number_text(far.degrees, 3) + "°", far.degrees, "degrees");
+  }
+
   const View& view_;
+  const BoxPair& pair_;
   FrustumSteps steps_;
   int dim_;
   Plane tested_;
@@ -98,7 +114,7 @@ int plane_at(FrustumSteps steps) {
 }
 
 std::vector<Figure> frustum_figures(const View& view, const BoxPair& pair) {
-  return FrustumBoard(view, pair.dim).figures();
+  return FrustumBoard(view, pair).figures();
 }
 
 std::vector<Proof> frustum_proofs(const View& view, const BoxPair& pair) {

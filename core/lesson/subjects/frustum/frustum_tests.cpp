@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/lift.hpp"
+#include "geometry/convert.hpp"
+#include "lesson/subjects/frustum/matrix_planes.hpp"
 #include "query/classify.hpp"
 #include "query/classify_corners.hpp"
 #include "query/classify_sphere.hpp"
@@ -14,21 +15,13 @@
 namespace snug::lesson {
 namespace {
 
-template <int Dim>
-FrustumStep in_space(const query::ClassifyStep<double, Dim>& step) {
-  if constexpr (Dim == 3) return step;
-  else {
-    const auto lifted = [](const auto& v) { return fit::lift<double, Dim>(v); };
-    if (const auto* end = std::get_if<query::Classified>(&step.fact)) return {step.line, *end};
-    if (const auto* corner = std::get_if<query::CornerTested<double, Dim>>(&step.fact))
-      return {step.line, query::CornerTested<double, 3>{corner->corner, corner->plane, lifted(corner->point),
-                                                        corner->distance, corner->outside}};
-    const auto& f = *std::get_if<query::PlaneTested<double, Dim>>(&step.fact);
-    return {step.line,
-            query::PlaneTested<double, 3>{f.plane, f.skipped, lifted(f.normal), f.signs, f.p_vertex, f.n_vertex,
-                                          f.p_corners, f.n_corners, lifted(f.p_point), lifted(f.n_point), f.p_distance,
-                                          f.n_distance, f.doubt, f.looked_closer, f.side, f.so_far}};
-  }
+template <class Scalar, int Dim>
+FrustumStep in_space(const query::ClassifyStep<Scalar, Dim>& step) {
+  const auto lifted = [](const auto& fact) -> FrustumStep::Fact {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(fact)>, query::Classified>) return fact;
+    else return converted<double, 3>(fact);
+  };
+  return {step.line, std::visit(lifted, step.fact)};
 }
 
 /// A lesson's box has no parent, so no plane is ever skipped: this leaves out the line about skipping.
@@ -50,6 +43,14 @@ constexpr std::array<std::string_view, 4> kPointPseudocode{
 int line_of_point(int line) { return line == query::ClassifyLine::kVerdict ? 3 : 2; }
 
 constexpr std::string_view kWrongCorners = "I. D. Romanick, Data Structures & Algorithms for Geometry, 2007";
+constexpr Method of_matrix(std::string_view name, std::string_view title) {
+  return {.volume = kFrustumBox,
+          .name = name,
+          .title = title,
+          .source = "G. Gribb, K. Hartmann, Fast Extraction of Viewing Frustum Planes, 2001",
+          .pseudocode = kMatrixPseudocode,
+          .plane = false};
+}
 constexpr std::array kFrustumTests{
     Method{kFrustumBox, "p_n_vertex", "P- and n-vertex",
            "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000", kOneBoxPseudocode},
@@ -57,6 +58,8 @@ constexpr std::array kFrustumTests{
            query::kClassifyCornersPseudocode},
     Method{kFrustumBox, "corners_outside", "All vertices outside (wrong)", kWrongCorners,
            query::kCornersOutsidePseudocode},
+    of_matrix(kMatrixTests[0], "Planes of the matrix (naive)"),
+    of_matrix(kMatrixTests[1], "Planes of the matrix, in float (naive)"),
     Method{kFrustumSphere, "grown_planes", "Planes moved out by r", kWrongCorners, query::kClassifySpherePseudocode},
     Method{kFrustumSphere, "wrong_sign", "Planes moved in by r (wrong)", kWrongCorners, query::kWrongSignPseudocode},
     Method{kFrustumPoint, "half_spaces", "Half-spaces", kWrongCorners, kPointPseudocode},
@@ -71,6 +74,18 @@ Obb<double, Dim> box_of(const BoxPair& pair) {
 template <int Dim>
 Sphere<double, Dim> ball_of(const Obb<double, Dim>& box) {
   return {box.center, box.half_extents[0]};
+}
+
+template <class Scalar>
+FrustumTrace record_matrix(const BoxPair& pair) {
+  query::ClassifyRecorder<Scalar, 3> recorder;
+  query::classify(matrix_frustum<Scalar>(pair), converted<Scalar, 3>(pair.boxes[0]), {}, recorder);
+  FrustumTrace trace;
+  for (const auto& [step, counts] : recorder.entries) {
+    trace.push_back({in_space(step), counts});
+    trace.back().step.line = without_skip(step.line);
+  }
+  return trace;
 }
 
 template <int Dim>
@@ -128,6 +143,8 @@ std::span<const Method> frustum_tests(std::string_view volume) {
 }
 
 FrustumTrace record_frustum(std::string_view test, const BoxPair& pair) {
+  if (test == kMatrixTests[0]) return record_matrix<double>(pair);
+  if (test == kMatrixTests[1]) return record_matrix<float>(pair);
   return pair.dim == 2 ? record_in<2>(test, pair) : record_in<3>(test, pair);
 }
 

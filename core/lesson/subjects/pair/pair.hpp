@@ -69,6 +69,7 @@ class PairSubject final : public BoxSubject {
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<PairSubject>(*this); }
   [[nodiscard]] std::optional<std::array<Point3, 2>> gap() const override;
+  [[nodiscard]] std::vector<fit::Volume3> volumes() const override { return {boxes().boxes[0], boxes().boxes[1]}; }
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;

@@ -66,6 +66,9 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] Point3 at(Index i) const override;
   [[nodiscard]] std::string name_of(Index i) const override;
   [[nodiscard]] std::optional<std::array<Point3, 2>> gap() const override;
+  [[nodiscard]] std::vector<fit::Volume3> volumes() const override {
+    return {pair_.held[0].volume, pair_.held[1].volume};
+  }
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"vertex", "vertices"}; }
   [[nodiscard]] std::vector<std::vector<Index>> things() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "two volumes"; }

@@ -188,7 +188,7 @@ TEST_CASE("the goal of breaking it is judged on the same points in both scalars"
     std::vector<Vector<double, 2>> points(4);
     for (auto& point : points) point = {random.between(-2, 2), random.between(-2, 2)};
     const AnyPointSet set = *PointSet<double, 2>::make(std::move(points));
-    const ScalarsCompared compared = compare_scalars(set, 1);
+    const ScalarsCompared compared = compare_scalars(kCloudGoals[0], set, 1);
     REQUIRE(compared.fits);
     const bool in_float = compared.in_float.points.empty(), in_double = compared.in_double.points.empty();
     CHECK(breaks(compared) == (!in_float && in_double));
@@ -198,5 +198,44 @@ TEST_CASE("the goal of breaking it is judged on the same points in both scalars"
   CHECK(reached > 0);
   CHECK(wrong_in_both > 0);
   CHECK(right_in_both > 0);
-  CHECK_FALSE(breaks(compare_scalars(*PointSet<double, 2>::make({{1e30, 0}, {0, 0}}), 1)));
+  CHECK_FALSE(breaks(compare_scalars(kCloudGoals[0], *PointSet<double, 2>::make({{1e30, 0}, {0, 0}}), 1)));
+}
+
+TEST_CASE("what a hull leaves outside, and where it turns inward, is judged exactly on its own vertices") {
+  const AnyPointSet points = *PointSet<double, 2>::make({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1.5, 0.5}, {1, 1.5}});
+  CHECK(left_outside_hull(points, std::vector<Index>{0, 1, 2, 3}).none());
+  const LeftOutside lost = left_outside_hull(points, std::vector<Index>{0, 4, 2, 3});
+  CHECK(lost.points == std::vector<Index>{1});
+  CHECK(lost.by == doctest::Approx(std::sqrt(0.5)).epsilon(1e-15));
+  CHECK(lost.extent == 1);
+  CHECK(lost.dents.empty());
+  const LeftOutside dented = left_outside_hull(points, std::vector<Index>{0, 1, 2, 5, 3});
+  CHECK(dented.points.empty());
+  CHECK(dented.dents == std::vector<Index>{5});
+  CHECK_FALSE(dented.none());
+  // By one bit: the lower left half of a square, and a point beyond its long side.
+  const AnyPointSet near =
+      *PointSet<double, 2>::make({{0, 0}, {1, 0}, {0, 1}, {0.5, std::nextafter(0.5, 1)}, {0.5, 0.5}});
+  const LeftOutside bit = left_outside_hull(near, std::vector<Index>{0, 1, 2});
+  CHECK(bit.points == std::vector<Index>{3});
+  CHECK(bit.by == doctest::Approx(0x1p-53 * std::sqrt(0.5) * 1).epsilon(1e-6));
+}
+
+TEST_CASE("the goal of breaking a hull is judged on the same points in both scalars") {
+  int reached = 0, right = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    std::vector<Vector<double, 2>> points;
+    for (int i = 0; i < 4; ++i) {
+      const double x = static_cast<double>(random.below(41)) / 10 - 2;
+      points.emplace_back(x, (seed % 2 == 0 ? 0.75 : 1.0) * x);
+    }
+    const ScalarsCompared compared =
+        compare_scalars("hull_wrong_in_float_alone", *PointSet<double, 2>::make(points), 1);
+    REQUIRE(compared.fits);
+    reached += breaks(compared) ? 1 : 0, right += compared.in_float.none() ? 1 : 0;
+  }
+  CHECK(reached > 5);
+  CHECK(right > 5);
+  CHECK_FALSE(compare_scalars("hull_wrong_in_float_alone", *PointSet<double, 3>::make({{0, 0, 0}}), 1).fits);
 }

@@ -1,0 +1,116 @@
+// The named cases in lessons/cases: each is what its sentence says, and the careful methods are right on it.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "fit/catalogue.hpp"
+#include "lesson/course.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/cloud/left_outside.hpp"
+#include "lesson/subjects/frustum/frustum.hpp"
+#include "lesson/subjects/frustum/matrix_planes.hpp"
+#include "lesson/subjects/pair/pair.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+const std::string kFolder = std::string(SNUG_SOURCE_DIR) + "/lessons/cases/";
+
+std::string text_of(const std::string& name) {
+  std::ifstream file(kFolder + name, std::ios::binary);
+  REQUIRE_MESSAGE(file.good(), name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder))
+    if (entry.path().filename() != "course.toml") all.push_back(entry.path().stem().string());
+  return all;
+}
+
+Session session_of(const std::string& name) {
+  auto lesson = read_lesson(text_of(name + ".toml"), name + ".toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+/// Whether a naive method is wrong on what stands on the stage; none if the method is a careful one.
+std::optional<bool> is_wrong_there(const Session& session, const Method& method) {
+  if (const auto* pair = as<PairSubject>(session.subject())) {
+    if (!is_naive(method.name)) return std::nullopt;
+    return says_overlap(method.name, pair->boxes()) != overlap_exactly(method.name, pair->boxes());
+  }
+  if (const auto* frustum = as<FrustumSubject>(session.subject())) {
+    if (!is_of_matrix(method.name) && method.name != "corners_outside") return std::nullopt;
+    return verdict_of(method.name, frustum->boxes()) == query::Culling::kOutside &&
+           share_a_point(frustum->boxes()).value_or(false);
+  }
+  const fit::Algorithm* algorithm = fit::find_algorithm(method.volume, method.name);
+  if (algorithm == nullptr || !algorithm->naive) return std::nullopt;
+  const AnyPointSet& points = *session.subject().points();
+  return !left_by(points, algorithm->fit(points, {.seed = session.seed()}))->none();
+}
+
+}  // namespace
+
+TEST_CASE("the cases are listed once each, and each reads as a lesson") {
+  const auto course = read_course(text_of("course.toml"), "course.toml", names());
+  REQUIRE_MESSAGE(course.has_value(), (course ? "" : course.error().message()));
+  int sources = 0;
+  for (const std::string& name : names()) {
+    CAPTURE(name);
+    const Session session = session_of(name);
+    sources += session.lesson().source.empty() ? 0 : 1;
+    CHECK(session.lesson().questions.empty());
+  }
+  CHECK(sources >= 10);
+}
+
+TEST_CASE("on every case each careful fit contains all points, exactly, and is the smallest where it claims to be") {
+  int fits = 0;
+  for (const std::string& name : names()) {
+    CAPTURE(name);
+    const Session session = session_of(name);
+    const AnyPointSet* points = session.subject().points();
+    if (points == nullptr) continue;
+    for (const std::string& own : session.lesson().algorithms) {
+      CAPTURE(own);
+      const Method& method = *find_method(session.lesson(), own);
+      const fit::Algorithm& algorithm = *fit::find_algorithm(method.volume, method.name);
+      if (algorithm.naive) continue;
+      for (const bool in_float : {false, true}) {
+        const auto set = to_set(all_points(*points), session.dim(), in_float);
+        REQUIRE(set.has_value());
+        const fit::Watched watched = algorithm.watch(*set, {.seed = session.seed()}, {});
+        CHECK(watched.certificate.contains);
+        CHECK(watched.certificate.on_boundary);
+        CHECK(watched.certificate.optimal.value_or(true));
+        ++fits;
+      }
+    }
+  }
+  CHECK(fits > 60);
+}
+
+TEST_CASE("where a case begins with a naive method, that method is wrong on it") {
+  int shown = 0;
+  for (const std::string& name : names()) {
+    CAPTURE(name);
+    const Session session = session_of(name);
+    const auto wrong = is_wrong_there(session, *find_method(session.lesson(), session.lesson().algorithms.front()));
+    if (!wrong) continue;
+    CHECK(*wrong);
+    ++shown;
+  }
+  CHECK(shown >= 10);
+}
