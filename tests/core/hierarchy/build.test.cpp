@@ -3,6 +3,8 @@
 #include "hierarchy/cost.hpp"
 #include "hierarchy/insertion.hpp"
 
+#include <set>
+
 #include "core/hierarchy/scenes.hpp"
 #include "core/query/volume_pairs.hpp"
 
@@ -266,6 +268,16 @@ TEST_CASE("each step of building names a line of its pseudocode, and being watch
       for (const Index body : tree.bodies_below(left + 1)) CHECK(center(body) >= split->position - 1e-5);
     }
   CHECK(splits == tree.nodes.size() / 2);
+}
+
+TEST_CASE("of groups as near as each other, the one with fewer bodies is merged first") {
+  const auto cube_at = [](double x) { return Aabb<double, 3>{{x - 0.5, -0.5, -0.5}, {x + 0.5, 0.5, 0.5}}; };
+  const std::vector<Aabb<double, 3>> boxes{cube_at(-3), cube_at(-3), cube_at(-3), cube_at(3), cube_at(3), cube_at(0)};
+  const auto tree = hierarchy::build_bottom_up<Aabb<double, 3>>(boxes);
+  const auto left = tree.bodies_below(1), right = tree.bodies_below(2);
+  const std::set<Index> one(left.begin(), left.end()), other(right.begin(), right.end());
+  const std::set<Index> three{0, 1, 2}, with_middle{3, 4, 5};
+  CHECK(((one == three && other == with_middle) || (one == with_middle && other == three)));
 }
 
 TEST_CASE("a hundred thousand bodies") {

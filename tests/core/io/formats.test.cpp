@@ -132,3 +132,18 @@ TEST_CASE("a point set is made of a file in the scalar and dimension asked for")
   CHECK(io::to_point_set(read("0 0 0\n0 1e100 0", "t.xyz"), "t.xyz", 0, true).error().message() ==
         "t.xyz: point 1 is too far out for float: coordinates reach to 2^60, about 1.15e18");
 }
+
+TEST_CASE("binary PLY's integers keep their sign, in every width") {
+  const auto file_of = [](const char* type, std::string_view bytes) {
+    std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n";
+    for (const char* axis : {"x", "y", "z"}) header += std::string("property ") + type + " " + axis + "\n";
+    return header + "end_header\n" + std::string(bytes);
+  };
+  using namespace std::literals;
+  const std::vector<Vector<double, 3>> wanted{{-2, 1, -1}};
+  CHECK(read(file_of("char", "\xfe\x01\xff"sv), "a.ply").points == wanted);
+  CHECK(read(file_of("short", "\xfe\xff\x01\x00\xff\xff"sv), "a.ply").points == wanted);
+  CHECK(read(file_of("int", "\xfe\xff\xff\xff\x01\x00\x00\x00\xff\xff\xff\xff"sv), "a.ply").points == wanted);
+  const std::vector<Vector<double, 3>> high{{254, 1, 255}};
+  CHECK(read(file_of("uchar", "\xfe\x01\xff"sv), "a.ply").points == high);
+}
