@@ -113,3 +113,13 @@ test("the address carries box and frustum to the last digit", async (t) => {
     assert.equal(again.trace, moved.trace);
   }
 });
+
+test("near an edge in space, a sphere that touches nothing is kept until one plane rejects it", async (t) => {
+  const page = await visit(t, "?lesson=frustum-sphere&situation=edge&step=7");
+  const own = await until(page, (now) => now.situation === "edge" && now.step === now.steps);
+  assert.equal(own.readout.verdict, 1);
+  await still(page);
+  await drag(page, "Sphere", -25, 20);
+  const { plane } = (await until(page, (now) => now.readout.verdict === 2)).readout;
+  assert.equal(plane, 1, "the right plane rejects it");
+});
