@@ -168,9 +168,9 @@ int main(int argc, char** argv) {
     run.seeds = static_cast<std::int64_t>(to);
     std::fprintf(stderr, "%" PRId64 " of %" PRId64 " sets a family, minute %.1f\n", 4 * run.seeds, 4 * seeds, passed());
   }
-  std::printf("# What the long run found\n\n`./run test --long` wrote this: %" PRId64
-              " sets a family (a prism of 64: one in a hundred), in %.0f minutes on one core.\n\n## Families\n\n",
-              4 * run.seeds, std::ceil(passed()));
+  std::printf("# What the long run found\n\n`./run test --long` wrote this: %" PRId64 " of %" PRId64
+              " sets a family (of a prism of 64 one in a hundred), in %.0f minutes on one core.\n\n## Families\n\n",
+              4 * run.seeds, 4 * seeds, std::ceil(passed()));
   std::int64_t broken = print_families(run) + print_queries(run);
   std::puts(
       "\n## Fitters\n\nThe most steps that a run took; before it, for what claims the smallest volume, the worst "
