@@ -16,7 +16,9 @@ class Stage {
   void open_anew(const lesson::Session& session, SubjectView& view);
   void draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now);
   /// Whether something on it moves without any input.
-  [[nodiscard]] bool moving() const { return motion_.moving() || camera_.moving() || foot_ != foot_goal_; }
+  [[nodiscard]] bool moving() const {
+    return motion_.moving() || camera_.moving() || foot_ != foot_goal_ || (view_ != nullptr && view_->working());
+  }
   [[nodiscard]] const GlScene& scene() const { return scene_; }
 
   /// Moves the selected point by the arrow keys' step; directions on the screen. away: into the screen, in 3-D.

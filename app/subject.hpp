@@ -49,6 +49,16 @@ class SubjectView {
   /// The coordinate axis that the step works along, 0 to 2; -1 for none.
   [[nodiscard]] virtual int axis_in_use(const lesson::Session& session) const;
 
+  /// Whether its panels work on something, so that the next frame is wanted.
+  [[nodiscard]] virtual bool working() const { return false; }
+  /// The button that shows the scene in another coordinate system, and whether it is on; empty for none.
+  [[nodiscard]] virtual std::string_view frame_button(const lesson::Session&) const { return {}; }
+  [[nodiscard]] virtual bool in_frame() const { return false; }
+  virtual void show_frame(bool) {}
+  /// Where a place of the scene is shown, and back.
+  [[nodiscard]] virtual Point3 place_shown(const lesson::Session&, const Point3& at) const { return at; }
+  [[nodiscard]] virtual Point3 place_meant(const lesson::Session&, const Point3& shown) const { return shown; }
+
   /// Lights a mark of the prose that is no handle, until another is lit; "" for none.
   virtual void light(std::string_view) {}
 

@@ -106,7 +106,8 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
   keep_questions(lesson, [&](const Question& question) { return !is_among(passed_by, question.id); });
 }
 
-/// Checks that the methods shown from the start can take the points. place: that of the points.
+/// Checks that the methods shown from the start can take the points. place: that of the points. Subjects that check
+/// their methods themselves say what else has to be said.
 void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, FilePlace place,
                  Complaints& complaints) {
   for (const std::string& name : lesson.algorithms) {
@@ -115,7 +116,8 @@ void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root
     const bool first = &name == &lesson.algorithms.front() || name == lesson.compare;
     if (!refusal.empty() && first) complaints.add(place, refusal);
     if (!refusal.empty() && first) return;
-    if (!refusal.empty()) complaints.warn(root.place_of("algorithms"), refusal + ", and is not offered for these");
+    if (!refusal.empty() && lesson.subject->check_first == nullptr)
+      complaints.warn(root.place_of("algorithms"), refusal + ", and is not offered for these");
   }
 }
 

@@ -260,7 +260,7 @@ class Subject {
   /// earlier: a run whose memory is reused, or null.
   [[nodiscard]] virtual std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const = 0;
   /// Why the method cannot be run on its points: "Brute force takes at most 40 points"; empty where it can.
-  [[nodiscard]] std::string refusal(const Method& method) const;
+  [[nodiscard]] virtual std::string refusal(const Method& method) const;
   [[nodiscard]] bool suits(const Method& method) const { return refusal(method).empty(); }
   /// The sentence before the first step.
   [[nodiscard]] virtual std::string opening(const Method& method) const = 0;

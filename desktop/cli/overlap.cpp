@@ -1,3 +1,5 @@
+#include "measure/pair_cost.hpp"
+#include "query/axis_counts.hpp"
 #include "query/overlaps_any.hpp"
 
 #include "desktop/cli/cases.hpp"
@@ -5,17 +7,23 @@
 #include "desktop/cli/fact_json.hpp"
 #include "desktop/cli/in_float.hpp"
 #include "desktop/cli/json_lines.hpp"
+#include "desktop/cli/timing.hpp"
 #include "desktop/cli/trace_file.hpp"
 #include "desktop/cli/volume_json.hpp"
 
 namespace snug::desktop {
 namespace {
 
+constexpr int kCostRepeats = 9;
+
 struct OverlapOptions {
   std::string scalar = "double";
   int dim = 0;
   std::string steps;
   std::string file = "-", name;  // a file's path; a case's name, in place of it
+  int random = 0;
+  bool costs = false;
+  std::uint64_t seed = 1;
 };
 
 struct VolumePair {
@@ -105,7 +113,61 @@ Json answer(const Volume<double, Dim>& a, const Volume<double, Dim>& b, bool as_
   return as_float ? answer<float, Dim>(in_float<Dim>(a), in_float<Dim>(b), trace) : answer<double, Dim>(a, b, trace);
 }
 
+// ---- random pairs
+
+template <int Dim>
+Json json_of_counts(const query::AxisCounts& counts, std::uint64_t seed) {
+  constexpr std::size_t kRows = query::kSatAxes<Dim>;
+  const auto name = [](std::size_t row) {
+    const std::string_view axes = "xyz";
+    if (row < Dim) return std::string("A ") + axes[row];
+    if (row < 2 * Dim) return std::string("B ") + axes[row - Dim];
+    return std::string("A ") + axes[(row - 2 * Dim) / Dim] + " x B " + axes[row % Dim];
+  };
+  Json rows = Json::array();
+  for (std::size_t row = 0; row < kRows; ++row)
+    rows.push_back({{"axis", name(row)}, {"first", counts.first[row]}, {"separates", counts.separates[row]}});
+  return {{"pairs", counts.pairs},
+          {"seed", seed},
+          {"dim", Dim},
+          {"overlap", counts.overlap},
+          {"apart", counts.pairs - counts.overlap},
+          {"edges_alone", counts.edges_alone<Dim>()},
+          {"tests_first_gap", counts.tests},
+          {"tests_all", static_cast<std::int64_t>(kRows) * counts.pairs},
+          {"rows", rows}};
+}
+
+CommandResult run_random(const OverlapOptions& options) {
+  const Json counts = options.dim == 2
+                          ? json_of_counts<2>(query::count_axes<2>(options.random, options.seed), options.seed)
+                          : json_of_counts<3>(query::count_axes<3>(options.random, options.seed), options.seed);
+  return Printed{counts.dump() + '\n'};
+}
+
+// ---- what each pair costs
+
+CommandResult run_costs(const OverlapOptions& options) {
+  cost::PairCostRun run(options.dim == 2 ? 2 : 3, options.seed, native_timing(kCostRepeats), native_clock());
+  while (!run.done()) run.step();
+  Printed printed;
+  for (const cost::PairCost& row : run.rows()) {
+    const query::PairTest test = query::kPairTests[row.a][row.b];
+    printed.text +=
+        Json{{"a", kVolumeNames[row.a]},
+             {"b", kVolumeNames[row.b]},
+             {"test", query::kPairTestNames[static_cast<std::size_t>(test)]},
+             {"apart", row.apart},
+             {"time_ns", {{"median", row.time.median}, {"min", row.time.min}, {"repeats", row.time.repeats}}}}
+            .dump() +
+        '\n';
+  }
+  return printed;
+}
+
 CommandResult run_overlap(const OverlapOptions& options) {
+  if (options.random > 0) return run_random(options);
+  if (options.costs) return run_costs(options);
   auto file = trace_file(options.steps);
   if (!file) return bad_input(file.error());
   std::int64_t number = 0;
@@ -152,6 +214,17 @@ void add_overlap(Commands& commands) {
   command.add_option("--dim", options->dim, "2 or 3; by default that of each line")->transform(whole_number(2, 3));
   command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
   command.add_option("--case", options->name, kCaseHelp);
+  command
+      .add_option(
+          "--random", options->random,
+          "Test so many random pairs of oriented boxes instead, by separating axes, and count at which axis the "
+          "test ends (first) and which separate (separates)")
+      ->transform(whole_number(1, 1000000));
+  command.add_flag(
+      "--costs", options->costs,
+      "Measure what the test of each pair of kinds costs instead, on random bodies: a line for each of the "
+      "28, in the lesson's order");
+  command.add_option("--seed", options->seed, "Of the random pairs or bodies")->capture_default_str();
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 

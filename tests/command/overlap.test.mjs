@@ -263,3 +263,25 @@ test("a trace that cannot be written, or is half done, leaves nothing", () => {
   refused_command(["overlap", "--steps", "half.jsonl"], /^snug: -:2: /, `${JSON.stringify(with_sphere(sphere))}\n{}`);
   assert.throws(() => read("half.jsonl"));
 });
+
+test("random pairs: every pair is counted once, by its seed", () => {
+  for (const [dim, rows] of [[2, 4], [3, 15]]) {
+    const [counts] = json_lines(good(["overlap", "--random", "500", "--seed", "3", "--dim", String(dim)]));
+    assert.deepEqual([counts.pairs, counts.seed, counts.dim, counts.rows.length], [500, 3, dim, rows]);
+    assert.equal(counts.overlap + counts.rows.reduce((sum, { first }) => sum + first, 0), 500);
+    assert.ok(counts.rows.every(({ first, separates }) => first <= separates));
+    assert.ok(counts.tests_first_gap < counts.tests_all);
+    assert.equal(counts.edges_alone, counts.rows.slice(2 * dim).reduce((sum, { first }) => sum + first, 0));
+    const [again] = json_lines(good(["overlap", "--random", "500", "--seed", "3", "--dim", String(dim)]));
+    assert.deepEqual(again, counts);
+  }
+  assert.equal(json_lines(good(["overlap", "--random", "10"]))[0].dim, 3);
+});
+
+test("costs: a line for each of the 28 pairs, with its test", () => {
+  const rows = json_lines(good(["overlap", "--costs", "--dim", "2"]));
+  assert.equal(rows.length, 28);
+  assert.equal(new Set(rows.map(({ a, b }) => `${a} ${b}`)).size, 28);
+  assert.ok(rows.every(({ time_ns, apart }) => time_ns.median > 0 && apart > 0 && apart < 1));
+  assert.equal(rows.find(({ a, b }) => a === "aabb" && b === "kdop").test, "slabs_then_gjk");
+});

@@ -78,3 +78,18 @@ test("distances and numbers of tests are those of snug overlap", () => {
     }
   assert.ok(compared >= 5, `${compared} pairs were compared`);
 });
+
+test("counts over random pairs are those of snug overlap --random", () => {
+  let compared = 0;
+  for (const lesson of lessons.filter(({ boxes }) => boxes?.random_pairs)) {
+    const { boxes: { dim = 2, random_pairs }, seed = 1 } = lesson;
+    const [told] = json_lines(good(["overlap", "--random", `${random_pairs}`, "--seed", `${seed}`, "--dim", `${dim}`]));
+    const [{ figures }] = ends(lesson);
+    assert.deepEqual(
+      [figures.random_pairs, figures.random_overlap, figures.random_apart, figures.random_edges, figures.random_first],
+      [told.pairs, told.overlap, told.apart, told.edges_alone, told.rows[0].first], lesson.id);
+    same(figures.random_tests, told.tests_first_gap / told.pairs, `${lesson.id}: mean of the tests`);
+    ++compared;
+  }
+  assert.ok(compared >= 1, `${compared} lessons count`);
+});

@@ -12,14 +12,14 @@ namespace snug::app {
 namespace {
 
 /// Draws what a wrong test examines: the boxes' AABBs, or a vertex.
-void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown& shown) {
+void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown& shown, const SeenFrom& seen) {
   const Palette& p = brush.p;
   if (brush.session.method(0)->name == "extents_only" && brush.session.step() > 0)
-    for (const Obb<double, 3>& box : pair.boxes) {
-      const Point3 half = box.axes.cwiseAbs() * box.half_extents;
+    for (const Obb<double, 3>& box : lesson::boxes_of(brush.session.subject()).boxes) {
+      const Obb<double, 3> around{box.center, Matrix<double, 3>::Identity(), box.axes.cwiseAbs() * box.half_extents};
       const bool apart = shown.outlines && shown.outlines->apart;
-      draw_box(brush.canvas, box.center - half, box.center + half,
-               {Stroke::kDashed, apart ? p.wrong : p.examined, brush.stroke(0.8f)});
+      draw_volume(brush.canvas, fit::Volume3(seen.box(around)),
+                  {Stroke::kDashed, apart ? p.wrong : p.examined, brush.stroke(0.8f)});
     }
   if (!shown.corner) return;
   const ImVec2 at = brush.at(lesson::corner_of(pair.boxes[shown.corner->box], shown.corner->corner));
@@ -59,21 +59,22 @@ void draw_cross_product(Brush& brush, const lesson::BoxPair& pair, const query::
 
 }  // namespace
 
-void draw_pair(Brush& brush, const PairShown& shown) {
+void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_frame) {
   const Palette& p = brush.p;
-  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
+  const lesson::BoxPair pair = seen.boxes(lesson::boxes_of(brush.session.subject()));
+  seen.turn(shown);
   for (int i = 0; i < 2; ++i) {
     const Obb<double, 3>& box = pair.boxes[i];
     draw_volume(brush.canvas, fit::Volume3(box), {Stroke::kSolid, p.current, brush.stroke(), p.fill});
     draw_center(brush, box.center, p.current);
     brush.label(brush.at(box.center), 12, {i == 0 ? -1.0f : 1.0f, -1}, i == 0 ? "A" : "B", p.current_text,
                 Face::kSemiBold, 18);
-    draw_knobs(brush, pair, i);
+    if (!in_frame || i == 1) draw_knobs(brush, pair, i);
   }
   if (shown.axis && !shown.axis->skipped) draw_projections(brush, pair, *shown.axis);
   if (shown.axis_asked) draw_asked_axis(brush, pair, *shown.axis_asked);
   if (shown.axis) draw_cross_product(brush, pair, *shown.axis);
-  draw_wrong_test(brush, pair, shown);
+  draw_wrong_test(brush, pair, shown, seen);
 }
 
 }  // namespace snug::app

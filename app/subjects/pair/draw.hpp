@@ -2,11 +2,12 @@
 #pragma once
 
 #include "app/brush.hpp"
-#include "app/subjects/pair/shown.hpp"
+#include "app/subjects/pair/seen_from.hpp"
 
 namespace snug::app {
 
-void draw_pair(Brush& brush, const PairShown& shown);
+/// seen: the coordinate system; in A's frame A stands still and has no knobs.
+void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_frame);
 
 /// Draws both projections onto the axis: each centre with its projected radius to either side, solid towards the other
 /// box; and the distance between the centres, so that students see whether it is greater than the sum of the radii.

@@ -153,37 +153,16 @@ struct Drawing {
     brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
     brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
                 "distance " + lesson::gap_text(apart->distance), p.wrong_text, Face::kSemiBold, 13);
+    if (pair.any && pair.dim == 2) separating_line((apart->on_a + apart->on_b) / 2, apart->direction);
   }
-};
-
-// ---- the difference A - B ---------------------------------------------------------------------------------------
-
-constexpr float kDifferencePad = 10;
-
-/// Maps the plane of A - B to the picture.
-struct DifferencePlane {
-  ImVec2 middle;
-  float scale;
-  Point3 center;
-  [[nodiscard]] ImVec2 at(const Point3& p) const {
-    return {middle.x + static_cast<float>(p[0] - center[0]) * scale,
-            middle.y - static_cast<float>(p[1] - center[1]) * scale};
+  /// Draws the line across the separating axis, half way between both volumes.
+  void separating_line(const Point3& middle, const Point3& axis) const {
+    const Point3 along = Point3(-axis[1], axis[0], 0) * (1.2 * (cores[0].front() - cores[1].front()).norm());
+    const ImVec2 from = brush.at(middle - along), to = brush.at(middle + along);
+    line(brush.list, from, to, Stroke::kLongDashed, brush.p.optimum, brush.stroke(0.9f));
+    brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+    brush.label(to, 6, {to.x - from.x, to.y - from.y}, "separates A and B", brush.p.optimum_text, Face::kSemiBold, 13);
   }
-};
-
-/// What GJK knows about the difference at a step.
-struct Simplex {
-  const std::array<std::vector<Point3>, 2>& cores;
-  std::vector<Point3> kept;       // its vertices
-  std::optional<Point3> support;  // the vertex found last
-  [[nodiscard]] Point3 vertex(Index a, Index b) const { return cores[0][a] - cores[1][b]; }
-  void operator()(const auto&) {}
-  void operator()(const query::NearestFound& fact) {
-    kept.clear(), support.reset();
-    for (std::size_t i = 0; i < fact.corners.size(); i += 2)
-      kept.push_back(vertex(fact.corners[i], fact.corners[i + 1]));
-  }
-  void operator()(const query::SupportFound& fact) { support = vertex(fact.a, fact.b); }
 };
 
 }  // namespace
@@ -197,59 +176,6 @@ void draw_volumes(Brush& brush, lesson::PairSteps steps) {
     for (const auto& entry : steps.first(steps.size() - 1))
       if (const auto* slab = std::get_if<query::SlabTested>(&entry.step.fact)) drawing(*slab);
   std::visit(drawing, steps.back().step.fact);
-}
-
-Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
-  if (brush.dim() != 2) return {};
-  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
-  const std::array<std::vector<Point3>, 2> cores{lesson::core_of(pair.held[0]), lesson::core_of(pair.held[1])};
-  if (cores[0].empty() || cores[1].empty()) return {};  // smooth
-  Simplex simplex{cores, {}, std::nullopt};
-  for (const auto& entry : steps) std::visit(simplex, entry.step.fact);
-  if (simplex.kept.empty()) return {};
-
-  const Look& look = brush.look;
-  const Palette& p = brush.p;
-  const float width = brush.rect.width < 560 ? 128.0f : look.px(brush.rect.width < 900 ? 180 : 232), head = look.px(22);
-  const Rect panel{brush.rect.x + 12, top, width, width * 0.8f + head};
-  if (panel.y + panel.height > brush.canvas.camera.free_bottom()) return {};
-  const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
-  brush.list->AddRectFilled(low, high, p.panel, 8);
-  brush.list->AddRect(low, high, p.line, 8, 0, 1);
-  text(brush.list, look, Face::kSemiBold, 12, {low.x + kDifferencePad, low.y + look.px(5)}, p.muted,
-       lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]) > 0 ? "Cores: A − B" : "A − B");
-
-  Point3 least = Point3::Zero(), greatest = Point3::Zero();  // starts at the origin, which is in the picture
-  std::vector<Point3> all;
-  for (const Point3& a : cores[0])
-    for (const Point3& b : cores[1]) {
-      all.push_back(a - b);
-      least = least.cwiseMin(all.back()), greatest = greatest.cwiseMax(all.back());
-    }
-  const Point3 size = (greatest - least).cwiseMax(1e-9 * (1 + greatest.norm()));
-  const float scale = static_cast<float>(
-      std::min((panel.width - 4 * kDifferencePad) / size[0], (panel.height - head - 3 * kDifferencePad) / size[1]));
-  const DifferencePlane plane{
-      {low.x + width / 2, low.y + head + (panel.height - head) / 2}, scale, (least + greatest) / 2};
-
-  std::vector<ImVec2> places;
-  for (const Point3& vertex : all) places.push_back(plane.at(vertex));
-  const std::vector<ImVec2> outline = convex_outline(std::move(places));
-  if (outline.size() > 2)
-    brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(p.current, p.fill));
-  path(brush.list, outline, outline.size() > 2, Stroke::kSolid, p.current, brush.stroke(0.7f));
-  std::vector<ImVec2> kept;
-  for (const Point3& vertex : simplex.kept) kept.push_back(plane.at(vertex));
-  if (kept.size() > 1) path(brush.list, kept, kept.size() > 2, Stroke::kSolid, p.examined, brush.stroke(1.2f));
-  for (const ImVec2 at : kept) disc(brush.list, at, 4, p.examined);
-  if (simplex.support) ring(brush.list, plane.at(*simplex.support), 6, p.examined, brush.stroke(0.9f));
-  const ImVec2 origin = plane.at(Point3::Zero());
-  plus(brush.list, origin, 6, p.ink, brush.stroke(0.9f));
-  const float words = measure(look, Face::kRegular, 11, "origin").x;
-  const bool before = origin.x + 7 + words > high.x - 4;  // if there is no room after it
-  text(brush.list, look, Face::kRegular, 11, {before ? origin.x - 7 - words : origin.x + 7, origin.y + 3}, p.ink,
-       "origin");
-  return panel;
 }
 
 }  // namespace snug::app

@@ -61,6 +61,30 @@ struct FrameTable {
   }
 };
 
+/// Whether the open question is answered by entries of R.
+bool asks_for_entries(const lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  return asked != nullptr && asked->asking != nullptr && asked->asking->name.starts_with("entries");
+}
+
+/// The entries of R as buttons.
+void draw_choices(const FrameTable& table, lesson::Session& session) {
+  for (int choice = 0; choice < table.dim * table.dim; ++choice) {
+    const int i = choice / table.dim, j = choice % table.dim;
+    const Rect rect{table.right(j) - table.column() + 5, table.top(i + 1) + 1, table.column() - 2,
+                    table.look.px(kLine) - 2};
+    const std::string name = "R" + std::to_string(i + 1) + std::to_string(j + 1);
+    const Touch touch = touch_area(("entry " + name).c_str(), rect, name);
+    const lesson::Answer* picked = session.picked();
+    const bool chosen = picked != nullptr && (picked->value >> choice & 1) != 0;
+    if (touch.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    table.list->AddRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height},
+                        with_alpha(table.look->current, chosen || touch.hovered ? 0.9f : 0.35f), 3, 0,
+                        chosen ? 2.5f : 1.0f);
+    if (touch.clicked) return static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, choice}));
+  }
+}
+
 void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const query::FramesRelated<double, 3>* frames) {
   const auto bit = [](auto mask, int i) { return (mask >> i & 1) != 0; };
   const auto known = frames != nullptr ? *frames : query::FramesRelated<double, 3>{};
@@ -74,12 +98,13 @@ void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const qu
 }
 
 /// Draws the three formulas of a row and returns the room for them, which is the same before any row is meant.
-float draw_formulas(const Look& look, int dim, int row, ImVec2 at) {
+float draw_formulas(const Look& look, int dim, int row, bool asks, ImVec2 at) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   constexpr int kLines = 4;
   const float room = kLines * look.px(kLine);
   if (row < 0) {
-    text(list, look, Face::kRegular, kFormula, at, look->muted, "Point at a row to see its formulas.");
+    text(list, look, Face::kRegular, kFormula, at, look->muted,
+         asks ? "Pick entries of R, here or below." : "Point at a row to see its formulas.");
     return room;
   }
   const lesson::RowFormulas formulas = lesson::row_formulas(dim, row);
@@ -100,11 +125,11 @@ float draw_formulas(const Look& look, int dim, int row, ImVec2 at) {
 
 }  // namespace
 
-float draw_frame_panel(const Look& look, const lesson::Session& session, const AxisLight& light, ImVec2 at,
-                       float width) {
+float draw_frame_panel(const Look& look, lesson::Session& session, const AxisLight& light, ImVec2 at, float width) {
   const lesson::PairRun& run = lesson::pair_run(session.run(0));
   if (lesson::axes_seen(run.trace()).empty()) return 0;
-  const int dim = session.dim(), lit = light.row(dim), row = lit >= 0 ? lit : lit_row(session);
+  const bool asks = asks_for_entries(session);
+  const int dim = session.dim(), lit = light.row(dim), row = asks ? -1 : lit >= 0 ? lit : lit_row(session);
   const float head = look.px(22);
   ImDrawList* list = ImGui::GetWindowDrawList();
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(3)}, look->muted,
@@ -114,8 +139,9 @@ float draw_frame_panel(const Look& look, const lesson::Session& session, const A
   table.head();
   draw_numbers(table, lesson::boxes_of(session.subject()),
                last_fact<query::FramesRelated<double, 3>>(steps_shown(session)));
+  if (asks) draw_choices(table, session);
   const float numbers = head + static_cast<float>(dim + 2) * look.px(kLine) + look.px(6);
-  return numbers + draw_formulas(look, dim, row, {at.x, at.y + numbers}) + look.px(8);
+  return numbers + draw_formulas(look, dim, row, asks, {at.x, at.y + numbers}) + look.px(8);
 }
 
 }  // namespace snug::app

@@ -8,7 +8,7 @@ namespace snug::app {
 
 /// Draws them if the method tests axes, and returns their height. The row that is lit by light or else the step's gives
 /// the formulas.
-float draw_frame_panel(const Look& look, const lesson::Session& session, const AxisLight& light, ImVec2 at,
-                       float width);
+/// While a question asks for entries of R, a click on one picks it.
+float draw_frame_panel(const Look& look, lesson::Session& session, const AxisLight& light, ImVec2 at, float width);
 
 }  // namespace snug::app

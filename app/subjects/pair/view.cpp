@@ -4,6 +4,9 @@
 #include "app/subjects/pair/axis_table.hpp"
 #include "app/subjects/pair/draw.hpp"
 #include "app/subjects/pair/frame_panel.hpp"
+#include "app/subjects/pair/pair_table.hpp"
+#include "app/subjects/pair/random_panel.hpp"
+#include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 
 namespace snug::app {
@@ -19,8 +22,29 @@ class PairView final : public SubjectView {
     PairShown shown = shown_;
     const int row = light_.row(brush.dim());
     if (row >= 0 && !answered_on_stage(brush.session)) show_row(shown, brush.session, row);
-    draw_pair(brush, shown);
+    draw_pair(brush, std::move(shown), seen_from(brush.session), in_frame_);
   }
+  /// Not in a lesson whose file says where to look.
+  [[nodiscard]] std::string_view frame_button(const lesson::Session& session) const override {
+    const lesson::StageView& wish = session.lesson().view;
+    return wish.inset || wish.look_at ? "" : "A's frame";
+  }
+  [[nodiscard]] bool in_frame() const override { return in_frame_; }
+  void show_frame(bool on) override { in_frame_ = on; }
+  [[nodiscard]] Point3 place_shown(const lesson::Session& session, const Point3& at) const override {
+    return seen_from(session).at(at);
+  }
+  [[nodiscard]] Point3 place_meant(const lesson::Session& session, const Point3& shown) const override {
+    return seen_from(session).back(shown);
+  }
+  [[nodiscard]] Point3 place_of(const lesson::Session& session, Index i) const override {
+    return place_shown(session, session.point(i));
+  }
+  /// In its own frame A stands still: only what may be an answer is left of it.
+  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
+    return !in_frame_ || answered_on_stage(session) || lesson::place_of(session.dim(), i).box == 1;
+  }
+
   void light(std::string_view mark) override { light_.mark = mark; }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
@@ -28,7 +52,7 @@ class PairView final : public SubjectView {
       return ball_around(lesson::boxes_of(session.subject()).boxes[box], session.dim());
     };
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
-    return {both.center, kRoomForAxis * both.radius};
+    return {place_shown(session, both.center), kRoomForAxis * both.radius};
   }
   /// A centre has its box's name, a knob its arc.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
@@ -38,11 +62,14 @@ class PairView final : public SubjectView {
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     const float frames = draw_frame_panel(look, session, light_, at, width);
-    return frames + draw_axis_panel(look, session, {at.x, at.y + frames}, width, &light_);
+    const float axes = frames + draw_axis_panel(look, session, {at.x, at.y + frames}, width, &light_),
+                gap = look.px(20);
+    const float counts = draw_random_panel(look, session, {at.x, at.y + axes + gap}, width);
+    return counts > 0 ? axes + gap + counts : axes;
   }
   /// The lit row of the table has them.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override {
-    return lesson::is_along_axis(figure.key);
+    return lesson::is_along_axis(figure.key) || figure.key.starts_with(lesson::kRandomFigure);
   }
   /// Two boxes in space have fifteen axes.
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return session.dim() == 3; }
@@ -51,7 +78,14 @@ class PairView final : public SubjectView {
   }
 
  private:
+  [[nodiscard]] SeenFrom seen_from(const lesson::Session& session) const {
+    if (!in_frame_) return {};
+    const Obb<double, 3>& a = lesson::boxes_of(session.subject()).boxes[0];
+    return {a.axes, a.center};
+  }
+
   PairShown shown_;
+  bool in_frame_ = false;    // A's, instead of the world
   mutable AxisLight light_;  // the panel says which row is pointed at
 };
 
@@ -72,15 +106,23 @@ class VolumesView final : public SubjectView {
     const lesson::VolumePair& pair = pair_of(session);
     const fit::Sphere3 both =
         ball_around(ball_around(pair.held[0].volume, pair.dim), ball_around(pair.held[1].volume, pair.dim));
-    return {both.center, kRoomForAxis * both.radius};
+    if (!pair.any || pair.dim == 3) return {both.center, kRoomForAxis * both.radius};
+    // The difference is at the left.
+    return {both.center - Point3(0.25 * both.radius, 0, 0), 1.25 * kRoomForAxis * both.radius};
   }
+  [[nodiscard]] bool working() const override { return working_; }
   [[nodiscard]] bool shows_points(const lesson::Session&) const override { return false; }
+  /// The table of all pairs needs room.
+  [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return pair_of(session).any; }
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
     return subject_of(session).handle(i).kind == lesson::Handle::Kind::kVertex;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    return draw_axis_panel(look, session, at, width);
+    const cost::PairCostRun* costs = subject_of(session).costs();
+    working_ = costs != nullptr && !costs->done();
+    const float pairs = draw_pair_table(look, session, at, width), gap = pairs > 0 ? look.px(20) : 0;
+    return pairs + gap + draw_axis_panel(look, session, {at.x, at.y + pairs + gap}, width);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "verdict", .best = "decides"};
@@ -93,6 +135,7 @@ class VolumesView final : public SubjectView {
   static const lesson::VolumePair& pair_of(const lesson::Session& session) { return subject_of(session).pair(); }
 
   Shown shown_;
+  mutable bool working_ = false;  // on the costs of all pairs
 };
 
 }  // namespace

@@ -33,19 +33,23 @@ class RowTerms {
     entries.rotation |= static_cast<std::uint16_t>(1 << (3 * i + j));
     return "R_{" + std::to_string(i + 1) + std::to_string(j + 1) + '}';
   }
-  std::string size(int i, int j) { return "|" + r(i, j) + "|"; }
+  /// The absolute value of an entry, in the formula of a radius. of: the entries that this radius takes.
+  std::string size(int i, int j, std::uint16_t& of) {
+    of |= static_cast<std::uint16_t>(1 << (3 * i + j));
+    return "|" + r(i, j) + "|";
+  }
   static void add(std::string& sum, const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; }
 
   void face_a(int i) {
     formulas.distance = "|" + t(i) + "|";
     formulas.radius_a = half('a', i);
-    for (int j = 0; j < dim_; ++j) add(formulas.radius_b, half('b', j) + size(i, j));
+    for (int j = 0; j < dim_; ++j) add(formulas.radius_b, half('b', j) + size(i, j, entries.rotation_b));
   }
   void face_b(int j) {
     std::string sum;
     for (int i = 0; i < dim_; ++i) add(sum, t(i) + r(i, j));
     formulas.distance = "|" + sum + "|";
-    for (int i = 0; i < dim_; ++i) add(formulas.radius_a, half('a', i) + size(i, j));
+    for (int i = 0; i < dim_; ++i) add(formulas.radius_a, half('a', i) + size(i, j, entries.rotation_a));
     formulas.radius_b = half('b', j);
   }
   void edges(int i, int j) {
@@ -53,8 +57,9 @@ class RowTerms {
     const int j1 = std::min((j + 1) % 3, (j + 2) % 3), j2 = std::max((j + 1) % 3, (j + 2) % 3);
     formulas.distance = "|" + t(i2) + r(i1, j) + " - " + t(i1) + r(i2, j) + "|";
     const int low = std::min(i1, i2), high = std::max(i1, i2);
-    formulas.radius_a = half('a', low) + size(high, j) + " + " + half('a', high) + size(low, j);
-    formulas.radius_b = half('b', j1) + size(i, j2) + " + " + half('b', j2) + size(i, j1);
+    std::uint16_t &a = entries.rotation_a, &b = entries.rotation_b;
+    formulas.radius_a = half('a', low) + size(high, j, a) + " + " + half('a', high) + size(low, j, a);
+    formulas.radius_b = half('b', j1) + size(i, j2, b) + " + " + half('b', j2) + size(i, j1, b);
   }
 
   int dim_;

@@ -13,6 +13,7 @@ namespace snug::lesson {
 /// What a row is computed from: bit 3 i + j for the entry R_ij, bit i for a number of t or for a half extent.
 struct RowEntries {
   std::uint16_t rotation = 0;
+  std::uint16_t rotation_a = 0, rotation_b = 0;  // those of them that r_A and r_B take
   std::uint8_t translation = 0, half_a = 0, half_b = 0;
 };
 

@@ -24,13 +24,20 @@ struct Entry<query::FramesRelated<double, 3>> : EntryDefaults {
   }
 };
 
-/// "separates": whether the boxes are apart along it.
+/// "separates": whether the boxes are apart along it. "entries_a", "entries_b": which entries of R the projected radius
+/// of A, or of B, takes.
 Truth separates_truth(const Asked& asked, const Run& run);
+const char* offer_entries_a(Asked& asked, const Run& run);
+const char* offer_entries_b(Asked& asked, const Run& run);
+Truth entries_a_truth(const Asked& asked, const Run& run);
+Truth entries_b_truth(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   using Fact = query::AxisTested<double, 3>;
-  static constexpr std::array kAskings{Asking{"separates", &offer_yes_no, &separates_truth}};
+  static constexpr std::array kAskings{Asking{"separates", &offer_yes_no, &separates_truth},
+                                       Asking{"entries_a", &offer_entries_a, &entries_a_truth},
+                                       Asking{"entries_b", &offer_entries_b, &entries_b_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string axis = name_of_axis(fact.axis, where);
     if (fact.skipped) return "Along " + axis + " there is nothing to test: the edges are parallel.";
@@ -198,14 +205,31 @@ struct Entry<query::CoresCompared> : EntryDefaults {
   return where.vertex(0, a).name + " − " + where.vertex(1, b).name;
 }
 
+/// Whether GJK ends at a simplex because it contains the origin.
+[[nodiscard]] inline bool contains_origin(PairSteps steps, int simplex) {
+  const auto next = static_cast<std::size_t>(simplex) + 1;
+  const auto* end = next < steps.size() ? std::get_if<query::DistanceFound>(&steps[next].step.fact) : nullptr;
+  return end != nullptr && !(end->gap > 0);
+}
+
+/// "next_vertex": which vertex of A - B is farthest along -v; "contains_origin": whether the simplex contains the
+/// origin; "cheaper": the pair's own test or GJK.
+const char* offer_difference(Asked& asked, const Run& run);
+Truth next_vertex_truth(const Asked& asked, const Run& run);
+Truth contains_origin_truth(const Asked& asked, const Run& run);
+const char* offer_own_and_gjk(Asked& asked, const Run& run);
+Truth cheaper_truth(const Asked& asked, const Run& run);
+
 template <>
 struct Entry<query::NearestFound> : EntryDefaults {
   using Fact = query::NearestFound;
+  static constexpr std::array kAskings{Asking{"contains_origin", &offer_yes_no, &contains_origin_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto& pairs = fact.corners;
     std::string names;
     for (std::size_t i = 0; i < pairs.size(); i += 2)
       names += (i == 0 ? "" : i + 2 == pairs.size() ? " and " : ", ") + difference_name(pairs[i], pairs[i + 1], where);
+    if (contains_origin(where.run.trace(), where.i)) return "The simplex of " + names + " contains the origin.";
     const std::string distance = number_text(fact.distance);
     if (pairs.size() == 2) return names + " is " + distance + " from the origin.";
     return "The nearest point of the simplex of " + names + " is " + distance + " from the origin.";
@@ -221,6 +245,7 @@ struct Entry<query::NearestFound> : EntryDefaults {
 template <>
 struct Entry<query::SupportFound> : EntryDefaults {
   using Fact = query::SupportFound;
+  static constexpr std::array kAskings{Asking{"next_vertex", &offer_difference, &next_vertex_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
     if (fact.gap > 0) return found + ": the cores are at least " + number_text(fact.gap) + " apart.";
@@ -253,8 +278,9 @@ struct Entry<query::DistanceFound> : EntryDefaults {
 
 template <>
 struct Entry<OverlapDecided> : EntryDefaults {
-  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &overlap_truth},
-                                       Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth}};
+  static constexpr std::array kAskings{
+      Asking{"apart", &offer_yes_no, &overlap_truth}, Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth},
+      Asking{.name = "cheaper", .offer = &offer_own_and_gjk, .truth = &cheaper_truth, .figure = "operations"}};
   static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
     if (fact.overlap) return "The volumes overlap.";
     if (fact.distance >= 0) return "Apart: the distance between the volumes is " + gap_text(fact.distance) + ".";

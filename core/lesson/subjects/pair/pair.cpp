@@ -6,6 +6,7 @@
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/entries.hpp"
+#include "lesson/subjects/pair/random_pairs.hpp"
 
 namespace snug::lesson {
 
@@ -13,14 +14,21 @@ template class FactRun<PairRun, PairStep>;
 
 namespace {
 
+constexpr int kMostRandomPairs = 10000;  // more would hold up a frame
+
 std::vector<std::string_view> pair_volumes() { return {kBoxPair}; }
 std::span<const Method> pair_methods(std::string_view) { return box_tests(); }
 
+struct PairTables : BoxTables {
+  int random_pairs = 0;
+};
+
 void read_boxes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  auto tables = std::make_shared<BoxTables>();
+  auto tables = std::make_shared<PairTables>();
   TomlTable own(*table.table("boxes"), "[boxes]", complaints);
   lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
   tables->boxes = read_pair(own, lesson.points.dim, 1);
+  tables->random_pairs = static_cast<int>(own.integer_or("random_pairs", 0, kMostRandomPairs, 0));
   own.refuse_others();
   lesson.tables = std::move(tables);
 }
@@ -32,7 +40,8 @@ Rows read_pair_model(TomlTable& task, const Lesson& lesson, Complaints& complain
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_pair(const Lesson& lesson, std::optional<io::PointFile>,
                                                              Clock) {
-  return std::make_unique<PairSubject>(static_cast<const BoxTables&>(*lesson.tables).boxes, lesson.seed);
+  const auto& tables = static_cast<const PairTables&>(*lesson.tables);
+  return std::make_unique<PairSubject>(tables.boxes, lesson.seed, tables.random_pairs);
 }
 
 }  // namespace
@@ -77,7 +86,11 @@ std::string PairSubject::opening(const Method& method) const {
   return std::string(method.title) + ", boxes A and B: nothing is known yet. Take the first step.";
 }
 
-std::vector<Figure> PairSubject::figures(const View& view) const { return box_figures(view, boxes()); }
+std::vector<Figure> PairSubject::figures(const View& view) const {
+  std::vector<Figure> figures = box_figures(view, boxes());
+  add_random_counts(figures, *this);
+  return figures;
+}
 std::vector<Proof> PairSubject::proofs(const View& view) const { return box_proofs(view, boxes()); }
 
 }  // namespace snug::lesson

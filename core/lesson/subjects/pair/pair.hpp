@@ -4,6 +4,7 @@
 #include "lesson/boxes.hpp"
 #include "lesson/facts.hpp"
 #include "lesson/subjects/pair/naive_tests.hpp"
+#include "query/axis_counts.hpp"
 
 namespace snug::lesson {
 
@@ -65,7 +66,11 @@ extern template class FactRun<PairRun, PairStep>;
 class PairSubject final : public BoxSubject {
  public:
   static constexpr const SubjectRow& kRow = kPairRow;
-  PairSubject(const BoxPair& pair, std::uint64_t seed) : BoxSubject(pair, seed) {}
+  /// random_pairs: over how many random pairs the axes are counted; 0 for none.
+  PairSubject(const BoxPair& pair, std::uint64_t seed, int random_pairs = 0)
+      : BoxSubject(pair, seed), random_pairs_(random_pairs) {}
+  /// Counts over random pairs by its seed; null if the lesson wants none.
+  [[nodiscard]] const query::AxisCounts* random_counts() const;
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<PairSubject>(*this); }
   [[nodiscard]] std::optional<std::array<Point3, 2>> gap() const override;
@@ -80,7 +85,18 @@ class PairSubject final : public BoxSubject {
   Done drive(std::string_view name, double from, double to) override;
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
+
+ private:
+  struct Counted {
+    std::uint64_t seed;
+    query::AxisCounts counts;
+  };
+  int random_pairs_;
+  mutable std::shared_ptr<const Counted> counted_;  // those of the last seed
 };
+
+/// The figures of counts over random pairs begin with it.
+inline constexpr std::string_view kRandomFigure = "random_";
 
 /// "only_edges", "last_axis": boxes that only edge axes, or only the last axis, separate; any other: boxes on which the
 /// wrong or naive test of that name is wrong.

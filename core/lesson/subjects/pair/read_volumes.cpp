@@ -94,6 +94,7 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   tables->line = own.place().line;
   const int dim = tables->pair.dim = lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
   tables->stored = read_stored(own);
+  tables->pair.any = own.flag_or("any", false);
   const std::size_t before = complaints.count();
   double reach = 0;
   for (const std::size_t side : {0, 1}) {
@@ -119,7 +120,7 @@ Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& compla
   const toml::table* model = task.table("model");
   if (model == nullptr) return task.lack("model", "the task lacks [task.model]"), Rows();
   TomlTable own(*model, "[task.model]", complaints);
-  VolumePair pair{.dim = lesson.points.dim};
+  VolumePair pair{.dim = lesson.points.dim, .any = static_cast<const VolumeTables&>(*lesson.tables).pair.any};
   for (const std::size_t side : {0, 1}) {
     const char* key = side == 0 ? "a" : "b";
     pair.held[side].dim = pair.dim;
@@ -132,7 +133,9 @@ Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& compla
 }
 
 void check_volume_tests(const Lesson& lesson, const Subject& own, Complaints& complaints) {
-  const std::vector<std::string_view> tests = tests_of(as<VolumesSubject>(own)->pair());
+  const VolumePair& pair = as<VolumesSubject>(own)->pair();
+  if (pair.any) return;  // other volumes take the others
+  const std::vector<std::string_view> tests = tests_of(pair);
   for (const std::string& algorithm : lesson.algorithms)
     if (!is_among(tests, algorithm))
       complaints.add(static_cast<const VolumeTables&>(*lesson.tables).line,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "lesson/names.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
@@ -137,6 +138,12 @@ PairTrace record(std::string_view test, const VolumePair& pair) {
   if (own == PairTest::kSlabsThenGjk && !by_gjk) observe.gjk_line = kSlabLines;
   in_dimension(pair, [&](const auto& a, const auto& b) { decide(a, b, own, by_gjk, observe); });
   return std::move(observe.trace);
+}
+
+std::int64_t operations_in(PairSteps steps) {
+  if (steps.empty()) return 0;
+  const OperationCounts& counts = steps.back().counts;
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
 }
 
 std::vector<Point3> core_of(const HeldVolume& held) {

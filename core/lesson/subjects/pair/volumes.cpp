@@ -13,6 +13,7 @@
 #include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/volume_rows.hpp"
 #include "lesson/words.hpp"
+#include "measure/cost_run.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -21,8 +22,8 @@ std::vector<std::string_view> own_volumes() { return {kVolumePair}; }
 std::span<const Method> own_methods(std::string_view) { return volume_tests(); }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& lesson, std::optional<io::PointFile>,
-                                                                Clock) {
-  return std::make_unique<VolumesSubject>(static_cast<const VolumeTables&>(*lesson.tables).pair, lesson.seed);
+                                                                Clock clock) {
+  return std::make_unique<VolumesSubject>(static_cast<const VolumeTables&>(*lesson.tables).pair, lesson.seed, clock);
 }
 
 /// The state of the test after some steps, from the last step of each fact.
@@ -46,6 +47,12 @@ struct SoFar {
   }
   void operator()(const auto&) {}
 };
+
+/// How many operations the test took so far.
+Figure operations_figure(PairSteps steps) {
+  const std::int64_t count = operations_in(steps);
+  return {"Operations so far", "operations", count_text(count), static_cast<double>(count), ""};
+}
 
 Figure length(std::string name, std::string key, std::optional<double> value) {
   return {std::move(name),   std::move(key), value ? number_text(*value) + " units" : "—",
@@ -128,10 +135,30 @@ const SubjectRow kVolumesRow{.name = "volumes",
                              .check_first = &check_volume_tests,
                              .open = &open_volumes};
 
-VolumesSubject::VolumesSubject(VolumePair pair, std::uint64_t seed) : lesson_seed_(seed), pair_(std::move(pair)) {
+VolumesSubject::VolumesSubject(VolumePair pair, std::uint64_t seed, Clock clock) : lesson_seed_(seed), clock_(clock) {
   origin_.seed = seed;
+  hold(std::move(pair));
+}
+
+void VolumesSubject::hold(VolumePair pair) {
+  pair_ = std::move(pair);
+  handles_.clear();
   for (const int side : {0, 1})
     for (const Handle& handle : handles_of(pair_.held[side])) handles_.push_back({side, handle});
+}
+
+void VolumesSubject::measure_costs() {
+  constexpr cost::TimingOptions kTiming{.repeats = 5, .batch = 5e5};
+  if (can_measure()) costs_ = std::make_shared<cost::PairCostRun>(dim(), lesson_seed_, kTiming, clock_);
+}
+
+void VolumesSubject::work_on_costs(double budget) {
+  if (costs_ != nullptr) cost::advance(*costs_, clock_, budget);
+}
+
+void VolumesSubject::choose_kinds(const Kinds& kinds) {
+  hold(with_kinds(std::move(pair_), kinds));
+  origin_.edited = true;
 }
 
 Point3 VolumesSubject::at(Index i) const { return at_handle(pair_.held[side(i)], handle(i)); }
@@ -191,26 +218,21 @@ std::vector<std::vector<Index>> VolumesSubject::things() const {
   return both;
 }
 
-Rows rows_of(const VolumePair& pair) { return {row_of(pair.held[0]), row_of(pair.held[1])}; }
-
 Rows VolumesSubject::rows() const { return rows_of(pair_); }
 
 Done VolumesSubject::set_rows(const Rows& rows) {
-  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two volumes"});
-  VolumePair next = pair_;
-  for (const std::size_t i : {0, 1}) {
-    auto held = with_row(pair_.held[i], rows[i]);
-    if (!held) return tl::unexpected(std::move(held.error()));
-    next.held[i] = *std::move(held);
-  }
-  pair_ = std::move(next);
+  auto next = with_rows(pair_, rows);
+  if (!next) return tl::unexpected(std::move(next.error()));
+  hold(*std::move(next));
   origin_.edited = true;
   return {};
 }
 
-/// Scatters the lesson's own volumes: random positions and, if their kind can rotate, random orientations.
+/// Scatters the lesson's own volumes, or those of the kinds that were chosen: random positions and, if their kind can
+/// rotate, random orientations.
 void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
-  pair_ = as<VolumesSubject>(own)->pair_;
+  const VolumePair& theirs = as<VolumesSubject>(own)->pair_;
+  hold(pair_.any && seed != lesson_seed_ ? with_kinds(theirs, kinds_of(pair_)) : theirs);
   origin_ = own.origin();
   origin_.seed = seed;
   if (seed == lesson_seed_) return;
@@ -227,7 +249,7 @@ void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
 }
 
 void VolumesSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
-  pair_ = as<VolumesSubject>(own)->pair_;
+  hold(as<VolumesSubject>(own)->pair_);
   origin_ = own.origin();
 }
 
@@ -253,6 +275,11 @@ PairRun::Vertices VolumesSubject::vertices() const {
   return all;
 }
 
+std::string VolumesSubject::refusal(const Method& method) const {
+  if (!pair_.any || is_among(tests_of(pair_), method.name)) return {};
+  return std::string(method.title) + " is no test of these two volumes";
+}
+
 std::unique_ptr<Run> VolumesSubject::run(const Method& method, std::unique_ptr<Run>) const {
   return std::make_unique<PairRun>(dim(), record(method.name, pair_), vertices());
 }
@@ -268,8 +295,11 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const auto count = [&](const char* name) {
     return Figure{name, "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""};
   };
-  if (!axes_seen(steps).empty())  // the table of axes says the rest
-    return {length("Separation", "gap", standing.gap), count("Axes so far")};
+  if (!axes_seen(steps).empty()) {  // the table of axes says the rest
+    std::vector<Figure> few{length("Separation", "gap", standing.gap), count("Axes so far")};
+    if (pair_.any) few.push_back(operations_figure(steps.first(view.step)));
+    return few;
+  }
   std::vector<Figure> figures;
   const double radii = radius_of(pair_.held[0]) + radius_of(pair_.held[1]);
   const bool cores = std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
@@ -291,6 +321,7 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
     figures = compared_along(*standing.slab, view.method().name);
   figures.push_back(length("Separation", "gap", standing.gap));
   figures.push_back(count(view.method().name == "gjk" ? "Simplices so far" : "Tests so far"));
+  if (pair_.any) figures.push_back(operations_figure(steps.first(view.step)));
   return figures;
 }
 

@@ -3,6 +3,7 @@
 
 #include "lesson/held_volume.hpp"
 #include "lesson/subjects/pair/pair.hpp"
+#include "measure/pair_cost.hpp"
 #include "query/overlap_table.hpp"
 
 namespace snug::lesson {
@@ -16,15 +17,26 @@ inline constexpr std::string_view kVolumePair = "volume_pair";
 struct VolumePair {
   int dim = 2;
   std::array<HeldVolume, 2> held;
+  bool any = false;  // whether students choose the kinds
 };
+
+/// The kinds of both, as indices of kVolumeNames.
+using Kinds = std::array<std::size_t, 2>;
+[[nodiscard]] inline Kinds kinds_of(const VolumePair& pair) {
+  return {pair.held[0].volume.index(), pair.held[1].volume.index()};
+}
+/// The pair with volumes of usual shape and size where a kind changes. kinds: in the order of the table.
+[[nodiscard]] VolumePair with_kinds(VolumePair pair, const Kinds& kinds);
 
 /// The pair's own test.
 [[nodiscard]] inline query::PairTest test_of(const VolumePair& pair) {
   return query::kPairTests[pair.held[0].volume.index()][pair.held[1].volume.index()];
 }
 
-/// The rows of both volumes (Subject::rows).
+/// The rows of both volumes (Subject::rows); where students choose the kinds, each begins with its kind.
 [[nodiscard]] Rows rows_of(const VolumePair& pair);
+/// The pair with those rows. Errors: these are not the numbers of such volumes.
+[[nodiscard]] tl::expected<VolumePair, InputError> with_rows(VolumePair pair, const Rows& rows);
 
 /// A method for each query::PairTest, with its name, and one for each representation of two axis-aligned boxes.
 [[nodiscard]] std::span<const Method> volume_tests();
@@ -34,6 +46,8 @@ struct VolumePair {
 [[nodiscard]] bool is_of_boxes(std::string_view test);
 /// Records one of these.
 [[nodiscard]] PairTrace record(std::string_view test, const VolumePair& pair);
+/// How many operations these steps took, all kinds together.
+[[nodiscard]] std::int64_t operations_in(PairSteps steps);
 
 /// The vertices of a volume's core, as GJK knows them; none of a smooth one.
 [[nodiscard]] std::vector<Point3> core_of(const HeldVolume& held);
@@ -54,8 +68,17 @@ inline constexpr std::array<std::string_view, 3> kVolumeGoals{"only_last_axis", 
 class VolumesSubject final : public Subject {
  public:
   static constexpr const SubjectRow& kRow = kVolumesRow;
-  VolumesSubject(VolumePair pair, std::uint64_t seed);
+  VolumesSubject(VolumePair pair, std::uint64_t seed, Clock clock = nullptr);
   [[nodiscard]] const VolumePair& pair() const { return pair_; }
+  /// Where students choose the kinds: puts others on the stage, as with_kinds.
+  void choose_kinds(const Kinds& kinds);
+  /// Begins to measure what the tests of all pairs cost. Nothing without a clock.
+  void measure_costs();
+  [[nodiscard]] bool can_measure() const { return clock_ != nullptr; }
+  /// What was measured, or is being measured; null for nothing yet.
+  [[nodiscard]] cost::PairCostRun* costs() const { return costs_.get(); }
+  /// Goes on measuring for so many nanoseconds.
+  void work_on_costs(double budget);
   [[nodiscard]] const Handle& handle(Index i) const { return handles_[i].handle; }
   [[nodiscard]] int side(Index i) const { return handles_[i].side; }
 
@@ -81,6 +104,7 @@ class VolumesSubject final : public Subject {
   Done move(Index i, const Point3& to) override;
   void scatter(std::uint64_t seed, const Subject& own) override;
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
+  [[nodiscard]] std::string refusal(const Method& method) const override;
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
@@ -94,8 +118,11 @@ class VolumesSubject final : public Subject {
     Handle handle;
   };
   [[nodiscard]] PairRun::Vertices vertices() const;
+  void hold(VolumePair pair);
 
   std::uint64_t lesson_seed_;
+  Clock clock_;
+  std::shared_ptr<cost::PairCostRun> costs_;
   VolumePair pair_;
   std::vector<Own> handles_;  // those of A, then those of B
 };

@@ -1,0 +1,176 @@
+// Draws the Minkowski difference A - B in a corner of the stage, and how GJK's simplex gets near to the origin in it.
+#include <algorithm>
+#include <cmath>
+
+#include "app/subjects/pair/draw.hpp"
+#include "lesson/subjects/pair/difference.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::DifferenceVertex;
+
+constexpr float kInsetRim = 12, kVertexNames = 10;
+constexpr float kInsetShape = 0.8f, kLeastInset = 110;  // height over width, without its head
+constexpr float kNarrowInset = 160;                     // no names in a panel that is narrower
+
+/// What GJK knows about the difference at a step.
+struct ShownSimplex {
+  std::vector<Index> kept;  // its vertices, as query::NearestFound has them
+  const query::SupportFound* support = nullptr;
+  void operator()(const auto&) {}
+  void operator()(const query::NearestFound& fact) { kept = fact.corners, support = nullptr; }
+  void operator()(const query::SupportFound& fact) { support = &fact; }
+};
+
+/// The panel, and the plane of A - B in it.
+struct DifferenceInset {
+  Brush& brush;
+  const lesson::VolumePair& pair;
+  Rect panel;
+  float head;
+  std::vector<DifferenceVertex> outline;
+  ImVec2 middle;
+  float scale = 1;
+  Point3 center;
+
+  DifferenceInset(Brush& b, const lesson::VolumePair& volumes, const Rect& rect, float head_height)
+      : brush(b), pair(volumes), panel(rect), head(head_height), outline(lesson::difference_outline(volumes)) {
+    Point3 least = Point3::Zero(), greatest = Point3::Zero();  // starts at the origin, which is in the picture
+    for (const DifferenceVertex& vertex : outline)
+      least = least.cwiseMin(vertex.at), greatest = greatest.cwiseMax(vertex.at);
+    const Point3 size = (greatest - least).cwiseMax(1e-9 * (1 + greatest.norm()));
+    const float aside = named() ? 46 : 2 * kInsetRim, above = named() ? 20 : kInsetRim;
+    scale =
+        static_cast<float>(std::min((panel.width - 2 * aside) / size[0], (panel.height - head - 2 * above) / size[1]));
+    middle = {panel.x + panel.width / 2, panel.y + head + (panel.height - head) / 2};
+    center = (least + greatest) / 2;
+  }
+
+  [[nodiscard]] bool named() const { return panel.width >= kNarrowInset; }
+  [[nodiscard]] ImVec2 at(const Point3& p) const {
+    return {middle.x + static_cast<float>(p[0] - center[0]) * scale,
+            middle.y - static_cast<float>(p[1] - center[1]) * scale};
+  }
+  [[nodiscard]] std::string name_of(Index a, Index b) const {
+    const lesson::PairRun::Where where{lesson::pair_run(brush.session.run(0)), 0, nullptr};
+    return where.vertex(0, a).name + "−" + where.vertex(1, b).name;
+  }
+
+  void ground() const {
+    const Palette& p = brush.p;
+    const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
+    brush.list->AddRectFilled(low, high, p.panel, 8);
+    brush.list->AddRect(low, high, p.line, 8, 0, 1);
+    text(brush.list, brush.look, Face::kSemiBold, 12, {low.x + kInsetRim, low.y + brush.look.px(5)}, p.muted,
+         lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]) > 0 ? "Cores: A − B" : "A − B");
+  }
+  void difference() const {
+    std::vector<ImVec2> places;
+    for (const DifferenceVertex& vertex : outline) places.push_back(at(vertex.at));
+    if (places.size() > 2)
+      brush.list->AddConvexPolyFilled(places.data(), static_cast<int>(places.size()),
+                                      with_alpha(brush.p.current, brush.p.fill));
+    path(brush.list, places, places.size() > 2, Stroke::kSolid, brush.p.current, brush.stroke(0.7f));
+    for (const ImVec2 place : places) disc(brush.list, place, 2, brush.p.current);
+  }
+  /// Names a vertex, on the side away from the middle.
+  void name(const Point3& vertex, const std::string& words, Color color) const {
+    if (!named()) return;
+    const ImVec2 place = at(vertex), size = measure(brush.look, Face::kSemiBold, kVertexNames, words);
+    const ImVec2 out{place.x - middle.x, place.y - middle.y};
+    const float length = std::max(1.0f, std::hypot(out.x, out.y));
+    const ImVec2 corner{place.x + out.x / length * (size.x / 2 + 8) - size.x / 2,
+                        place.y + out.y / length * (size.y / 2 + 6) - size.y / 2};
+    halo_text(brush.list, brush.look, Face::kSemiBold, kVertexNames,
+              {std::clamp(corner.x, panel.x + 3, panel.x + panel.width - size.x - 3),
+               std::clamp(corner.y, panel.y + head - 4, panel.y + panel.height - size.y - 3)},
+              color, brush.p.panel, words);
+  }
+  void arrow_to(const Point3& v) const {
+    const ImVec2 from = at(Point3::Zero()), to = at(v);
+    if (std::hypot(to.x - from.x, to.y - from.y) < 8) return;
+    arrow(brush.list, from, to, brush.p.examined, brush.stroke(1.1f));
+    if (named())
+      halo_text(brush.list, brush.look, Face::kSemiBold, 12, {(from.x + to.x) / 2 + 4, (from.y + to.y) / 2 - 14},
+                brush.p.examined_text, brush.p.panel, "v");
+  }
+  /// The line across v that has all of A - B on its far side.
+  void bound(const Point3& vertex, const Point3& v) const {
+    if (!(v.norm() > 0)) return;
+    const ImVec2 on = at(vertex), way{static_cast<float>(v[1] / v.norm()), static_cast<float>(v[0] / v.norm())};
+    brush.list->PushClipRect({panel.x, panel.y + head}, {panel.x + panel.width, panel.y + panel.height}, true);
+    line(brush.list, {on.x - way.x * panel.width, on.y - way.y * panel.width},
+         {on.x + way.x * panel.width, on.y + way.y * panel.width}, Stroke::kDashed, brush.p.optimum,
+         brush.stroke(0.7f));
+    brush.list->PopClipRect();
+  }
+  void origin() const {
+    const ImVec2 place = at(Point3::Zero());
+    plus(brush.list, place, 6, brush.p.ink, brush.stroke(0.9f));
+    const float words = measure(brush.look, Face::kRegular, 11, "origin").x;
+    const bool before = place.x + 7 + words > panel.x + panel.width - 4;  // if there is no room after it
+    halo_text(brush.list, brush.look, Face::kRegular, 11, {before ? place.x - 7 - words : place.x + 7, place.y + 3},
+              brush.p.ink, brush.p.panel, "origin");
+  }
+};
+
+/// Whether the open question is which vertex comes next.
+bool asks_for_vertex(const lesson::Session& session) {
+  const lesson::Asked* asked = session.asked();
+  return asked != nullptr && asked->asking != nullptr && asked->asking->name == "next_vertex";
+}
+
+void draw_simplex(const DifferenceInset& inset, const ShownSimplex& simplex, std::span<const Point3> kept,
+                  const Point3& v) {
+  Brush& brush = inset.brush;
+  const Palette& p = brush.p;
+  std::vector<ImVec2> places;
+  for (const Point3& vertex : kept) places.push_back(inset.at(vertex));
+  if (simplex.support != nullptr) {
+    const std::array pair{simplex.support->a, simplex.support->b};
+    const Point3 found = lesson::difference_points(inset.pair, pair).front();
+    inset.bound(found, v);
+    for (const ImVec2 place : places)
+      line(brush.list, place, inset.at(found), Stroke::kDotted, p.examined, brush.stroke(0.9f));
+    ring(brush.list, inset.at(found), 6, p.examined, brush.stroke(0.9f));
+    inset.name(found, inset.name_of(pair[0], pair[1]), p.examined_text);
+  }
+  if (places.size() > 2)
+    brush.list->AddConvexPolyFilled(places.data(), static_cast<int>(places.size()), with_alpha(p.examined, 0.18f));
+  if (places.size() > 1) path(brush.list, places, places.size() > 2, Stroke::kSolid, p.examined, brush.stroke(1.2f));
+  for (const ImVec2 place : places) disc(brush.list, place, 4, p.examined);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    inset.name(kept[i], inset.name_of(simplex.kept[2 * i], simplex.kept[2 * i + 1]), p.examined_text);
+  inset.arrow_to(v);
+}
+
+}  // namespace
+
+Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
+  if (brush.dim() != 2) return {};
+  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
+  ShownSimplex simplex;
+  for (const auto& entry : steps) std::visit(simplex, entry.step.fact);
+  const std::vector<Point3> kept = lesson::difference_points(pair, simplex.kept);
+  if (kept.empty()) return {};  // nothing yet, or smooth
+
+  const Look& look = brush.look;
+  // As large as the stage has room for above a card.
+  const float head = look.px(22), free = brush.canvas.camera.free_bottom() - top;
+  const float wanted = brush.rect.width < 440 ? 150 : look.px(brush.rect.width < 900 ? 220 : 272);
+  const float width = std::min(wanted, (free - head) / kInsetShape);
+  if (width < kLeastInset) return {};
+  const Rect panel{brush.rect.x + 12, top, width, width * kInsetShape + head};
+  const DifferenceInset inset(brush, pair, panel, head);
+  inset.ground();
+  inset.difference();
+  if (asks_for_vertex(brush.session))
+    for (const DifferenceVertex& vertex : inset.outline)
+      inset.name(vertex.at, inset.name_of(vertex.a, vertex.b), brush.p.current_text);
+  draw_simplex(inset, simplex, kept, lesson::nearest_of(kept));
+  inset.origin();
+  return panel;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,82 @@
+// What can be asked about GJK, and about what a test costs beside it.
+#include "lesson/subjects.hpp"
+#include "lesson/subjects/pair/difference.hpp"
+#include "lesson/subjects/pair/entries.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::size_t kMostVertices = 9;  // as many choices as have a digit
+constexpr double kAsFar = 1e-9;           // of the difference's size: farther by less than this is rounding
+
+const VolumePair& pair_of(const Asked& asked) { return as<VolumesSubject>(*asked.subject)->pair(); }
+
+/// The name of the pair's own test; empty where it has none but GJK.
+std::string_view own_test(const VolumePair& pair) {
+  const query::PairTest test = test_of(pair);
+  return test == query::PairTest::kGjk ? "" : query::kPairTestNames[static_cast<std::size_t>(test)];
+}
+
+}  // namespace
+
+const char* offer_difference(Asked& asked, const Run& run) {
+  const auto outline = difference_outline(pair_of(asked));
+  if (outline.size() < 3 || outline.size() > kMostVertices)
+    return "\"next_vertex\" can only be asked in the plane, where A − B has from 3 to 9 vertices";
+  const PairWhere where{pair_run(run), asked.fact, nullptr};
+  for (const DifferenceVertex& vertex : outline)
+    asked.add_choice(difference_name(vertex.a, vertex.b, where),
+                     handles_of_vertices(std::array{vertex.a, vertex.b}, where));
+  return nullptr;
+}
+
+/// Every vertex as far along -v is a right answer.
+Truth next_vertex_truth(const Asked& asked, const Run& run) {
+  const VolumePair& pair = pair_of(asked);
+  Point3 v = Point3::Zero();
+  for (int i = 0; i < asked.fact; ++i)
+    if (const auto* nearest = std::get_if<query::NearestFound>(&pair_run(run).trace()[i].step.fact))
+      v = nearest_of(difference_points(pair, nearest->corners));
+  const auto outline = difference_outline(pair);
+  double farthest = -std::numeric_limits<double>::infinity(), size = 0;
+  for (const DifferenceVertex& vertex : outline)
+    farthest = std::max(farthest, -v.dot(vertex.at)), size = std::max(size, vertex.at.norm());
+  Truth truth;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (-v.dot(outline[i].at) < farthest - kAsFar * size * v.norm()) continue;
+    truth.choices.push_back(static_cast<int>(i));
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
+  }
+  truth.sentence = truth.happened + (truth.choices.size() == 1 ? " lies" : " lie") +
+                   " farthest along −v: no other vertex of A − B is nearer to the origin’s side of v.";
+  return truth;
+}
+
+Truth contains_origin_truth(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  if (contains_origin(steps, asked.fact)) return yes("The origin lies in the simplex: v is zero.");
+  const auto& nearest = *std::get_if<query::NearestFound>(&steps[static_cast<std::size_t>(asked.fact)].step.fact);
+  return no("The origin lies outside: the simplex comes no nearer to it than " + number_text(nearest.distance) + ".");
+}
+
+const char* offer_own_and_gjk(Asked& asked, const Run&) {
+  const std::string_view own = own_test(pair_of(asked));
+  if (own.empty()) return "\"cheaper\" can only be asked of two volumes that have a test of their own besides GJK";
+  asked.add_choice(std::string(find_method(volume_tests(), own)->title));
+  asked.add_choice("GJK");
+  return nullptr;
+}
+
+Truth cheaper_truth(const Asked& asked, const Run&) {
+  const VolumePair& pair = pair_of(asked);
+  const std::int64_t own = operations_in(record(own_test(pair), pair)), gjk = operations_in(record("gjk", pair));
+  Truth truth;
+  if (own <= gjk) truth.choices.push_back(0);
+  if (gjk <= own) truth.choices.push_back(1);
+  truth.happened = truth.choices.size() == 2 ? "both alike" : asked.choices[static_cast<std::size_t>(truth.choices[0])];
+  truth.sentence = asked.choices[0] + " takes " + count_text(own) + (own == 1 ? " operation" : " operations") +
+                   " on these volumes, GJK " + count_text(gjk) + ".";
+  return truth;
+}
+
+}  // namespace snug::lesson
