@@ -48,7 +48,7 @@ test("looseness in each frame is that of snug update", () => {
   const file = write("updates.toml", text.replace(/generate = "stick"\ncount = \d+/, `list = ${JSON.stringify(body)}`));
   const cloud = write("body.xyz", body.map((point) => point.join(" ")).join("\n"));
   const spin = scene.effect.find(({ effect }) => effect === "spin");
-  const frames = json_lines(good(["lesson", "facts", file])).filter(({ fact }) => fact === "frame_taken");
+  const frames = json_lines(good(["lesson", "facts", file])).filter(({ fact, situation }) => fact === "frame_taken" && situation === "own");
   for (const strategy of ["rotated_box", "rebuild", "hill_climb", "loose"]) {
     const own = frames.filter(({ algorithm }) => algorithm === strategy).map(({ figures }) => figures);
     const told = json_lines(good(["update", "--volume", "aabb", "--strategy", strategy, "--axis", spin.axis.join(","),

@@ -13,7 +13,7 @@
 namespace snug::app {
 namespace {
 
-constexpr float kCensusName = 62, kCensusCount = 52, kCensusRow = 20, kCensusWords = 12;
+constexpr float kCensusName = 62, kCensusCount = 66, kCensusRow = 20, kCensusWords = 12;
 
 /// Places along the chart: the logarithm of a ratio.
 struct RatioAxis {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/box_marks.hpp"
+#include "app/labels.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/subjects/frustum/matrix_planes.hpp"
 
@@ -253,12 +254,18 @@ void draw_frustum(Brush& brush, const FrustumShown& shown) {
 
 void mark_frustum(Brush& brush, const FrustumShown& shown) {
   const Palette& p = brush.p;
+  // A box that is far away is small: its letters would stand over each other.
+  const auto distance = [](ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); };
+  const bool lettered =
+      shown.vertices.size() < 2 || distance(brush.at(brush.point(shown.vertices.front())),
+                                            brush.at(brush.point(shown.vertices.back()))) >= 2 * kVertex * p.mark;
   for (const Index& i : shown.vertices) {
     const ImVec2 place = brush.at(brush.point(i));
     diamond(brush.list, place, kVertex * p.mark, p.support, p.ground);
     const float size = kVertex * p.mark / brush.look.text_scale;  // a mark does not grow with the text
-    text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground,
-                &i == shown.vertices.data() ? "p" : "n");
+    if (lettered && overlap(brush.rect, {place.x, place.y, 0, 0}))
+      text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground,
+                  &i == shown.vertices.data() ? "p" : "n");
     brush.canvas.obstacles.discs.push_back({place.x, place.y, kVertex * p.mark});
   }
 }

@@ -1,7 +1,9 @@
 // Draws the Minkowski difference A - B in a corner of the stage, and how GJK's simplex gets near to the origin in it.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
+#include "app/labels.hpp"
 #include "app/subjects/pair/draw.hpp"
 #include "lesson/subjects/pair/difference.hpp"
 
@@ -33,6 +35,7 @@ struct DifferenceInset {
   ImVec2 middle;
   float scale = 1;
   Point3 center;
+  std::vector<Rect> taken;  // by words
 
   DifferenceInset(Brush& b, const lesson::VolumePair& volumes, const Rect& rect, float head_height)
       : brush(b), pair(volumes), panel(rect), head(head_height), outline(lesson::difference_outline(volumes)) {
@@ -74,26 +77,40 @@ struct DifferenceInset {
     path(brush.list, places, places.size() > 2, Stroke::kSolid, brush.p.current, brush.stroke(0.7f));
     for (const ImVec2 place : places) disc(brush.list, place, 2, brush.p.current);
   }
+  /// At the first of the places where the words stand over no others; nowhere if there is none.
+  void say(Face face, float size, std::initializer_list<ImVec2> places, Color color, std::string_view words) {
+    const ImVec2 room = measure(brush.look, face, size, words);
+    for (const ImVec2 place : places) {
+      const Rect box{place.x, place.y, room.x, room.y};
+      if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(box, other); })) continue;
+      taken.push_back(box);
+      halo_text(brush.list, brush.look, face, size, place, color, brush.p.panel, words);
+      return;
+    }
+  }
   /// Names a vertex, on the side away from the middle.
-  void name(const Point3& vertex, const std::string& words, Color color) const {
+  void name(const Point3& vertex, const std::string& words, Color color) {
     if (!named()) return;
     const ImVec2 place = at(vertex), size = measure(brush.look, Face::kSemiBold, kVertexNames, words);
     const ImVec2 out{place.x - middle.x, place.y - middle.y};
     const float length = std::max(1.0f, std::hypot(out.x, out.y));
     const ImVec2 corner{place.x + out.x / length * (size.x / 2 + 8) - size.x / 2,
                         place.y + out.y / length * (size.y / 2 + 6) - size.y / 2};
-    halo_text(brush.list, brush.look, Face::kSemiBold, kVertexNames,
-              {std::clamp(corner.x, panel.x + 3, panel.x + panel.width - size.x - 3),
-               std::clamp(corner.y, panel.y + head - 4, panel.y + panel.height - size.y - 3)},
-              color, brush.p.panel, words);
+    const auto moved = [&](float rows) {
+      return ImVec2{
+          std::clamp(corner.x, panel.x + 3, panel.x + panel.width - size.x - 3),
+          std::clamp(corner.y + rows * (size.y + 1), panel.y + head - 4, panel.y + panel.height - size.y - 3)};
+    };
+    say(Face::kSemiBold, kVertexNames, {moved(0), moved(1), moved(-1)}, color, words);
   }
-  void arrow_to(const Point3& v) const {
+  void arrow_to(const Point3& v) {
     const ImVec2 from = at(Point3::Zero()), to = at(v);
     if (std::hypot(to.x - from.x, to.y - from.y) < 8) return;
     arrow(brush.list, from, to, brush.p.examined, brush.stroke(1.1f));
+    const ImVec2 half{(from.x + to.x) / 2, (from.y + to.y) / 2};
     if (named())
-      halo_text(brush.list, brush.look, Face::kSemiBold, 12, {(from.x + to.x) / 2 + 4, (from.y + to.y) / 2 - 14},
-                brush.p.examined_text, brush.p.panel, "v");
+      say(Face::kSemiBold, 12, {{half.x + 4, half.y - 14}, {half.x - 12, half.y - 14}, {half.x - 12, half.y + 2}},
+          brush.p.examined_text, "v");
   }
   /// The line across v that has all of A - B on its far side.
   void bound(const Point3& vertex, const Point3& v) const {
@@ -105,13 +122,13 @@ struct DifferenceInset {
          brush.stroke(0.7f));
     brush.list->PopClipRect();
   }
-  void origin() const {
+  void origin() {
     const ImVec2 place = at(Point3::Zero());
     plus(brush.list, place, 6, brush.p.ink, brush.stroke(0.9f));
     const float words = measure(brush.look, Face::kRegular, 11, "origin").x;
     const bool before = place.x + 7 + words > panel.x + panel.width - 4;  // if there is no room after it
-    halo_text(brush.list, brush.look, Face::kRegular, 11, {before ? place.x - 7 - words : place.x + 7, place.y + 3},
-              brush.p.ink, brush.p.panel, "origin");
+    const float x = before ? place.x - 7 - words : place.x + 7;
+    say(Face::kRegular, 11, {{x, place.y + 3}, {x, place.y - 16}}, brush.p.ink, "origin");
   }
 };
 
@@ -121,8 +138,7 @@ bool asks_for_vertex(const lesson::Session& session) {
   return asked != nullptr && asked->asking != nullptr && asked->asking->name == "next_vertex";
 }
 
-void draw_simplex(const DifferenceInset& inset, const ShownSimplex& simplex, std::span<const Point3> kept,
-                  const Point3& v) {
+void draw_simplex(DifferenceInset& inset, const ShownSimplex& simplex, std::span<const Point3> kept, const Point3& v) {
   Brush& brush = inset.brush;
   const Palette& p = brush.p;
   std::vector<ImVec2> places;
@@ -162,14 +178,14 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
   const float width = std::min(wanted, (free - head) / kInsetShape);
   if (width < kLeastInset) return {};
   const Rect panel{brush.rect.x + 12, top, width, width * kInsetShape + head};
-  const DifferenceInset inset(brush, pair, panel, head);
+  DifferenceInset inset(brush, pair, panel, head);
   inset.ground();
   inset.difference();
   if (asks_for_vertex(brush.session))
     for (const DifferenceVertex& vertex : inset.outline)
       inset.name(vertex.at, inset.name_of(vertex.a, vertex.b), brush.p.current_text);
-  draw_simplex(inset, simplex, kept, lesson::nearest_of(kept));
   inset.origin();
+  draw_simplex(inset, simplex, kept, lesson::nearest_of(kept));
   return panel;
 }
 

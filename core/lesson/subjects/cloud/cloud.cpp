@@ -139,7 +139,7 @@ Done CloudSubject::move(Index i, const Point3& to) {
 }
 
 Done CloudSubject::remove(Index i) {
-  if (i < count()) return PointSubject::remove(i);
+  if (i < count() || i >= size()) return PointSubject::remove(i);
   if (Done removed = hand_.remove(i - count()); !removed) return removed;
   worked_ = {};
   origin_.edited = true;

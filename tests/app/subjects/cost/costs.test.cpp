@@ -221,13 +221,13 @@ TEST_CASE("a turn has each update at every angle; another chart can be looked at
   CHECK(costs.growth().rows.empty());
   REQUIRE(costs.command(session, "show_turn"));
   const auto lines = lines_of(costs.turn().rows);
-  CHECK(lines.size() == 9);  // of the plane
+  CHECK(lines.size() == 12);  // of the plane
   for (const auto& line : lines) {
     CHECK(line.size() == 72);
     CHECK(line[0].updated.median > 0);
     for (const cost::TurnRow& row : line) CHECK(row.contains);
   }
-  CHECK(costs.caption(session).find(" of 9 updates are always the tightest") != std::string::npos);
+  CHECK(costs.caption(session).find(" of 12 updates are always the tightest") != std::string::npos);
   CHECK(costs.command(session, "chart_next"));
   CHECK(costs.sheet().json().find("{\"table\":\"turn\"") == 0);
 }
