@@ -27,7 +27,6 @@ BoxPair far_away(double near) {
 }  // namespace
 
 TEST_CASE("with near at a tenth of far, the matrix gives the verdicts of the camera's planes in double and in float") {
-  Random random(1);
   for (int i = 0; i < 300; ++i) {
     BoxPair pair = scattered(far_away(0.1), static_cast<std::uint64_t>(i));
     const Culling careful = verdict_of("p_n_vertex", pair);
