@@ -29,7 +29,7 @@ constexpr std::array kHullRows{
                    .naive = true}),
     row<kEpsilon>({.volume = "hull",
                    .name = "quickhull_epsilon",
-                   .title = "Quickhull, absolute epsilon (naive)",
+                   .title = "Quickhull, epsilon (naive)",
                    .source = kEddy,
                    .theory = kBalancedHull,
                    .pseudocode = kQuickhullEpsilonPseudocode,
