@@ -47,7 +47,7 @@ void add_obstacle(const Canvas& canvas, const std::vector<ImVec2>& outline) {
   }
 }
 
-/// Of how many parts a curve is made, so that its chords are next to nowhere off: a chord of a circle is at most
+/// The number of parts that a curve is made of. Its chords are next to nowhere off: a chord of a circle is at most
 /// radius (pi / parts)^2 / 2 from it. radius: in pixels; magnified curves need more parts.
 int parts_for(double radius) {
   constexpr double kOff = 0.1, kMostParts = 4096;  // the first in pixels

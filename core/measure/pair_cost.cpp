@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, kVolumeNames.size()> kFitters{"ritter", "
 
 template <int Dim>
 struct Bodies {
-  /// Of each kind, first and second bodies in turn.
+  /// First and second bodies of each kind, in turn.
   std::array<std::vector<Volume<double, Dim>>, kVolumeNames.size()> of_kind;
 
   explicit Bodies(std::uint64_t seed) {

@@ -45,7 +45,7 @@ std::vector<double> lengths_of(const Volume3& volume, int dim) {
   return lengths;
 }
 
-/// By how much each length has to be shorter for their product to come down by a factor.
+/// How much shorter each length has to be for their product to shrink by a factor.
 double shorter_by(const std::vector<double>& lengths, double factor) {
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   const auto reached = [&](double by) {

@@ -10,7 +10,7 @@
 
 namespace snug::lesson {
 
-/// Of welzl_naive, and of quickhull_rounded.
+/// Serves welzl_naive and quickhull_rounded.
 inline constexpr std::array<std::string_view, 2> kCloudGoals{"wrong_in_float_alone", "hull_wrong_in_float_alone"};
 
 /// What the goal's algorithm leaves outside in each scalar, on the same points: those rounded to float, which double

@@ -108,7 +108,7 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
     return on + (where.dim() == 2 ? ": " : ", in the projection along the axis; its box has ") + where.size_word() +
            number_text(fact.measure) + (fact.better ? gain(fact, where) : ": no better than before.");
   }
-  /// By how much it is smaller than the box before.
+  /// How much smaller it is than the box before.
   static std::string gain(const Fact& fact, const FitWhere& where) {
     const bool first = where.before() == nullptr || !where.before()->has_volume;
     const double before = first ? 0 : fit::measure_of(where.before()->volume, where.dim());

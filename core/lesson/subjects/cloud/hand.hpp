@@ -33,7 +33,7 @@ class Hand {
   [[nodiscard]] std::string name_of(Index i) const;
   /// The volume that a handle sets, of kVolumeNames.
   [[nodiscard]] std::string_view volume_of(Index i) const;
-  /// Of a volume that held() has.
+  /// For a volume that held() has.
   [[nodiscard]] const Handle& handle(Index i) const { return grips_[i].handle; }
   /// Errors: those of moved, and of AxesByHand.
   Done move(Index i, const Point3& to, const AnyPointSet& points);

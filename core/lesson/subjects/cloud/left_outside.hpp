@@ -30,7 +30,7 @@ struct LeftOutside {
 [[nodiscard]] LeftOutside left_outside(const AnyPointSet& points, const fit::Sphere3& sphere);
 /// support: the ring of its vertices, as the fit gives it.
 [[nodiscard]] LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> support);
-/// Of either; none of any other volume, or in space of a hull.
+/// For a sphere or a hull in the plane; none for any other volume.
 [[nodiscard]] std::optional<LeftOutside> left_by(const AnyPointSet& points, const fit::Result& result);
 
 /// "0.62 ulps", "1 ulp".
