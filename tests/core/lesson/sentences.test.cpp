@@ -52,7 +52,7 @@ void require_sentence(const std::string& caption) {
 }
 
 std::shared_ptr<const lesson::Tables> boxes_of(const lesson::BoxPair& pair) {
-  auto tables = std::make_shared<lesson::BoxTables>();
+  auto tables = std::make_shared<lesson::PairTables>();
   tables->boxes = pair;
   return tables;
 }

@@ -19,10 +19,6 @@ constexpr int kMostRandomPairs = 10000;  // more would hold up a frame
 std::vector<std::string_view> pair_volumes() { return {kBoxPair}; }
 std::span<const Method> pair_methods(std::string_view) { return box_tests(); }
 
-struct PairTables : BoxTables {
-  int random_pairs = 0;
-};
-
 void read_boxes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto tables = std::make_shared<PairTables>();
   TomlTable own(*table.table("boxes"), "[boxes]", complaints);

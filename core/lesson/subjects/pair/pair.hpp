@@ -17,6 +17,11 @@ extern const SubjectRow kPairRow;
 /// The volume of a lesson about two boxes.
 inline constexpr std::string_view kBoxPair = "box_pair";
 
+/// What a lesson's file says about two boxes that are tested against each other.
+struct PairTables : BoxTables {
+  int random_pairs = 0;  // over how many random pairs the axes are counted; 0 for none
+};
+
 /// A vertex of a volume's core: its name, and its handle; kNoIndex if it has none.
 struct CoreVertex {
   std::string name;
