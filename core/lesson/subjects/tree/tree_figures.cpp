@@ -32,7 +32,7 @@ void add_costs(std::vector<Figure>& figures, const TreeRun& run, bool done) {
   figures.push_back(at_end("SAH cost as built", "cost_built", number_text(run.cost_built()) + " tests",
                            run.cost_built(), "tests", true));
   figures.push_back(at_end("SAH cost now", "cost", number_text(cost) + " tests", cost, "tests", done));
-  figures.push_back(at_end("Cost over the rebuilt tree's", "of_rebuilt", number_text(share) + " %", share, "%", done));
+  figures.push_back(at_end("Against the rebuilt tree", "of_rebuilt", number_text(share) + " %", share, "%", done));
 }
 
 std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
@@ -47,10 +47,10 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   const double cost = run.cost(), median = hierarchy::expected_cost(build_tree("top_down_median", run.boxes()));
   const double share = 100 * (cost / median);
   figures.push_back(at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done));
-  figures.push_back(at_end("Cost over the median tree's", "of_median", number_text(share) + " %", share, "%", done));
+  figures.push_back(at_end("Against the median tree", "of_median", number_text(share) + " %", share, "%", done));
   if (!run.is_by_hand()) return figures;
   const double of_sah = 100 * (cost / hierarchy::expected_cost(build_tree("top_down_sah", run.boxes())));
-  figures.push_back(at_end("Cost over the SAH tree's", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
+  figures.push_back(at_end("Against the SAH tree", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
   return figures;
 }
 
@@ -58,7 +58,7 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
 Figure share_of_far_first(const TreeRun& run, int step) {
   const auto far = run_query("ray_far_first", run.query(), run.tree(), run.boxes()).counts.volume_tests();
   const double share = 100 * (static_cast<double>(run.state(run.steps()).tests()) / static_cast<double>(far));
-  return at_end("Tests over back to front", "of_far_first", number_text(share) + " %", share, "%", step == run.steps());
+  return at_end("Against back to front", "of_far_first", number_text(share) + " %", share, "%", step == run.steps());
 }
 
 std::vector<Figure> figures_of_query(const TreeRun& run, int step) {
@@ -88,10 +88,9 @@ std::vector<Figure> figures_of_merging(const TreeRun& run, int step) {
   std::int64_t merged = 0;
   for (Index i = node; i < nodes; ++i) merged += any && !run.tree().nodes[i].is_leaf();
   const double loss = any ? merging_loss(run, node) : 0;
-  std::vector<Figure> figures{area("Area, merged", "area", run.volumes().merged),
-                              area("Area, around the vertices", "area_points", run.volumes().tight),
-                              at_end("Loss by merging", "loss", percent_text(loss), 100 * loss, "%", any),
-                              count("Mergers", "mergers", merged)};
+  std::vector<Figure> figures{
+      area("Area, merged", "area", run.volumes().merged), area("Area, tightest", "area_points", run.volumes().tight),
+      at_end("Loss by merging", "loss", percent_text(loss), 100 * loss, "%", any), count("Mergers", "mergers", merged)};
   if (run.volume_word() == "AABB") add_costs(figures, run, step == run.steps());
   return figures;
 }
