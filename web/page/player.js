@@ -17,6 +17,7 @@ export class Player {
   #word = "step";
   #effects = element("span", { class: "row" });
   #switches = [];
+  #says = [];
   #door;
   #act;
 
@@ -39,7 +40,8 @@ export class Player {
 
   #list_effects = when_changed((...names) => {
     this.#switches = names.map((name) => element("input", { type: "checkbox", onchange: () => this.#act(() => this.#door.command(`turn:${name}`)) }));
-    this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`)));
+    this.#says = names.map(() => element("span", {}));
+    this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`, this.#says[i])));
   });
 
   #show_step = when_changed((step, steps, word) => {
@@ -54,7 +56,10 @@ export class Player {
     this.#show_step(view.step, view.steps, this.#word);
     const effects = view.effects ?? [];
     this.#list_effects(...effects.map(({ effect }) => effect));
-    for (const [i, { on }] of effects.entries()) this.#switches[i].checked = on;
+    for (const [i, { on, called, says }] of effects.entries()) {
+      this.#switches[i].checked = on && called;
+      set_text(this.#says[i], says && `: ${says}`);
+    }
     set_text(this.#play, view.playing ? "Pause" : "Play");
   }
 }
