@@ -240,7 +240,7 @@ bool App::State::edit(std::string_view name) {
   }
   if (name == "add_point") return stage.add_point(*session);
   if (name == "delete_point") return stage.delete_point(*session);
-  if (name == "push") return session->push(stage.selected());
+  if (name == "push") return session->asked() == nullptr && session->push(stage.selected());
   if (name == "scatter") return session->scatter(session->seed() + 1), true;
   if (name == "reset_points") return session->reset(), true;
   return false;

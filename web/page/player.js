@@ -18,6 +18,7 @@ export class Player {
   #effects = element("span", { class: "row" });
   #switches = [];
   #says = [];
+  #names = [];
   #door;
   #act;
 
@@ -39,9 +40,12 @@ export class Player {
   }
 
   #list_effects = when_changed((...names) => {
+    const held = this.#names[this.#switches.indexOf(document.activeElement)];
     this.#switches = names.map((name) => element("input", { type: "checkbox", onchange: () => this.#act(() => this.#door.command(`turn:${name}`)) }));
+    this.#names = names;
     this.#says = names.map(() => element("span", {}));
     this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`, this.#says[i])));
+    this.#switches[names.indexOf(held)]?.focus(); // in another order they are other boxes
   });
 
   #show_step = when_changed((step, steps, word) => {

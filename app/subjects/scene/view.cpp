@@ -58,6 +58,9 @@ class SceneView final : public SubjectView {
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     return draw_scene_panel(look, session, at, width, !graph_on_stage_);
   }
+  [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
+    return lesson::set_of(session).graph;
+  }
   /// The figures of the funnel.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override { return figure.unit == "pairs"; }
   [[nodiscard]] std::string_view step_button() const override { return "Next"; }
