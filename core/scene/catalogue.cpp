@@ -27,7 +27,7 @@ using enum Slot;
 // drag acts through velocities, so it has no effect on a body whose pose another effect drives.
 constexpr EffectKind kKinds[] = {
     {"spin", "rotates a body about an axis", slots(kTime), 0, 0, slots(kPoses), "", true, make_spin, kTurn,
-     "its turn is done"},
+     "its rotation is done"},
     {"orbit", "moves a body around a centre", slots(kTime), 0, 0, slots(kPoses), "", true, make_orbit, kPlace,
      "its speed is 0"},
     {"path", "moves a body from place to place", slots(kTime), 0, 0, slots(kPoses), "", true, make_path, kPlace,
