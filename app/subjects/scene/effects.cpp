@@ -12,7 +12,7 @@
 namespace snug::app {
 namespace {
 
-constexpr float kGraphPad = 10, kLeastStage = 560, kSleepWords = 13, kMostWidth = 400;
+constexpr float kGraphPad = 10, kLeastStage = 560, kHalfOfSleep = 3.5f, kMostWidth = 400;
 // Of the stage's height, with its buttons and the sentence. If less is left, the graph is in the panel.
 constexpr float kLeastForBodies = 520;
 
@@ -28,11 +28,16 @@ void draw_view_of_camera(Brush& brush, const Frustum<double, 3>& camera) {
              brush.stroke(0.5f));
 }
 
+/// A z in the middle of a body. It is drawn as a mark: words must not stand over others, and bodies may.
 void draw_asleep(Brush& brush, const Seen& body) {
   const ImVec2 at = brush.at(body.at.position);
-  const ImVec2 extent = measure(brush.look, Face::kSemiBold, kSleepWords, "z");
-  halo_text(brush.list, brush.look, Face::kSemiBold, kSleepWords, {at.x - extent.x / 2, at.y - extent.y / 2},
-            brush.p.muted, brush.p.ground, "z");
+  const float half = kHalfOfSleep * brush.p.mark;
+  const std::array<ImVec2, 4> z{ImVec2{at.x - half, at.y - half},
+                                {at.x + half, at.y - half},
+                                {at.x - half, at.y + half},
+                                {at.x + half, at.y + half}};
+  path(brush.list, z, false, Stroke::kSolid, brush.p.ground, 4);
+  path(brush.list, z, false, Stroke::kSolid, brush.p.ink, 1.5f);
 }
 
 }  // namespace
