@@ -158,13 +158,13 @@ void Shell::present(bool on) {
   settings.text_scale = std::max(settings.text_scale, kLeastScale / app::kProjector.text);
 }
 
-void Shell::keep() {
+void Shell::keep(bool dragging) {
   if (app_.session() == nullptr) return;
   if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
     kept_.invited = followed;
     kept_.write();
   }
-  if (lessons_[open_].is_case) return;  // it is not worked through
+  if (dragging || lessons_[open_].is_case) return;  // a case is not worked through
   if (app_.playing() || session().revision() == kept_revision_) return;
   kept_revision_ = session().revision();
   kept_.keep(session());

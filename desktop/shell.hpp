@@ -62,8 +62,8 @@ class Shell {
   [[nodiscard]] std::optional<std::size_t> way_back() const;
   /// Starts or ends a presentation: the projector's theme, larger words, no bar and no text column.
   void present(bool on);
-  /// Keeps the open lesson's place, unless it is moving.
-  void keep();
+  /// Keeps which invitations were followed and, unless it is moving, the open lesson's place.
+  void keep(bool dragging = false);
   void erase_answers();
 
   /// Errors are also shown as the notice. anew: it is the one that is open, read anew.

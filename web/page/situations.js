@@ -1,8 +1,7 @@
 // The situations and the sliders of a lesson, under its stage: what they change is in sight.
 import { by_id, element, set_hidden, set_text } from "./dom.js";
-import { clear_notices, notice } from "./messages.js";
+import { answer_edit } from "./messages.js";
 
-const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
 /** One slider. hold(held): whether it is in hand; slide(place): moves it. */
 class Slider {
@@ -52,13 +51,8 @@ export class SituationTools {
     this.#sliders.replaceChildren();
   }
 
-  #tell(error) {
-    if (error) notice(`${capital(error)}.`);
-    else clear_notices();
-  }
-
   #show(name) {
-    this.#act(() => this.#tell(this.#door.show_situation(name)));
+    this.#act(() => answer_edit(this.#door.show_situation(name)));
   }
 
   #hold(held) {
@@ -68,7 +62,7 @@ export class SituationTools {
   }
 
   #slide(number, place) {
-    this.#act(() => this.#tell(this.#door.slide(number, place)));
+    this.#act(() => answer_edit(this.#door.slide(number, place)));
   }
 
   #lay_out(sliders) {
