@@ -7,6 +7,7 @@
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/playground.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -111,6 +112,27 @@ std::optional<std::size_t> Shell::beside(int by) const {
   const std::size_t to = open_ + static_cast<std::size_t>(by);  // below the first it wraps beyond the last
   return to < course_size() || (lessons_[open_].is_case && to < lessons_.size()) ? std::optional(to) : std::nullopt;
 }
+
+std::optional<std::size_t> Shell::playground() const {
+  const auto found =
+      std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& one) { return one.is_playground; });
+  const auto at = static_cast<std::size_t>(found - lessons_.begin());
+  return found == lessons_.end() || at == open_ ? std::nullopt : std::optional(at);
+}
+
+void Shell::go_to_playground() {
+  const auto to = playground();
+  if (!to) return;
+  const auto points = lesson::points_to_try(session());
+  const std::string from = session().lesson().id;
+  const std::size_t came_from = open_;
+  open_at_place(*to);
+  if (open_ != *to) return;
+  came_from_ = came_from;
+  if (points) tell(app_.load(*points, from));
+}
+
+std::optional<std::size_t> Shell::way_back() const { return lessons_[open_].is_playground ? came_from_ : std::nullopt; }
 
 void Shell::show_course() {
   if (app_.playing()) app_.command("play");

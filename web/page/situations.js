@@ -70,11 +70,11 @@ export class SituationTools {
     this.#sliders.replaceChildren(...[...this.#shown.values()].map(({ node }) => node));
   }
 
-  update({ situation, sliders }) {
+  update({ situation, sliders, cover }) {
     for (const input of this.#situations.querySelectorAll("input")) input.checked = input.value === situation;
     if (sliders.length !== this.#shown.size || sliders.some(({ number }) => !this.#shown.has(number))) this.#lay_out(sliders);
     for (const slider of sliders) this.#shown.get(slider.number).show(slider);
     set_hidden(this.#sliders, sliders.length === 0);
-    set_hidden(by_id("controls"), situation === null && sliders.length === 0);
+    set_hidden(by_id("controls"), situation === null && sliders.length === 0 && !cover?.table.sorts.length);
   }
 }
