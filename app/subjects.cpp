@@ -9,6 +9,7 @@
 #include "app/subjects/pair/view.hpp"
 #include "app/subjects/scene/view.hpp"
 #include "app/subjects/tree/view.hpp"
+#include "app/subjects/update/view.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::app {
@@ -18,7 +19,7 @@ constexpr std::array kSubjects{
     SubjectRow{"cloud", cloud_view, nullptr},     SubjectRow{"pair", pair_view, nullptr},
     SubjectRow{"volumes", volumes_view, nullptr}, SubjectRow{"frustum", frustum_view, nullptr},
     SubjectRow{"tree", tree_view, nullptr},       SubjectRow{"scene", scene_view, nullptr},
-    SubjectRow{"cost", cloud_view, cost_cover}};
+    SubjectRow{"update", update_view, nullptr},   SubjectRow{"cost", cloud_view, cost_cover}};
 
 }  // namespace
 
