@@ -6,6 +6,7 @@
 #include "app/subjects/scene/draw.hpp"
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/panel.hpp"
+#include "app/subjects/scene/search.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::app {
@@ -23,6 +24,11 @@ class SceneView final : public SubjectView {
   void draw(Brush& brush) const override {
     draw_scene(brush);
     SubjectView::draw(brush);
+  }
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
+    const SceneFrame& frame = *frame_of(brush.session);
+    const auto search = search_at(brush, frame);
+    return search ? draw_sweep_inset(brush, frame, *search, top) : Rect{};
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override;
   /// No: volumes jump with the bodies that they enclose.
