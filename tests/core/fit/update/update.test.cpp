@@ -225,7 +225,10 @@ TEST_CASE("a climb that is watched shows the walk vertex by vertex, and is the c
       for (const auto& entry : recorder.entries) {
         if (const auto* walk = std::get_if<fit::NeighborsCompared>(&entry.step.fact)) {
           ++steps;
-          if (at == kNoIndex) CHECK(walk->vertex == before[static_cast<std::size_t>(climbs)]), looked_at = 1;
+          if (at == kNoIndex) {
+            CHECK(walk->vertex == before[static_cast<std::size_t>(climbs)]);
+            looked_at = 1;
+          }
           const auto around = body.neighbors.of(walk->vertex);
           for (const Index neighbor : walk->neighbors)
             CHECK(std::find(around.begin(), around.end(), neighbor) != around.end());
