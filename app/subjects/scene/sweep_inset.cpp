@@ -13,7 +13,7 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr float kSweepPad = 10, kSweepHead = 26, kSweepFoot = 22, kSweepWords = 12;
-constexpr float kLeastStage = 560, kMostRow = 9, kLeastRow = 3;
+constexpr float kSweepStage = 560, kMostRow = 9, kLeastRow = 3;
 
 /// "P3", or the name that the scene gives to a body of another kind.
 std::string name_of_body(const lesson::Session& session, Index body) {
@@ -77,7 +77,7 @@ struct SweepPicture {
 }  // namespace
 
 Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& shown, float top) {
-  if (shown.search != scene::PairSearch::kSweepAndPrune || brush.rect.width < kLeastStage || frame.swept.empty())
+  if (shown.search != scene::PairSearch::kSweepAndPrune || brush.rect.width < kSweepStage || frame.swept.empty())
     return {};
   const Look& look = brush.look;
   const auto count = static_cast<float>(frame.swept.size());

@@ -8,11 +8,11 @@
 namespace snug::lesson {
 namespace {
 
-constexpr std::size_t kMostNamed = 4;  // more neighbours are counted, not named
+constexpr std::size_t kMostNeighborsNamed = 4;  // more neighbours are counted, not named
 
 /// "neighbour P3", "neighbours P3 and P9", "6 neighbours"
 std::string neighbors_text(const fit::NeighborsCompared& fact, const UpdateWhere& where) {
-  if (fact.neighbors.size() > kMostNamed) return std::to_string(fact.neighbors.size()) + " neighbours";
+  if (fact.neighbors.size() > kMostNeighborsNamed) return std::to_string(fact.neighbors.size()) + " neighbours";
   std::string text = fact.neighbors.size() == 1 ? "neighbour " : "neighbours ";
   for (std::size_t i = 0; i < fact.neighbors.size(); ++i) {
     if (i > 0) text += i + 1 == fact.neighbors.size() ? " and " : ", ";

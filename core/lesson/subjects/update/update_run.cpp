@@ -17,7 +17,7 @@ template class FactRun<UpdateRun, BodyStep>;
 
 namespace {
 
-constexpr Index kMostPoints = 4000;  // of a body whose update is computed again in each frame of a drag
+constexpr Index kMostPointsOfBody = 4000;  // of a body whose update is computed again in each frame of a drag
 
 /// The name of an update in lessons. That of a sphere and that of an OBB, both called "transform", are the volume's.
 std::string_view lesson_name(const fit::UpdateStrategy& strategy) {
@@ -32,7 +32,7 @@ std::vector<Method> methods_of_updates() {
                    .title = strategy.title,
                    .source = strategy.source,
                    .pseudocode = strategy.pseudocode,
-                   .max_points = kMostPoints,
+                   .max_points = kMostPointsOfBody,
                    .plane = strategy.plane,
                    .space = strategy.space});
   return all;
