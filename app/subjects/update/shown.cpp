@@ -13,7 +13,10 @@ struct UpdateTeller {
   const lesson::UpdateRun& run;
 
   void operator()(const auto&) const {}
-  void operator()(const fit::ReachFound& fact) const { shown.farthest = fact.point; }
+  void operator()(const fit::ReachFound& fact) const {
+    shown.farthest = fact.point;
+    shown.spoken_of = {fact.point};
+  }
   void operator()(const lesson::PointPlaced& fact) const { shown.spoken_of = {fact.point}; }
   void operator()(const fit::NeighborsCompared& fact) const {
     const bool goes_on = shown.climb && !shown.climb->over;
