@@ -10,16 +10,21 @@
 #include "app/subjects/pair/view.hpp"
 #include "app/subjects/scene/view.hpp"
 #include "app/subjects/tree/view.hpp"
+#include "app/subjects/update/view.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::app {
 namespace {
 
-constexpr std::array kSubjects{
-    SubjectRow{"cloud", cloud_view, nullptr},     SubjectRow{"pair", pair_view, nullptr},
-    SubjectRow{"volumes", volumes_view, nullptr}, SubjectRow{"frustum", frustum_view, nullptr},
-    SubjectRow{"tree", tree_view, nullptr},       SubjectRow{"scene", scene_view, nullptr},
-    SubjectRow{"cost", cloud_view, cost_cover},   SubjectRow{"criteria", cloud_view, criteria_cover}};
+constexpr std::array kSubjects{SubjectRow{"cloud", cloud_view, nullptr},
+                               SubjectRow{"pair", pair_view, nullptr},
+                               SubjectRow{"volumes", volumes_view, nullptr},
+                               SubjectRow{"frustum", frustum_view, nullptr},
+                               SubjectRow{"tree", tree_view, nullptr},
+                               SubjectRow{"scene", scene_view, nullptr},
+                               SubjectRow{"update", update_view, nullptr},
+                               SubjectRow{"cost", cloud_view, cost_cover},
+                               SubjectRow{"criteria", cloud_view, criteria_cover}};
 
 }  // namespace
 

@@ -16,12 +16,13 @@
 #include "lesson/subjects/pair/volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/tree/tree.hpp"
+#include "lesson/subjects/update/update.hpp"
 
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,  &kVolumesRow, &kFrustumRow,
-                                        &kTreeRow,  &kSceneRow, &kCostRow,    &kCriteriaRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,   &kVolumesRow, &kFrustumRow, &kTreeRow,
+                                        &kSceneRow, &kUpdateRow, &kCostRow,    &kCriteriaRow};
   return kSubjects;
 }
 
