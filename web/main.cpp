@@ -250,4 +250,5 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("measuring", &web::measuring);
   function("measured", &web::measured);
   function("cover_file", &web::cover_file);
+  function("draw_cover", &web::draw_cover);
 }
