@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/subjects/claims/claims_cover.hpp"
 #include "app/subjects/cloud/view.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "app/subjects/frustum/view.hpp"
@@ -18,7 +19,7 @@ constexpr std::array kSubjects{
     SubjectRow{"cloud", cloud_view, nullptr},     SubjectRow{"pair", pair_view, nullptr},
     SubjectRow{"volumes", volumes_view, nullptr}, SubjectRow{"frustum", frustum_view, nullptr},
     SubjectRow{"tree", tree_view, nullptr},       SubjectRow{"scene", scene_view, nullptr},
-    SubjectRow{"cost", cloud_view, cost_cover}};
+    SubjectRow{"cost", cloud_view, cost_cover},   SubjectRow{"claims", cloud_view, claims_cover}};
 
 }  // namespace
 

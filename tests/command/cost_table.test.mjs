@@ -208,7 +208,7 @@ test("what is asked for wrongly is said in one line, and nothing is written", ()
   refused(["cost", "--volume", "cone", cloud], 'there is no volume "cone"');
   refused(["cost", "--algorithms", "ritter,guess", cloud], 'there is no algorithm "guess"; `snug algorithms` lists all');
   refused(["cost", "--algorithms", "k14", square], "none of these algorithms takes 2-D points");
-  refused(["cost", "--growth", "--turn", cloud], "give only one of --growth, --turn and --claims");
+  refused(["cost", "--growth", "--turn", cloud], "give only one of --growth, --turn, --claims and --trials");
   refused(["cost", "--json", "--csv", cloud], "give only one of --json and --csv");
   refused(["cost", "--claims", square], "the claims are about 3-D: give 3-D points");
   refused(["cost", "--turn", "--volume", "hull", cloud], 'there is no update of "hull"; known: sphere, aabb, obb, kdop');
