@@ -1,5 +1,5 @@
 // The tools of what is no set of points: every number of it that can be typed, scatter and reset.
-import { by_id, button, element, other_seed, when_changed } from "./dom.js";
+import { by_id, button, element, other_seed, set_text, when_changed } from "./dom.js";
 import { clear_notices, notice } from "./messages.js";
 
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
@@ -51,7 +51,6 @@ export class NumberTools {
 
   open({ tools }) {
     this.#section.hidden = tools.points;
-    this.#title.textContent = tools.points ? "" : tools.title;
   }
 
   #set(group, row, values) {
@@ -85,6 +84,7 @@ export class NumberTools {
   });
 
   update(view) {
+    set_text(this.#title, this.#section.hidden ? "" : view.toolsTitle); // a situation may have another body
     this.#show_seed(view.lesson, view.seed);
     this.#show_numbers(view.numbers);
   }
