@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "fit/catalogue.hpp"
+#include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cost/asks.hpp"
 #include "lesson/subjects/cost/cost.hpp"
@@ -22,6 +23,11 @@ constexpr std::array<std::string_view, 4> kTimesChoices{"up to 10 times", "10 to
 std::string title_of(const cost::CostRow& row) {
   const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
   return std::string(algorithm != nullptr ? algorithm->title : std::string_view(row.algorithm));
+}
+/// The same as the question's choices have it: with the volume, where the lesson has several.
+std::string title_of(const Lesson& lesson, const cost::CostRow& row) {
+  const Method* method = find_method(lesson, row.volume + '/' + row.algorithm);
+  return method != nullptr ? title_in(lesson, *method) : title_of(row);
 }
 
 /// The time of one run on all points, measured or extrapolated.
@@ -68,10 +74,11 @@ const cost::CostRow* fastest_of(Costs rows) {
 }
 double times_slower(Costs rows) { return whole_time(*slowest_of(rows)) / whole_time(*fastest_of(rows)); }
 
-std::string slower_sentence(Costs rows) {
+std::string slower_sentence(const Lesson& lesson, Costs rows) {
   const cost::CostRow &most = *slowest_of(rows), &least = *fastest_of(rows);
-  return title_of(most) + " takes " + (most.whole_ns ? "about " : "") + times_text(times_slower(rows)) + " times as " +
-         (is_counted(most) ? "many operations as " : "long as ") + title_of(least) + "." + foretold(most);
+  return title_of(lesson, most) + " takes " + (most.whole_ns ? "about " : "") + times_text(times_slower(rows)) +
+         " times as " + (is_counted(most) ? "many operations as " : "long as ") + title_of(lesson, least) + "." +
+         foretold(most);
 }
 
 /// A badly measured row that could change the front; null if there is none. The slowest is slowest by far, but the
@@ -118,7 +125,7 @@ std::string smaller_text(double size, double than) {
 
 const char* offer_methods(Asked& asked, const Run&) {
   for (const Method* method : static_cast<const CostSubject&>(*asked.subject).methods())
-    asked.add_choice(std::string(method->title));
+    asked.add_choice(title_in(*asked.lesson, *method));
   return nullptr;
 }
 
@@ -136,7 +143,8 @@ Truth front_truth(const Asked& asked, const Run&) {
   const Costs rows = rows_of(asked);
   if (rows.size() != asked.choices.size()) return unknown();
   if (const cost::CostRow* row = doubtful_row(rows))
-    return unknown(" " + title_of(*row) + " was measured badly, so the front is not decided: measure again.");
+    return unknown(" " + title_of(*asked.lesson, *row) +
+                   " was measured badly, so the front is not decided: measure again.");
   Truth truth;
   const auto front = cost::pareto_front(rows);
   for (const std::size_t i : front) {
@@ -146,7 +154,8 @@ Truth front_truth(const Asked& asked, const Run&) {
   truth.sentence = "On the front: " + truth.happened + ".";
   for (const cost::CostRow& row : rows)
     if (row.whole_ns)
-      truth.sentence += " " + title_of(row) + " was too slow here to measure on all points, and is left out.";
+      truth.sentence +=
+          " " + title_of(*asked.lesson, row) + " was too slow here to measure on all points, and is left out.";
   return truth;
 }
 
@@ -154,7 +163,10 @@ Truth slowest_truth(const Asked& asked, const Run&) {
   const Costs rows = rows_of(asked);
   if (rows.size() != asked.choices.size()) return unknown();
   const cost::CostRow* slowest = slowest_of(rows);
-  return {{static_cast<int>(slowest - rows.data())}, {}, title_of(*slowest), slower_sentence(rows)};
+  return {{static_cast<int>(slowest - rows.data())},
+          {},
+          title_of(*asked.lesson, *slowest),
+          slower_sentence(*asked.lesson, rows)};
 }
 
 Truth times_truth(const Asked& asked, const Run&) {
@@ -162,7 +174,7 @@ Truth times_truth(const Asked& asked, const Run&) {
   if (rows.size() != static_cast<const CostSubject&>(*asked.subject).methods().size()) return unknown();
   const double ratio = times_slower(rows);
   const auto range = std::lower_bound(kTimes.begin(), kTimes.end(), ratio) - kTimes.begin();
-  return {{static_cast<int>(range)}, {}, times_text(ratio) + " times", slower_sentence(rows)};
+  return {{static_cast<int>(range)}, {}, times_text(ratio) + " times", slower_sentence(*asked.lesson, rows)};
 }
 
 Truth measured_choice_truth(const Asked& asked, const Run& run) {
