@@ -16,6 +16,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
+constexpr float kNoteLeading = 1.5f;
 constexpr double kPadding = 0.06;
 constexpr double kNothing = 1e-7;       // a fraction below this is only rounding
 constexpr float kLittleRoom = 360;      // a line chart lower than this has no note; its file has the note as well
@@ -111,15 +112,16 @@ void words_at(ChartPen& pen, const Look& look, float before, Face face, float si
   pen.words(look, face, size, {at.x - before * measure(look, face, size, words).x, at.y}, color, words);
 }
 
-/// Returns the height of its lines.
-float draw_note(ChartPen& pen, const Look& look, ImVec2 at, float width, std::string_view note) {
-  const float step = look.px(kSize * 1.5f);
-  float y = at.y + (step - look.px(kSize)) / 2;
-  for (const std::string_view line : lines_of(look, Face::kRegular, kSize, note, width)) {
-    pen.words(look, Face::kRegular, kSize, {at.x, y}, look->muted, line);
-    y += step;
+/// Draws words in as many lines as they need. leading: of the size. Returns how much higher they are than one line.
+float draw_lines(ChartPen& pen, const Look& look, Face face, float size, float leading, ImVec2 at, float width,
+                 Color color, std::string_view words) {
+  const auto lines = lines_of(look, face, size, words, width);
+  float y = at.y;
+  for (const std::string_view line : lines) {
+    pen.words(look, face, size, {at.x, y}, color, line);
+    y += look.px(size * leading);
   }
-  return y - at.y - (step - look.px(kSize)) / 2;
+  return lines.empty() ? 0 : y - at.y - look.px(size * leading);
 }
 
 void draw_rim(ChartPen& pen, const Look& look, ImVec2 at, ChartRim rim, Color color) {
@@ -266,16 +268,20 @@ struct Plot {
 
   /// Draws the value that the chart's points are compared with.
   void limit() const {
-    if (!chart.limit || chart.series.empty()) return;
+    if (!has_limit()) return;
     const float height = y.at(*chart.limit);
     const std::array way{ImVec2(frame.x, height), ImVec2(frame.x + frame.width, height)};
     pen.path(way, Stroke::kDashed, look->optimum, look->stroke * 0.7f);
-    const float words = measure(look, Face::kSemiBold, kSize, chart.limit_name).x;
-    const bool above = height - frame.y > look.px(kSize) + 8;
-    pen.halo_words(look, Face::kSemiBold, kSize,
-                   {frame.x + frame.width - words - 4, above ? height - look.px(kSize) - 4 : height + 4},
+  }
+  /// Names it where rising lines leave room: at its left end, or where it is at the chart's foot, farther in.
+  void name_limit() const {
+    if (!has_limit()) return;
+    const float height = y.at(*chart.limit), size = look.px(kSize), clear = kMark * look->mark + 6;
+    const bool at_foot = frame.y + frame.height - height < 0.15f * frame.height;
+    pen.halo_words(look, Face::kSemiBold, kSize, {frame.x + (at_foot ? 0.25f * frame.width : 8), height - clear - size},
                    look->optimum_text, look->ground, chart.limit_name);
   }
+  [[nodiscard]] bool has_limit() const { return chart.limit && !chart.series.empty(); }
 
   void series() const {
     for (const ChartSeries& one : chart.series) {
@@ -427,14 +433,22 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
                                    std::optional<ChartHit> focus, std::vector<ChartPlace>* places) {
   const float line = look.px(kSize);
   const float left = rect.x + 16, top = rect.y + 16;
-  pen.words(look, Face::kSemiBold, kTitle, {left, top}, look->ink,
-            shortened(look, Face::kSemiBold, kTitle, chart.title, rect.width - 32));
-  const float under = top + look.px(kTitle) + 8;
-  const Legend legend(look, chart, rect.width - 32);
+  const float width = rect.width - 32;
+  const float title = draw_lines(pen, look, Face::kSemiBold, kTitle, 1.3f, {left, top}, width, look->ink, chart.title);
+  const float under = top + title + look.px(kTitle) + 8;
+  const Legend legend(look, chart, width);
   const bool noted = legend.height() == 0 || rect.height >= kLittleRoom;
-  const float note = noted ? draw_note(pen, look, {left, under}, rect.width - 32, chart.note) : -8;
-  pen.words(look, Face::kRegular, kSize, {left, under + note + 8}, look->muted,
-            shortened(look, Face::kRegular, kSize, chart.y.title, rect.width - 32));
+  float note = -8;
+  if (noted && !chart.note.empty()) {
+    const float first = look.px(kSize * kNoteLeading) - look.px(kSize);  // the room above and below a line, together
+    note = first + look.px(kSize) +
+           draw_lines(pen, look, Face::kRegular, kSize, kNoteLeading, {left, under + first / 2}, width, look->muted,
+                      chart.note);
+  } else if (noted) {
+    note = 0;
+  }
+  note +=
+      draw_lines(pen, look, Face::kRegular, kSize, 1.3f, {left, under + note + 8}, width, look->muted, chart.y.title);
 
   Plot plot{pen, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
   float widest = 0;
@@ -455,6 +469,7 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
   plot.front();
   plot.limit();
   plot.series();
+  plot.name_limit();
   if (legend.height() > 0) legend.draw(pen, {left, rect.y + rect.height - legend.height()});
   else plot.names();
   const auto hit = plot.under_pointer();
