@@ -161,7 +161,8 @@ Gate read_gate(TomlTable& table, const Lesson& lesson) {
 void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   question.asks = table.text("asks");
   std::vector<std::string_view> names = general_askings(*lesson.subject);
-  const Asking* asking = general_asking(question.asks, *lesson.subject);
+  const Asking* const general = general_asking(question.asks, *lesson.subject);
+  const Asking* asking = general;
   const bool known = is_among(lesson.subject->facts(), question.gate.fact);
   for (const auto& [fact, one] : lesson.subject->askings()) {
     if (one->name == question.asks) asking = one;
@@ -171,6 +172,7 @@ void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   if (asking != nullptr) names.push_back(asking->name);  // of another fact: what it asks of is told on the run
   check_name(table, "asks", question.asks, names);
   if (asking != nullptr && asking->read != nullptr) return asking->read(table, question);
+  if (general != nullptr && general->read != nullptr) return general->read(table, question);  // decided in another way
   if (asking != nullptr) return;
   for (const std::string_view key : {"choices", "answer", "figure", "bounds", "tolerance"}) table.allow(key);
 }
