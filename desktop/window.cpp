@@ -303,6 +303,7 @@ void save_picture(GlfwHost& host, Shell& shell) {
   const bool saved = take_picture(host, path, [&] { draw(host, shell.app(), chart); }) == 0;
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   shell.notice = saved ? "Saved as " + path + "." : "Not saved: the picture could not be written.";
+  shell.measured_anew = true;  // the window is drawn again
 }
 
 /// Draws if there is something to draw, and otherwise sleeps.
@@ -320,7 +321,6 @@ void run(GlfwHost& host, Shell& shell) {
     if (due) {
       draw(host, shell, host.now());
       host.swap();
-      if (!shell.picture_wanted.empty() && shell.app().cover() != nullptr) save_picture(host, shell), anew = true;
       if (!ImGui::IsAnyMouseDown()) shell.keep();
       state.write(shell, host.extent());  // last, so that what it tells is kept as well
     }
@@ -330,6 +330,7 @@ void run(GlfwHost& host, Shell& shell) {
     if (presented != shell.presenting) host.fill_screen(presented = shell.presenting);
     shell.app().measure(kSlice);
     const app::Cover* const cover = shell.app().cover();
+    if (cover != nullptr && !shell.picture_wanted.empty()) save_picture(host, shell);
     const auto more = [&] {
       return shell.measured_anew || shell.focus.wants_frame() || shell.app().wants_frame(host.now());
     };
