@@ -197,7 +197,7 @@ class Inks {
 
 constexpr std::string_view kMonoClass = " class=\"mono\"";
 
-std::string written(const Element& element, Inks& inks) {
+std::string element_text(const Element& element, Inks& inks) {
   std::string rest = element.rest;
   if (const auto at = rest.find(kMonoClass); at != std::string::npos) rest.erase(at, kMonoClass.size());
   const std::string colors = element.tag == "clipPath" ? "" : inks.attributes(element);
@@ -227,7 +227,7 @@ std::string chart_svg(const Look& look, float width, float height, const Chart& 
   }
   Inks inks;
   std::string body;
-  for (const Element& element : pen.elements()) body += written(element, inks);
+  for (const Element& element : pen.elements()) body += element_text(element, inks);
   const std::string size = px_text(width) + ' ' + px_text(height);
   std::string style = "text{font-family:Inter,\"Helvetica Neue\",Arial,sans-serif}"
                       ".mono{font-family:\"JetBrains Mono\",Menlo,Consolas,monospace}";

@@ -22,10 +22,17 @@ struct CoverButton {
   bool enabled = true;
 };
 
-/// What the cover shows, in words, for people who cannot see it.
+/// What the cover shows, in words, for people who cannot see it. If it can be sorted, everyone sees it.
 struct WordTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;  // the first word of each row names it
+  // Of a table that everyone sees:
+  std::string title = {};
+  std::vector<std::string> sorts = {};       // of each column, the command that sorts by it
+  int sorted = -1;                           // the column that it is sorted by
+  std::vector<std::string> picks = {};       // of each row, the command that chooses it
+  int picked = -1;                           // the row that is chosen
+  std::vector<std::vector<bool>> best = {};  // of each row and column, whether nothing in its column is better
 };
 
 class Cover {
@@ -56,7 +63,7 @@ class Cover {
   [[nodiscard]] virtual std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const = 0;
   /// One line: what to do next, or the result.
   [[nodiscard]] virtual std::string status(const lesson::Session& session) const = 0;
-  [[nodiscard]] virtual WordTable table() const = 0;
+  [[nodiscard]] virtual WordTable table(const lesson::Session& session) const = 0;
   /// Whether the predictions about it are decided.
   [[nodiscard]] virtual bool decided(const lesson::Session& session) const = 0;
   /// What it shows, as a file: the possible formats, the file's name without its extension, and the text, which is
@@ -64,8 +71,8 @@ class Cover {
   [[nodiscard]] virtual std::span<const std::string_view> formats() const = 0;
   [[nodiscard]] virtual std::string file_name() const = 0;
   [[nodiscard]] virtual std::string file(std::string_view format) const = 0;
-  /// The same as a picture (app/chart.hpp): doors save it as SVG and PNG.
-  [[nodiscard]] virtual const Chart& picture() const = 0;
+  /// The same as a picture (app/chart.hpp), which doors save as SVG and PNG; null if it is no chart.
+  [[nodiscard]] virtual const Chart* picture() const { return nullptr; }
   /// Shows an earlier file, in the first format, over the current result. none: the text is no such file. Errors: those
   /// of reading it; it cannot be shown now.
   virtual std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,

@@ -33,8 +33,7 @@ void draw_work(Shell& shell, Column& column, const app::Cover& cover) {
   std::vector<std::string> words{work.words};
   std::vector<bool> enabled{work.enabled};
   const bool any = !cover.file(cover.formats().front()).empty();
-  std::vector<std::string_view> formats(cover.formats().begin(), cover.formats().end());
-  formats.insert(formats.end(), app::kPictureFormats.begin(), app::kPictureFormats.end());
+  const std::vector<std::string_view> formats = app::formats_of(cover);
   for (const std::string_view format : formats) {
     std::string ending(format);
     for (char& c : ending) c = static_cast<char>(std::toupper(c));

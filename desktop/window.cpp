@@ -299,7 +299,7 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
 /// Writes the chart that was asked for as a picture, as large as the window.
 void save_picture(GlfwHost& host, Shell& shell) {
   const std::string path = std::exchange(shell.picture_wanted, {});
-  const app::Chart chart = shell.app().cover()->picture();
+  const app::Chart chart = *shell.app().cover()->picture();
   const bool saved = take_picture(host, path, [&] { draw(host, shell.app(), chart); }) == 0;
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   shell.notice = saved ? "Saved as " + path + "." : "Not saved: the picture could not be written.";
@@ -321,7 +321,7 @@ void run(GlfwHost& host, Shell& shell) {
     if (due) {
       draw(host, shell, host.now());
       host.swap();
-      if (!ImGui::IsAnyMouseDown()) shell.keep();
+      shell.keep(ImGui::IsAnyMouseDown());
       state.write(shell, host.extent());  // last, so that what it tells is kept as well
     }
     if (const std::string next = shell.course_shown ? "Snug" : shell.session().lesson().title + " – Snug";

@@ -30,6 +30,16 @@ val table_object(const app::WordTable& table) {
   val object = val::object();
   object.set("head", array_of(table.head, text));
   object.set("rows", array_of(table.rows, [](const auto& row) { return array_of(row, text); }));
+  object.set("title", table.title);
+  object.set("sorts", array_of(table.sorts, text));
+  object.set("sorted", table.sorted);
+  object.set("picks", array_of(table.picks, text));
+  object.set("picked", table.picked);
+  object.set("best", array_of(table.best, [](const auto& row) {
+               val flags = val::array();
+               for (const bool best : row) flags.call<void>("push", best);
+               return flags;
+             }));
   return object;
 }
 
@@ -43,7 +53,7 @@ val cover_object(app::App& app) {
   const app::Cover* const cover = app.cover();
   if (cover == nullptr) return val::null();
   const lesson::Session& session = *app.session();
-  const app::WordTable table = cover->table();
+  const app::WordTable table = cover->table(session);
   val object = val::object();
   object.set("choices", array_of(cover->choices(session), button_object));
   object.set("work", array_of(cover->work_buttons(session), button_object));
@@ -54,9 +64,7 @@ val cover_object(app::App& app) {
   object.set("decided", cover->decided(session));
   object.set("says", cover->status(session));
   object.set("table", table_object(table));
-  std::vector<std::string_view> formats(cover->formats().begin(), cover->formats().end());
-  formats.insert(formats.end(), app::kPictureFormats.begin(), app::kPictureFormats.end());
-  object.set("formats", array_of(formats, text));
+  object.set("formats", array_of(app::formats_of(*cover), text));
   object.set("any", !table.rows.empty());
   return object;
 }
@@ -72,7 +80,7 @@ val cover_file_object(app::App& app, const std::string& format) {
 
 bool draw_cover(float width, float height, float scale) {
   Door& d = door();
-  if (!d.graphics || d.app->cover() == nullptr) return false;
+  if (!d.graphics || d.app->cover() == nullptr || d.app->cover()->picture() == nullptr) return false;
   begin_frame(width, height, scale, 0);
   d.app->frame({}, d.last_frame);  // sets the fonts and palette
   app::draw_cover_picture(*d.app, {0, 0, width, height});

@@ -9,6 +9,7 @@
 #include "lesson/subjects/claims/claims.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
+#include "lesson/subjects/cost/criteria.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
 #include "lesson/subjects/pair/pair.hpp"
@@ -20,8 +21,8 @@
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,  &kVolumesRow, &kFrustumRow,
-                                        &kTreeRow,  &kSceneRow, &kCostRow,    &kClaimsRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kVolumesRow,  &kFrustumRow, &kTreeRow,
+                                        &kSceneRow, &kCostRow, &kCriteriaRow, &kClaimsRow};
   return kSubjects;
 }
 

@@ -194,7 +194,7 @@ std::string ClaimsCover::caption(const lesson::Session& session) const {
   return says;
 }
 
-WordTable ClaimsCover::table() const {
+WordTable ClaimsCover::table(const lesson::Session&) const {
   WordTable table{{"Claim", "Verdict", "Holds on", "Worst cloud"}, {}};
   for (const cost::TrialClaim& one : cost::trial_claims()) {
     const cost::TrialTally tally = cost::tally_trials(one.name, rows_);

@@ -34,13 +34,13 @@ class ClaimsCover final : public Cover {
   [[nodiscard]] std::vector<CoverButton> choices(const lesson::Session& session) const override;
   [[nodiscard]] std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const override;
   [[nodiscard]] std::string status(const lesson::Session& session) const override;
-  [[nodiscard]] WordTable table() const override;
+  [[nodiscard]] WordTable table(const lesson::Session& session) const override;
   [[nodiscard]] bool decided(const lesson::Session& session) const override;
   [[nodiscard]] std::span<const std::string_view> formats() const override;
   [[nodiscard]] std::string file_name() const override;
   /// The clouds of all claims.
   [[nodiscard]] std::string file(std::string_view format) const override;
-  [[nodiscard]] const Chart& picture() const override { return chart_; }
+  [[nodiscard]] const Chart* picture() const override { return &chart_; }
   std::optional<tl::expected<void, InputError>> lay_over(lesson::Session&, std::string_view,
                                                          std::string_view) override {
     return std::nullopt;  // trials are the same everywhere

@@ -65,13 +65,13 @@ class Costs final : public Cover {
   [[nodiscard]] std::vector<CoverButton> choices(const lesson::Session& session) const override;
   [[nodiscard]] std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const override;
   [[nodiscard]] std::string status(const lesson::Session& session) const override;
-  [[nodiscard]] WordTable table() const override;
+  [[nodiscard]] WordTable table(const lesson::Session&) const override;
   [[nodiscard]] bool decided(const lesson::Session& session) const override;
   /// The formats of `snug cost`.
   [[nodiscard]] std::span<const std::string_view> formats() const override;
   [[nodiscard]] std::string file_name() const override;
   [[nodiscard]] std::string file(std::string_view format) const override;
-  [[nodiscard]] const Chart& picture() const override { return chart_; }
+  [[nodiscard]] const Chart* picture() const override { return &chart_; }
   std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,
                                                          std::string_view name) override;
   /// The marks, named by algorithm; for lines, the last mark of each.

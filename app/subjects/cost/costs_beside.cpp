@@ -88,7 +88,7 @@ std::array<CoverButton, 2> Costs::work_buttons(const lesson::Session& session) c
           CoverButton{"stop_measuring", "Stop", false, running()}};
 }
 
-WordTable Costs::table() const {
+WordTable Costs::table(const lesson::Session&) const {
   if (view_ == CostView::kGrowth)
     return table_of({"Algorithm", "Points at most", "Time of these", "Power of n", "In theory"},
                     lines_of(growth().rows));

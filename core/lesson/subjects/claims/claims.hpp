@@ -2,19 +2,19 @@
 // answers. A cloud on which a claim does not hold can be put on the stage.
 #pragma once
 
-#include "lesson/chart_subject.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/cost/on_cloud.hpp"
 #include "measure/trials.hpp"
 
 namespace snug::lesson {
 
 extern const SubjectRow kClaimsRow;
 
-class ClaimsSubject final : public ChartSubject {
+class ClaimsSubject final : public OnCloud {
  public:
   static constexpr const SubjectRow& kRow = kClaimsRow;
-  explicit ClaimsSubject(std::unique_ptr<Subject> cloud) : ChartSubject(std::move(cloud)) {}
+  explicit ClaimsSubject(std::unique_ptr<Subject> cloud) : OnCloud(std::move(cloud)) {}
 
   /// Takes what came of all clouds of all claims, which no edit of the stage changes.
   void tried(std::vector<cost::TrialRow> trials) { trials_ = std::move(trials); }
@@ -38,6 +38,8 @@ class ClaimsSubject final : public ChartSubject {
   [[nodiscard]] std::int64_t operations(const Method& method) const override { return cloud().operations(method); }
 
  private:
+  void points_changed() override {}  // the clouds that were tried are not those on the stage
+
   std::vector<cost::TrialRow> trials_;
 };
 

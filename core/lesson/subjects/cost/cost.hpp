@@ -2,9 +2,9 @@
 // each method, decides the answers.
 #pragma once
 
-#include "lesson/chart_subject.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/cost/on_cloud.hpp"
 #include "measure/rows.hpp"
 
 namespace snug::lesson {
@@ -16,11 +16,11 @@ using Costs = std::span<const cost::CostRow>;
 /// The figure that a task is about: by how many per cent a volume is smaller than that of the task's algorithm.
 inline constexpr std::string_view kTighterFigure = "tighter";
 
-class CostSubject final : public ChartSubject {
+class CostSubject final : public OnCloud {
  public:
   static constexpr const SubjectRow& kRow = kCostRow;
   CostSubject(std::unique_ptr<Subject> cloud, std::vector<const Method*> methods)
-      : ChartSubject(std::move(cloud)), methods_(std::move(methods)) {}
+      : OnCloud(std::move(cloud)), methods_(std::move(methods)) {}
 
   /// Takes the measurement on the current points, a row for each algorithm: it decides the predictions.
   void measured(std::vector<cost::CostRow> rows) { rows_ = std::move(rows); }
@@ -36,7 +36,6 @@ class CostSubject final : public ChartSubject {
   [[nodiscard]] std::string_view stage_says() const override { return "the chart of costs, or the points"; }
 
  private:
-  /// An edit discards the measurement.
   void points_changed() override { rows_.reset(); }
 
   std::vector<const Method*> methods_;
@@ -46,7 +45,8 @@ class CostSubject final : public ChartSubject {
 /// Null if there is no chart, or if its points have not been measured.
 [[nodiscard]] const std::vector<cost::CostRow>* costs_of(const Session& session);
 
-/// chosen: the method shown on the stage, "k8", or "kdop/k8" where the rows are of several volumes. rows: those measured on the task's points.
+/// chosen: the method shown on the stage, "k8", or "kdop/k8" where the rows are of several volumes. rows: those
+/// measured on the task's points.
 [[nodiscard]] Grade grade_costs(const Task& task, Costs rows, std::string_view chosen);
 /// The name of the fastest algorithm whose volume is smaller by as much as the task asks; empty if there is none.
 [[nodiscard]] std::string cheapest_of(const Task& task, Costs rows);

@@ -50,7 +50,7 @@ Guard guard_of(std::string_view test) {
 /// Calls a function with both boxes in the test's own kind of number.
 template <class Call>
 auto in_scalar(std::string_view test, const BoxPair& pair, Call call) {
-  if (!in_float(test)) return call(pair.boxes[0], pair.boxes[1]);
+  if (!pair.in_float && !in_float(test)) return call(pair.boxes[0], pair.boxes[1]);
   return call(converted<float, 3>(pair.boxes[0]), converted<float, 3>(pair.boxes[1]));
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("nothing is tried before the predictions, and nothing can be saved") {
   CHECK_FALSE(cover.work_buttons(session)[0].enabled);
   CHECK_FALSE(cover.command(session, "measure"));
   CHECK(cover.file("csv").empty());
-  CHECK(cover.table().rows.empty());
+  CHECK(cover.table(session).rows.empty());
   CHECK(cover.choices(session).size() == 9);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("after Measure the answer is decided, and the worst cloud is marked an
   CHECK(cover.decided(session));
   REQUIRE(session.outcomes().size() == 1);
   CHECK(session.outcomes()[0].right);
-  CHECK(cover.table().rows.size() == 9);
+  CHECK(cover.table(session).rows.size() == 9);
   CHECK(cover.file("csv").starts_with("# snug table: trials\n"));
   const auto worst = cost::tally_trials("four_points", cost::all_trials()).worst;
   CHECK(cover.caption(session).find("cloud " + std::to_string(worst->seed) + ":") != std::string::npos);
@@ -109,5 +109,5 @@ TEST_CASE("a run that is stopped shows its clouds and decides nothing") {
   CHECK_FALSE(cover.running());
   CHECK_FALSE(cover.decided(session));
   CHECK(session.outcomes()[0].pending);
-  CHECK(cover.table().rows.size() == 1);
+  CHECK(cover.table(session).rows.size() == 1);
 }

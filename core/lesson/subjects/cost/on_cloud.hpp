@@ -1,19 +1,16 @@
-// What subjects share that are a chart over a cloud of points: the cloud, which is edited, scattered and loaded, and
-// whose runs stand on the stage while the chart is put aside.
+// A subject that measures a cloud of points: it is the cloud, as far as points, edits and runs go.
 #pragma once
 
 #include <memory>
 #include <utility>
 
-#include "lesson/subject.hpp"
+#include "lesson/session.hpp"
 
 namespace snug::lesson {
 
-class ChartSubject : public Subject {
+class OnCloud : public Subject {
  public:
   [[nodiscard]] const Subject& shape() const override { return *cloud_; }
-
-  // The cloud's.
   void set_origin(Origin origin) override { cloud_->set_origin(origin), origin_ = std::move(origin); }
   [[nodiscard]] std::vector<Drive> drives() const override { return cloud_->drives(); }
   Done drive(std::string_view name, double from, double to) override { return edited(cloud_->drive(name, from, to)); }
@@ -45,8 +42,9 @@ class ChartSubject : public Subject {
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override { return cloud_->proofs(view); }
 
  protected:
-  explicit ChartSubject(std::unique_ptr<Subject> cloud) : cloud_(std::move(cloud)) { origin_ = cloud_->origin(); }
-  ChartSubject(const ChartSubject& other) : Subject(other), cloud_(other.cloud_->clone()) {}
+  explicit OnCloud(std::unique_ptr<Subject> cloud) : cloud_(std::move(cloud)) { origin_ = cloud_->origin(); }
+  OnCloud(const OnCloud& other) : Subject(other), cloud_(other.cloud_->clone()) {}
+  OnCloud& operator=(const OnCloud&) = delete;
 
   [[nodiscard]] Subject& cloud() { return *cloud_; }
   [[nodiscard]] const Subject& cloud() const { return *cloud_; }
@@ -57,10 +55,10 @@ class ChartSubject : public Subject {
     points_changed();
     return done;
   }
+  /// Called when the points have changed, and what was measured of them is stale.
+  virtual void points_changed() = 0;
 
  private:
-  virtual void points_changed() {}
-
   std::unique_ptr<Subject> cloud_;
 };
 
