@@ -223,7 +223,7 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
   }
   if (cover.table.rows.some(([, points]) => points.includes(":"))) assert.match(caption, /where one run would take over 12 ms: a longer run would hold up the page/);
   assert.equal(await page.locator(".cover tbody tr").count(), kAll);
-  assert.deepEqual(await page.locator(".cover thead th").allTextContents(), ["Algorithm", "Points at most", "Time of these", "Power of n", "In theory"]);
+  assert.deepEqual(await page.locator(".cover thead th").allTextContents(), ["Algorithm", "Most points", "Time for these", "Power of n", "In theory"]);
 
   await page.locator("#canvas").focus();
   await page.keyboard.press("ArrowRight");

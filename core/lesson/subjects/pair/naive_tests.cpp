@@ -93,8 +93,9 @@ bool is_wrong(const query::AxisTested<double, 3>& row, const RowTruth& truth) {
 }
 
 std::string truth_text(const RowTruth& truth) {
-  if (truth.gap == 0) return "exactly, they touch";
-  return (truth.gap > 0 ? "exactly, there is a gap of " : "exactly, the projections overlap by ") +
+  if (truth.gap == 0) return "in exact arithmetic the projections touch";
+  return (truth.gap > 0 ? "in exact arithmetic there is a gap of "
+                        : "in exact arithmetic the projections overlap by ") +
          gap_text(std::abs(truth.gap)) + " (" + number_text(std::abs(truth.ulps), 2) + " ulps)";
 }
 
