@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/subjects/claims/claims_cover.hpp"
 #include "app/subjects/cloud/view.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "app/subjects/cost/criteria_board.hpp"
@@ -24,7 +25,8 @@ constexpr std::array kSubjects{SubjectRow{"cloud", cloud_view, nullptr},
                                SubjectRow{"scene", scene_view, nullptr},
                                SubjectRow{"update", update_view, nullptr},
                                SubjectRow{"cost", cloud_view, cost_cover},
-                               SubjectRow{"criteria", cloud_view, criteria_cover}};
+                               SubjectRow{"criteria", cloud_view, criteria_cover},
+                               SubjectRow{"claims", cloud_view, claims_cover}};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "lesson/names.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/stored.hpp"
+#include "lesson/subjects/claims/claims.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/cost/criteria.hpp"
@@ -21,8 +22,8 @@
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,   &kVolumesRow, &kFrustumRow, &kTreeRow,
-                                        &kSceneRow, &kUpdateRow, &kCostRow,    &kCriteriaRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,   &kVolumesRow, &kFrustumRow,  &kTreeRow,
+                                        &kSceneRow, &kUpdateRow, &kCostRow,    &kCriteriaRow, &kClaimsRow};
   return kSubjects;
 }
 
