@@ -60,7 +60,7 @@ void add_lesson_new(Commands& commands, CLI::App& group) {
   const auto options = add_command<NewOptions>(commands, start, run_new);
   start
       .add_option("--subject", options->subject,
-                  "What its stage is about: cloud, pair, volumes, frustum, tree, scene or cost")
+                  "What its stage is about: cloud, pair, volumes, frustum, field, tree, scene or cost")
       ->capture_default_str();
   start.add_option("--lessons", options->folder, "The folder to write to")->capture_default_str();
   start.add_option("ID", options->id, "The lesson's id, its file's name without .toml")->required();
