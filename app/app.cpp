@@ -240,6 +240,7 @@ bool App::State::edit(std::string_view name) {
   }
   if (name == "add_point") return stage.add_point(*session);
   if (name == "delete_point") return stage.delete_point(*session);
+  if (name == "push") return session->asked() == nullptr && session->push(stage.selected());
   if (name == "scatter") return session->scatter(session->seed() + 1), true;
   if (name == "reset_points") return session->reset(), true;
   return false;
@@ -416,7 +417,7 @@ bool App::command(std::string_view name) {
   const int step = s.session->step();
   const auto turn = [&](std::string_view part) {
     for (const lesson::Switch& one : s.session->switches())
-      if (one.name == part) return s.session->turn(part, !one.on);
+      if (one.name == part) return s.session->toggle(one);
     return false;
   };
   const bool done = name.starts_with(kTurn)

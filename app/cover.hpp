@@ -20,10 +20,17 @@ struct CoverButton {
   bool enabled = true;
 };
 
-/// What the cover shows, in words, for people who cannot see it.
+/// What the cover shows, in words, for people who cannot see it. If it can be sorted, everyone sees it.
 struct WordTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;  // the first word of each row names it
+  // Of a table that everyone sees:
+  std::string title = {};
+  std::vector<std::string> sorts = {};       // of each column, the command that sorts by it
+  int sorted = -1;                           // the column that it is sorted by
+  std::vector<std::string> picks = {};       // of each row, the command that chooses it
+  int picked = -1;                           // the row that is chosen
+  std::vector<std::vector<bool>> best = {};  // of each row and column, whether nothing in its column is better
 };
 
 class Cover {
@@ -54,7 +61,7 @@ class Cover {
   [[nodiscard]] virtual std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const = 0;
   /// One line: what to do next, or the result.
   [[nodiscard]] virtual std::string status(const lesson::Session& session) const = 0;
-  [[nodiscard]] virtual WordTable table() const = 0;
+  [[nodiscard]] virtual WordTable table(const lesson::Session& session) const = 0;
   /// Whether the predictions about it are decided.
   [[nodiscard]] virtual bool decided(const lesson::Session& session) const = 0;
   /// What it shows, as a file: the possible formats, the file's name without its extension, and the text, which is

@@ -77,8 +77,10 @@ void draw_compared(Brush& brush, const Shown& shown) {
                     std::abs(fit::size_of(*shown.volume, dim) - smallest) <= 1e-9 * smallest;
   draw_volume(canvas, *shown.optimum, {Stroke::kDashed, p.optimum, brush.stroke(same ? 2.0f : 1.0f)});
   if (same && !shown.finished) return;
+  const bool title = shown.optimum_word.front() < 'a';  // of an algorithm: it takes no article
   brush.label(brush.at(top_of(canvas.camera, *shown.optimum, 0.5)), 6, {0.6f, -1},
-              same ? "the " + shown.optimum_word : shown.optimum_word + ": " + size(*shown.optimum), p.optimum_text);
+              same ? (title ? "" : "the ") + shown.optimum_word : shown.optimum_word + ": " + size(*shown.optimum),
+              p.optimum_text);
 }
 
 }  // namespace snug::app

@@ -108,7 +108,7 @@ void Stage::set_room(const Rect& rect, const Settings& settings) {
   // Buttons are at the top; on a narrow stage they take most of its width.
   const float below = wide ? 92.0f * words : 28;
   const float narrow = has_close_up_ ? room_above(words) : kToolsHeight;
-  camera_.set_stage(rect, wide ? 52.0f * words : narrow, wide ? 56.0f : 28,
+  camera_.set_stage(rect, (wide ? 52.0f * words : narrow) + inset_room_, wide ? 56.0f : 28,
                     foot_ > 0 ? std::max(below, foot_ + kFootMargin) : below);
 }
 
@@ -236,10 +236,14 @@ std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::
 
 void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
   const double dt = std::clamp(now - last_now_, 0.0, 0.05);
-  const float foot = foot_;
-  if (!hands_.dragging) ease_foot(look, dt);  // what is dragged stays under the pointer
+  const float foot = foot_, room = inset_room_;
+  if (!hands_.dragging) {  // what is dragged stays under the pointer
+    ease_foot(look, dt);
+    inset_room_ = camera_.dim() == session.dim() ? view_->room_of_inset(look, session, rect) : 0;
+  }
   set_room(rect, settings);
-  if (foot_ != foot && camera_.framed() && framed_ball_.radius > 0) camera_.frame(framed_ball_, !camera_.moving());
+  if ((foot_ != foot || inset_room_ != room) && camera_.framed() && framed_ball_.radius > 0)
+    camera_.frame(framed_ball_, !camera_.moving());
   if (camera_.dim() == session.dim()) {
     project_points(session);
     take(session, look, rect);

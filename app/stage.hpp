@@ -109,6 +109,7 @@ class Stage {
   int seen_step_ = -1;
   const void* seen_run_ = nullptr;
   double last_now_ = 0;
+  float inset_room_ = 0;            // as of SubjectView::room_of_inset
   float foot_ = 0, foot_goal_ = 0;  // as in Layout: the current value, and the one that it moves to
 
   Hands hands_;

@@ -118,6 +118,10 @@ void Stage::tap(lesson::Session& session) {
     hands_.selected = kNoIndex;
     return;
   }
+  if (tapped_ != kNoIndex && session.asked() == nullptr && session.push(tapped_)) {  // where it cannot be moved
+    hands_.selected = kNoIndex;
+    return;
+  }
   hands_.selected = tapped_;
   hands_.arrows =
       tapped_ != kNoIndex && session.asked() == nullptr && view_->can_move(session) && session.may_move(tapped_);

@@ -40,6 +40,8 @@ class SubjectView {
   virtual void name_marks(PointNames& names) const;
   /// Draws a second picture in the corner of the stage, below a height. Returns the room that it takes; empty for none.
   [[nodiscard]] virtual Rect draw_inset(Brush& brush, float top) const;
+  /// How high the part of the stage is that its second picture takes from the first, pixels; 0 if they may overlap.
+  [[nodiscard]] virtual float room_of_inset(const Look&, const lesson::Session&, const Rect&) const { return 0; }
   /// The ball that the view has to show.
   [[nodiscard]] virtual fit::Sphere3 extent(const lesson::Session& session);
   /// Whether the volume moves smoothly from one step to the next; it jumps if the points inside move.

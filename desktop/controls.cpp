@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "desktop/column.hpp"
+#include "desktop/cover_table.hpp"
 #include "lesson/situations.hpp"
 
 namespace snug::desktop {
@@ -114,7 +115,7 @@ void draw_slider(Shell& shell, const lesson::ShownSlider& slider, const app::Rec
 
 float controls_height(Shell& shell, const app::Look& look, float width) {
   if (shell.app().session() == nullptr) return 0;  // the course waits for a file that can be drawn
-  return std::ceil(places_of(shell, look, width).height);
+  return std::ceil(places_of(shell, look, width).height + cover_table_height(shell, look));
 }
 
 void draw_controls(Shell& shell, const app::Rect& rect) {
@@ -122,12 +123,14 @@ void draw_controls(Shell& shell, const app::Rect& rect) {
   const app::Pane pane("##controls", rect);
   pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   app::rule(pane.list(), rect.x, rect.y, rect.width, look->line);
+  const float table = cover_table_height(shell, look);
+  draw_cover_table(shell, {rect.x, rect.y, rect.width, table});
   const Places places = places_of(shell, look, rect.width);
   lesson::Session& session = shell.session();
   const std::vector<std::string> titles = titles_of(session.lesson());
   const std::vector<std::string_view> names = lesson::situation_names(session.lesson());
   const auto there = [&](app::Rect place) {
-    place.x += rect.x + kAside, place.y += rect.y + kRowGap;
+    place.x += rect.x + kAside, place.y += rect.y + table + kRowGap;
     return place;
   };
   std::string_view chosen;

@@ -1,4 +1,4 @@
-// The situations and the sliders of a lesson, under its stage.
+// The table of a cover, the situations and the sliders of a lesson, under its stage.
 #pragma once
 
 #include <string>

@@ -8,6 +8,7 @@
 #include "app/marks.hpp"
 #include "desktop/lower_panel.hpp"
 #include "desktop/prose.hpp"
+#include "lesson/playground.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/speaking.hpp"
@@ -74,6 +75,18 @@ void draw_tasks(Shell& shell, Column& column) {
   for (std::size_t i = 0; i < tasks; ++i) {
     if (i > 0) column.gap(12);
     draw_task(shell, column, i);
+  }
+}
+
+/// The way to the playground with what stands on the stage, and back.
+void draw_playground(Shell& shell, Column& column) {
+  column.gap(12);
+  if (const auto back = shell.way_back()) {
+    const std::string words = lesson::way_back_text(shell.lessons()[*back].lesson.title);
+    if (column.buttons("back from the playground", {words}) == 0) shell.open_at_place(*back);
+  } else if (shell.playground()) {
+    const std::string words(lesson::playground_text(shell.session()));
+    if (column.buttons("playground", {words}) == 0) shell.go_to_playground();
   }
 }
 
@@ -163,6 +176,7 @@ void draw_lesson(Shell& shell, Column& column) {
   follow_step(shell, now, top, bottom, reads);
   column.gap(12);
   draw_tasks(shell, column);
+  draw_playground(shell, column);
   if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson replaces the links
 }
 

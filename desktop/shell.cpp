@@ -7,6 +7,7 @@
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/playground.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -112,6 +113,27 @@ std::optional<std::size_t> Shell::beside(int by) const {
   return to < course_size() || (lessons_[open_].is_case && to < lessons_.size()) ? std::optional(to) : std::nullopt;
 }
 
+std::optional<std::size_t> Shell::playground() const {
+  const auto found =
+      std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& one) { return one.is_playground; });
+  const auto at = static_cast<std::size_t>(found - lessons_.begin());
+  return found == lessons_.end() || at == open_ ? std::nullopt : std::optional(at);
+}
+
+void Shell::go_to_playground() {
+  const auto to = playground();
+  if (!to) return;
+  const auto points = lesson::points_to_try(session());
+  const std::string from = session().lesson().id;
+  const std::size_t came_from = open_;
+  open_at_place(*to);
+  if (open_ != *to) return;
+  came_from_ = came_from;
+  if (points) tell(app_.load(*points, from));
+}
+
+std::optional<std::size_t> Shell::way_back() const { return lessons_[open_].is_playground ? came_from_ : std::nullopt; }
+
 void Shell::show_course() {
   if (app_.playing()) app_.command("play");
   if (app_.session() == nullptr) return;
@@ -136,13 +158,13 @@ void Shell::present(bool on) {
   settings.text_scale = std::max(settings.text_scale, kLeastScale / app::kProjector.text);
 }
 
-void Shell::keep() {
+void Shell::keep(bool dragging) {
   if (app_.session() == nullptr) return;
   if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
     kept_.invited = followed;
     kept_.write();
   }
-  if (lessons_[open_].is_case) return;  // it is not worked through
+  if (dragging || lessons_[open_].is_case) return;  // a case is not worked through
   if (app_.playing() || session().revision() == kept_revision_) return;
   kept_revision_ = session().revision();
   kept_.keep(session());

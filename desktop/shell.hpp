@@ -54,10 +54,16 @@ class Shell {
   /// Goes to the place where the open lesson was left, if it was.
   void go_to_kept_place();
   void show_course();
+  /// The course's playground; none if it has none, or if that is open.
+  [[nodiscard]] std::optional<std::size_t> playground() const;
+  /// Opens it with what stands on the stage.
+  void go_to_playground();
+  /// In the playground, the lesson that one came from; none if one came from none.
+  [[nodiscard]] std::optional<std::size_t> way_back() const;
   /// Starts or ends a presentation: the projector's theme, larger words, no bar and no text column.
   void present(bool on);
-  /// Keeps the open lesson's place, unless it is moving.
-  void keep();
+  /// Keeps which invitations were followed and, unless it is moving, the open lesson's place.
+  void keep(bool dragging = false);
   void erase_answers();
 
   /// Errors are also shown as the notice. anew: it is the one that is open, read anew.
@@ -129,6 +135,7 @@ class Shell {
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_
+  std::optional<std::size_t> came_from_;
   std::optional<Drafts> drafts_;
   std::string waited_for_;  // the id of a lesson that cannot be drawn yet
   int opened_version_ = 0;  // that of the open lesson's draft

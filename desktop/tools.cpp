@@ -97,7 +97,7 @@ void draw_scalar(Shell& shell, Column& column) {
   column.heading("Computed in");
   const int clicked = column.buttons("scalar", {"double", "float"}, in_float ? 1 : 0);
   if (clicked >= 0) shell.tell(session.set_float(clicked == 1));
-  if (in_float) column.words("The points are rounded to float.", Face::kRegular, 14, column.look()->muted);
+  if (in_float) column.words("Every number is rounded to float.", Face::kRegular, 14, column.look()->muted);
 }
 
 void draw_selected(Shell& shell, Column& column) {
@@ -200,6 +200,7 @@ void draw_tools(Shell& shell, Column& column) {
   if (!tools.points) {
     column.title(tools.title);
     draw_numbers(shell, column);
+    draw_scalar(shell, column);
     return draw_scatter(shell, column);
   }
   const std::string source = session.source().empty() ? "" : " · " + session.source();

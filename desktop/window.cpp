@@ -309,7 +309,7 @@ void run(GlfwHost& host, Shell& shell) {
     if (due) {
       draw(host, shell, host.now());
       host.swap();
-      if (!ImGui::IsAnyMouseDown()) shell.keep();
+      shell.keep(ImGui::IsAnyMouseDown());
       state.write(shell, host.extent());  // last, so that what it tells is kept as well
     }
     if (const std::string next = shell.course_shown ? "Snug" : shell.session().lesson().title + " – Snug";

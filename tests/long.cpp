@@ -50,14 +50,14 @@ double percent(std::int64_t part, std::int64_t of) {
 std::int64_t print_families(const Run& run) {
   std::int64_t broken = 0;
   std::puts(
-      "Every set of a family, in float and double, in the plane and in space. Hard: sets in which what the family "
-      "is named for happened. Of the columns after it all are promised to be 0. Counted over all fitters are "
-      "results with a point outside (exactly), with a number that is not finite, with a support point off the "
-      "boundary, and smallest volumes without a proof. One set in eight was fitted again: scaled by a power of two "
-      "(the same bits, scaled), in another order, mirrored and its coordinates exchanged, moved (the same promises "
-      "and size), and what is in float once more in double (the same size, within float's rounding). Pairs: two "
-      "volumes of any kinds round two sets; wrong are those whose answer depends on their order or scale, changes "
-      "as they turn, or says apart of volumes that share a point.\n");
+      "Every set of a family was fitted in float and double, in the plane and in space. Hard: sets in which what the "
+      "family is named for happened. The columns from \"outside\" to \"pairs wrong\" are promised to be 0. The first "
+      "four count, over all fitters, results with a point outside (exactly), with a number that is not finite, with a "
+      "support point off the boundary, and smallest volumes without a proof. One set in eight was fitted again: "
+      "scaled by a power of two (the same bits, scaled); in another order, mirrored with its coordinates exchanged, "
+      "and moved (the same promises and size); and, what is in float, once more in double (the same size, within "
+      "float's rounding). Pairs: two volumes of any kinds around two sets. Wrong are those whose answer depends on "
+      "their order or scale, changes as they turn, or calls volumes apart that share a point.\n");
   std::puts("| family | scalar | sets | hard | outside | not finite | off boundary | not proven | scaled | moved | "
             "in double | pairs wrong | of pairs | overlapping | hash |");
   std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|");
@@ -85,8 +85,8 @@ std::int64_t print_families(const Run& run) {
 
 std::int64_t print_queries(const Run& run) {
   std::int64_t broken = 0;
-  std::puts(
-      "\n## Queries\n\nEach answer held to an oracle in rational arithmetic. Hard: rounded numbers could not decide.");
+  std::puts("\n## Queries\n\nEach answer was checked against an oracle in rational arithmetic. Hard: rounded numbers "
+            "could not decide.");
   std::puts("\n| queries | scalar | sets | hard | answers | wrong | hash |\n|---|---|--:|--:|---|--:|---|");
   for (std::size_t family = 0; family < kQueryFamilies.size(); ++family)
     for (std::size_t scalar = 0; scalar < 2; ++scalar) {
@@ -133,8 +133,8 @@ void print_fitters(const Run& run, std::string_view volume) {
 /// The fitters' steps in parts of what is stated: none may reach 1.
 std::int64_t print_stated(const Run& run) {
   std::int64_t broken = 0;
-  std::puts("\n## Steps\n\nThe most, in parts of stated_steps (tests/core/fit/family_checks.cpp), which 1 must not "
-            "exceed.\n\n| fitter | part |\n|---|--:|");
+  std::puts("\n## Steps\n\nThe most steps as a part of stated_steps (tests/core/fit/family_checks.cpp), which must not "
+            "exceed 1.\n\n| fitter | part |\n|---|--:|");
   const auto algorithms = fit::algorithms();
   for (std::size_t i = 0; i < algorithms.size(); ++i) {
     double most = 0;
@@ -173,11 +173,11 @@ int main(int argc, char** argv) {
               4 * run.seeds, 4 * seeds, std::ceil(passed()));
   std::int64_t broken = print_families(run) + print_queries(run);
   std::puts(
-      "\n## Fitters\n\nThe most steps that a run took; before it, for what claims the smallest volume, the worst "
-      "excess over the proven lower bound, in ulps (epsilon times the largest coordinate and the smallest sphere's "
-      "radius, summed): of a sphere's radius, of each of a box's edges. A box's proof in double is itself known only "
-      "within tolerance::kBoxProof, which is most of that excess. An AABB, k-DOP or hull has a point on each "
-      "bound.");
+      "\n## Fitters\n\nEach cell has the most steps that a run took. Before them, for a fitter that guarantees the "
+      "smallest volume, it has the worst excess over the proven lower bound, in ulps (epsilon times the largest "
+      "coordinate and the smallest sphere's radius, summed): for a sphere, of its radius; for a box, of each edge. A "
+      "box's proof in double is itself known only within tolerance::kBoxProof, which is most of that excess. An AABB, "
+      "k-DOP or hull has a point on each bound.");
   for (const std::string_view volume : kVolumeNames) print_fitters(run, volume);
   broken += print_stated(run);
   return broken == 0 ? 0 : 1;

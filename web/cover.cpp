@@ -20,6 +20,16 @@ val table_object(const app::WordTable& table) {
   val object = val::object();
   object.set("head", array_of(table.head, text));
   object.set("rows", array_of(table.rows, [](const auto& row) { return array_of(row, text); }));
+  object.set("title", table.title);
+  object.set("sorts", array_of(table.sorts, text));
+  object.set("sorted", table.sorted);
+  object.set("picks", array_of(table.picks, text));
+  object.set("picked", table.picked);
+  object.set("best", array_of(table.best, [](const auto& row) {
+               val flags = val::array();
+               for (const bool best : row) flags.call<void>("push", best);
+               return flags;
+             }));
   return object;
 }
 
@@ -33,7 +43,7 @@ val cover_object(app::App& app) {
   const app::Cover* const cover = app.cover();
   if (cover == nullptr) return val::null();
   const lesson::Session& session = *app.session();
-  const app::WordTable table = cover->table();
+  const app::WordTable table = cover->table(session);
   val object = val::object();
   object.set("choices", array_of(cover->choices(session), button_object));
   object.set("work", array_of(cover->work_buttons(session), button_object));

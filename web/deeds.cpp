@@ -1,10 +1,12 @@
 #include "web/deeds.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/cover.hpp"
 #include "io/point_file.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/playground.hpp"
 #include "web/cover.hpp"
 #include "web/door.hpp"
 #include "web/numbers.hpp"
@@ -124,6 +126,14 @@ std::string load_file(const std::string& bytes, const std::string& name) {
 void measure_slice(double milliseconds) { door().app->measure(milliseconds * 1e6); }
 bool measuring() { return door().app->cover() != nullptr && door().app->cover()->running(); }
 double measured() { return door().app->cover() != nullptr ? door().app->cover()->progress() : 1; }
+std::string playground_says() { return session() ? std::string(lesson::playground_text(*session())) : ""; }
+void carry_points() { door().carried = session() ? lesson::points_to_try(*session()) : std::nullopt; }
+std::string put_down_points(const std::string& name) {
+  if (!session() || !door().carried) return "";
+  const auto loaded = door().app->load(*std::exchange(door().carried, std::nullopt), name);
+  if (loaded) remember();
+  return sentence(loaded);
+}
 val cover_file(const std::string& format) { return cover_file_object(*door().app, format); }
 
 void light(const std::string& mark) {

@@ -53,6 +53,11 @@ void measure_slice(double milliseconds);
 bool measuring();
 /// The progress of the measurement, from 0 to 1.
 double measured();
+/// The way to the course's playground: its words; takes along what stands on the stage; and puts that down in the
+/// lesson that is open now, as `name`. Returns an error's sentence.
+std::string playground_says();
+void carry_points();
+std::string put_down_points(const std::string& name);
 val cover_file(const std::string& format);
 /// Lights a mark that the prose links to, until another, or "" for none.
 void light(const std::string& mark);

@@ -44,11 +44,12 @@ def slides_in(course: pathlib.Path) -> dict[str, str]:
 
 
 def course_of(path: pathlib.Path, lessons: dict[str, dict]) -> dict:
-    chapters = tomllib.loads(path.read_text(encoding="utf-8"))["chapter"]
+    course = tomllib.loads(path.read_text(encoding="utf-8"))
+    chapters = course["chapter"]
     named = [lesson for chapter in chapters for lesson in chapter["lessons"]]
     if sorted(named) != sorted(lessons):
         raise ValueError(f"{path} does not name each lesson once: `snug lesson check {path}` says more")
-    return {"chapters": [{"title": chapter["title"], "lessons": [lessons[lesson] for lesson in chapter["lessons"]]} for chapter in chapters]}
+    return {"playground": course.get("playground", ""), "chapters": [{"title": chapter["title"], "lessons": [lessons[lesson] for lesson in chapter["lessons"]]} for chapter in chapters]}
 
 
 def write(path: pathlib.Path, what: dict) -> None:

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/app.hpp"
@@ -20,7 +21,8 @@ struct Door {
   double last_frame = 0;
   std::array<float, 3> ground{};
   SharedRows shared;
-  lesson::Draft draft;  // the lesson file that was read last
+  lesson::Draft draft;                   // the lesson file that was read last
+  std::optional<io::PointFile> carried;  // the points that are on their way to the playground
 };
 
 [[nodiscard]] inline Door& door() {

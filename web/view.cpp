@@ -167,6 +167,8 @@ val switch_object(const lesson::Switch& one) {
   object.set("run", static_cast<double>(one.run));
   object.set("skipped", static_cast<double>(one.skipped));
   object.set("microseconds", one.microseconds);
+  object.set("called", one.called);
+  object.set("says", one.says);
   return object;
 }
 

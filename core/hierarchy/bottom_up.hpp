@@ -14,8 +14,11 @@
 namespace snug::hierarchy {
 
 inline constexpr std::array<std::string_view, 5> kBottomUpPseudocode{
-    "groups ← each body alone",         "while there are two groups or more", "  a, b ← whose box together is smallest",
-    "  their parent takes their place", "volume ← merged of both children",
+    "groups ← each body alone",
+    "while there are two groups or more",
+    "  a, b ← those whose joint box is smallest",
+    "  their parent takes their place",
+    "volume ← merged from both children",
 };
 
 /// Pairs are compared by half the surface area of their box, then by the number of bodies, then by index. facts: null,

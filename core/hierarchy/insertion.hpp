@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 7> kInsertionPseudocode{
     "    g ← the child that grows less",
     "  body and g ← children of a new group",
     "  each group above: rotate if it shrinks",
-    "volume ← merged of both children",
+    "volume ← merged from both children",
 };
 
 /// No body is inserted deeper than this. Otherwise bodies inside one another would make a chain, and O(n^2) time.

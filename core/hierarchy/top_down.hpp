@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 6> kMedianPseudocode{
     "axis ← where centres spread most",
     "halve the bodies at the median centre",
     "node's children ← the halves, likewise",
-    "volume ← merged of both children",
+    "volume ← merged from both children",
 };
 
 /// Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; I. Wald, "On fast
@@ -26,10 +26,10 @@ inline constexpr std::array<std::string_view, 6> kMedianPseudocode{
 inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
     "node ← all bodies",
     "few, and no split is cheaper: a leaf",
-    "for each axis and border between bins",
-    "  cost ← 2 + (area n left + right) / area",
+    "for each axis and split between bins",
+    "  cost ← 2 + (area n, left + right) / area",
     "split at the least cost; likewise below",
-    "volume ← merged of both children",
+    "volume ← merged from both children",
 };
 
 enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };

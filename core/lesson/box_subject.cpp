@@ -53,7 +53,7 @@ Done BoxSubject::set_numbers(std::size_t group, std::size_t row, std::span<const
   const bool radius = form == Form::kBall && row == 1;
   const std::size_t due = !radius && (row < 2 || dim() == 3) ? dim() : 1;
   if (group > 1 || row >= rows || values.size() != due) return Subject::set_numbers(group, row, values);
-  BoxPair next = pair_;
+  BoxPair next = unrounded();
   Box& box = next.boxes[group];
   if (radius) {
     box.half_extents.head(dim()).setConstant(values[0]);
@@ -87,11 +87,11 @@ Rows read_box_model(TomlTable& task, const Lesson& lesson, Complaints& complaint
   return rows_of(boxes);
 }
 
-Rows BoxSubject::rows() const { return rows_of(pair_); }
+Rows BoxSubject::rows() const { return rows_of(unrounded()); }
 
 Done BoxSubject::set_rows(const Rows& rows) {
   if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two boxes"});
-  BoxPair next = pair_;
+  BoxPair next = unrounded();
   for (const std::size_t i : {0, 1}) {
     RowReader reader(rows[i], dim());
     see_numbers(next.boxes[i], reader);
@@ -101,11 +101,30 @@ Done BoxSubject::set_rows(const Rows& rows) {
 }
 
 Done BoxSubject::move(Index i, const Point3& to) {
-  auto next = moved(pair_, i, to);
+  auto next = moved(unrounded(), i, to);
   if (!next) return tl::unexpected(std::move(next.error()));
-  if (Done fine = check(*next); !fine) return fine;
-  pair_ = *std::move(next);
+  if (Done held = hold(*next, in_float()); !held) return held;
   origin_.edited = true;
+  return {};
+}
+
+Done BoxSubject::hold(BoxPair pair, bool in_float) {
+  if (Done fine = check(pair); !fine) return fine;
+  if (!in_float) {
+    pair_ = std::move(pair);
+    unrounded_.reset();
+    return {};
+  }
+  BoxPair rounded = rounded_to_float(pair);
+  if (Done fine = check(rounded); !fine) return fine;
+  pair_ = std::move(rounded);
+  unrounded_ = std::move(pair);
+  return {};
+}
+
+Done BoxSubject::set_float(bool in_float) {
+  if (Done held = hold(unrounded(), in_float); !held) return held;
+  origin_.in_float = in_float;
   return {};
 }
 
@@ -115,8 +134,7 @@ Done BoxSubject::set_boxes(const BoxPair& pair) {
     if (!(box.half_extents.minCoeff() >= 0))
       return tl::unexpected(InputError{.what = pair.form == Form::kBall ? "a radius or half extent is below 0"
                                                                         : "a half extent is below 0"});
-  if (Done fine = check(pair); !fine) return fine;
-  pair_ = pair;
+  if (Done held = hold(pair, in_float()); !held) return held;
   origin_.edited = true;
   return {};
 }
@@ -128,17 +146,21 @@ Done set_boxes(Session& session, const BoxPair& pair) {
 }
 
 void BoxSubject::scatter(std::uint64_t seed, const Subject& own) {
-  const BoxPair& first = boxes_of(own);
-  BoxPair next = seed == lesson_seed_ ? first : scattered(first, seed);
-  if (!check(next)) return;
+  const BoxPair& first = static_cast<const BoxSubject&>(own).unrounded();
+  const bool in_float = this->in_float();
+  if (!hold(seed == lesson_seed_ ? first : scattered(first, seed), in_float)) return;
   origin_ = own.origin();
   origin_.seed = seed;
-  pair_ = std::move(next);
+  origin_.in_float = in_float;
 }
 
 void BoxSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
+  // What the lesson opens with was accepted in double; where float cannot hold it, the task is in double.
+  const BoxPair& first = static_cast<const BoxSubject&>(own).unrounded();
+  const bool in_float = this->in_float() && hold(first, true);
+  if (!in_float) static_cast<void>(hold(first, false));
   origin_ = own.origin();
-  pair_ = boxes_of(own);
+  origin_.in_float = in_float;
 }
 
 }  // namespace snug::lesson

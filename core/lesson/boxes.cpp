@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/convert.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
@@ -138,11 +139,28 @@ V3 at_place(const BoxPair& pair, Index i) {
   return beyond_face(pair, place.box, place.number, pair.knob);
 }
 
-Done check_places(const BoxPair& pair) {
-  std::vector<V3> all;
-  for (Index i = 0; i < places_of(pair, 0) + places_of(pair, 1); ++i) all.push_back(at_place(pair, i));
-  if (auto set = PointSet<double, 3>::make(std::move(all)); !set) return tl::unexpected(std::move(set.error()));
+BoxPair rounded_to_float(const BoxPair& pair) {
+  BoxPair rounded = pair;
+  rounded.in_float = true;
+  for (Box& box : rounded.boxes) box = converted<double, 3>(converted<float, 3>(box));
+  return rounded;
+}
+
+namespace {
+
+template <class Scalar>
+Done check_places_in(const BoxPair& pair) {
+  std::vector<Vector<Scalar, 3>> all;
+  for (Index i = 0; i < places_of(pair, 0) + places_of(pair, 1); ++i)
+    all.push_back(at_place(pair, i).template cast<Scalar>());
+  if (auto set = PointSet<Scalar, 3>::make(std::move(all)); !set) return tl::unexpected(std::move(set.error()));
   return {};
+}
+
+}  // namespace
+
+Done check_places(const BoxPair& pair) {
+  return pair.in_float ? check_places_in<float>(pair) : check_places_in<double>(pair);
 }
 
 tl::expected<BoxPair, InputError> moved(const BoxPair& pair, Index i, const V3& hand) {

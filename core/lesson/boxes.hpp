@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -23,8 +24,9 @@ struct BoxPair {
   int dim = 2;
   Form form = Form::kBox;
   std::array<Obb<double, 3>, 2> boxes;
-  double knob = 0.5;  // the distance of a knob from its face, scene units
-  double taper = 1;   // below 1, B is a frustum: the width of its near face over that of its far face
+  double knob = 0.5;      // the distance of a knob from its face, scene units
+  double taper = 1;       // below 1, B is a frustum: the width of its near face over that of its far face
+  bool in_float = false;  // whether the boxes are rounded to float, and tested in float
 };
 
 /// A place on a box that can be dragged.
@@ -49,7 +51,10 @@ struct BoxHandle {
 [[nodiscard]] std::vector<Index> vertices_of(int dim, int box);
 [[nodiscard]] Vector<double, 3> at_place(const BoxPair& pair, Index i);
 
-/// Whether every place has coordinates that a point may have. Errors: as of PointSet::make.
+/// The same boxes rounded to float, to be tested in float.
+[[nodiscard]] BoxPair rounded_to_float(const BoxPair& pair);
+
+/// Whether every place has coordinates that a point of the pair's scalar may have. Errors: as of PointSet::make.
 [[nodiscard]] Done check_places(const BoxPair& pair);
 
 /// The pair with a place moved: the centre moves the whole box, a knob rotates it, and a vertex leaves the opposite one
@@ -103,6 +108,8 @@ class BoxSubject : public Subject {
     return box == 0 ? Words{"Box A", "A", "Half extents"} : Words{"Box B", "B", "Half extents"};
   }
   Done move(Index i, const Point3& to) override;
+  [[nodiscard]] bool takes_float() const override { return true; }
+  Done set_float(bool in_float) override;
   /// Replaces the boxes. Errors: another dimension; a number that is not finite, a half extent below 0; the errors of
   /// check.
   Done set_boxes(const BoxPair& pair);
@@ -117,8 +124,14 @@ class BoxSubject : public Subject {
   [[nodiscard]] virtual Done check(const BoxPair& pair) const { return check_places(pair); }
 
  private:
+  /// The boxes before they were rounded to float; in double, the boxes.
+  [[nodiscard]] const BoxPair& unrounded() const { return unrounded_ ? *unrounded_ : pair_; }
+  /// Puts boxes on the stage, rounded if the runs are in float. Errors: those of check.
+  Done hold(BoxPair pair, bool in_float);
+
   std::uint64_t lesson_seed_;
   BoxPair pair_;
+  std::optional<BoxPair> unrounded_;
 };
 
 /// The boxes of a subject that is a BoxSubject.

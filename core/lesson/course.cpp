@@ -70,6 +70,9 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
   if (table.integer("version", 1, 1'000'000) != kCourseVersion)
     table.wrong("version", "is not one that this program reads: it reads 1");
   Course course;
+  course.playground = table.text_or("playground", "");
+  if (!course.playground.empty() && std::find(ids.begin(), ids.end(), course.playground) == ids.end())
+    table.wrong("playground", "is no lesson: " + course.playground);
   Seen seen{ids, {}};
   int last = 1;
   for (const toml::table* chapter : table.tables("chapter")) {

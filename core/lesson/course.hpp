@@ -25,6 +25,7 @@ struct Idea {
 struct Course {
   std::vector<Chapter> chapters;
   std::vector<Idea> ideas;  // in the lectures' order; none if the file lists none
+  std::string playground;   // the id of the lesson that takes the points of any other (playground.hpp); empty for none
 };
 
 /// The slides of the ideas that a lesson covers, each once.

@@ -84,7 +84,7 @@ void read_algorithms(TomlTable& table, Lesson& lesson) {
     if (is_among(lesson.algorithms, own)) table.wrong("algorithms", "names " + own + " twice");
     else if (!own.empty()) lesson.algorithms.push_back(std::move(own));
   }
-  if (is_mixed(lesson) && !lesson.subject->chart.empty())
+  if (is_mixed(lesson) && !lesson.subject->chart.empty() && !lesson.subject->compares)
     table.wrong("algorithms", "must be of one volume where there is a chart");
   if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson);
   if (!table.has("reference")) return;

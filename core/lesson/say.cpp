@@ -48,7 +48,7 @@ std::string_view verdict_text(const Outcome& outcome) {
   if (outcome.skipped) return "Skipped";
   if (outcome.pending) return "Not decided";
   if (!outcome.right) return "Not quite";
-  return outcome.tries > 1 ? "Correct at the second try" : "Correct";
+  return outcome.tries > 1 ? "Correct on the second try" : "Correct";
 }
 
 std::string_view field_word(const Asked& asked) {
@@ -106,7 +106,7 @@ std::string score_text(const Tally& tally) {
   if (tally.open == tally.all()) return {};
   if (tally.skipped == tally.all()) return predictions(tally.skipped) + " skipped.";
   std::string text = std::to_string(tally.right) + " of " + predictions(tally.all()) + " correct";
-  if (tally.second > 0) text += " (" + std::to_string(tally.second) + " at the second try)";
+  if (tally.second > 0) text += " (" + std::to_string(tally.second) + " on the second try)";
   const auto add = [&](int n, std::string_view what) {
     if (n > 0) text += ", " + std::to_string(n) + " " + std::string(what);
   };
@@ -118,7 +118,7 @@ std::string score_text(const Tally& tally) {
 
 std::string_view standing_text(const Outcome* outcome) {
   switch (standing_of(outcome)) {
-    case Standing::kRight: return outcome->tries > 1 ? "right at the second try" : "right";
+    case Standing::kRight: return outcome->tries > 1 ? "right on the second try" : "right";
     case Standing::kWrong: return "wrong";
     case Standing::kSkipped: return "skipped";
     case Standing::kOpen: break;
@@ -161,7 +161,7 @@ std::string only_text(const Task& task) {
 }
 
 std::string no_number_text(std::string_view typed) {
-  return "“" + std::string(typed) + "” is no number. Write it like 12 or 2.5.";
+  return "“" + std::string(typed) + "” is not a number. Write it like 12 or 2.5.";
 }
 
 }  // namespace snug::lesson

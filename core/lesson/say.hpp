@@ -42,7 +42,7 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 /// What a method is called in a lesson: "Exact minimum"; where there are several volumes, "OBB: exact minimum".
 [[nodiscard]] std::string title_in(const Lesson& lesson, const Method& method);
 
-/// "Correct", "Correct at the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
+/// "Correct", "Correct on the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
 [[nodiscard]] std::string_view verdict_text(const Outcome& outcome);
 /// "Tap one of the ringed points, or type its name."
 [[nodiscard]] std::string how_to_answer(const Asked& asked);
@@ -53,9 +53,9 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 [[nodiscard]] std::string no_target_text(const std::string& name, std::span<const std::string> targets);
 /// Says that nothing has the typed name. targets: as above.
 [[nodiscard]] std::string no_such_name_text(std::string_view typed, std::span<const std::string> targets);
-/// "2 of 4 predictions correct (1 at the second try), 1 wrong, 1 skipped."; empty if none was answered or skipped.
+/// "2 of 4 predictions correct (1 on the second try), 1 wrong, 1 skipped."; empty if none was answered or skipped.
 [[nodiscard]] std::string score_text(const Tally& tally);
-/// The state of a question in the summary: "right", "right at the second try", "wrong", "skipped", "open".
+/// The state of a question in the summary: "right", "right on the second try", "wrong", "skipped", "open".
 [[nodiscard]] std::string_view standing_text(const Outcome* outcome);
 /// A prompt as a line of the summary: the sentence that asks, if the prompt is long.
 [[nodiscard]] std::string_view short_prompt(std::string_view prompt);

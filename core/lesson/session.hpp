@@ -132,6 +132,16 @@ class Session {
   /// Switches a part off from the current step on, or on again for all steps. Returns false if that is impossible.
   /// Grades ignore switches.
   bool turn(std::string_view name, bool on);
+  /// What a tap on a part's control does. At the start of the run a part that is optional is added to what the subject
+  /// calls for, or taken out; one that is not called for is added at any step. Else it is switched off or on. Returns
+  /// false if that is impossible.
+  bool toggle(const Switch& part);
+  [[nodiscard]] bool can_toggle(const Switch& part) const;
+  /// Adds a part to what the subject calls for, or takes it out, as one entry of undo. Errors: those of
+  /// Subject::call_for.
+  Done call_for(std::string_view name, bool called);
+  /// Pushes what is at a handle at the current step, as one entry of undo. Returns false if that is impossible.
+  bool push(Index i);
 
   // ---- the player -------------------------------------------------------------------------------------------
   /// The number of steps shown of slot 0: 0 is before the first, steps() after the last.

@@ -114,6 +114,26 @@ Done Session::set_float(bool in_float) {
   return done;
 }
 
+Done Session::call_for(std::string_view name, bool called) {
+  return edit([&](Subject& next) { return next.call_for(name, called); });
+}
+
+bool Session::can_toggle(const Switch& part) const { return step() > 0 || !part.on || part.optional; }
+
+bool Session::toggle(const Switch& part) {
+  const bool declares = part.optional && part.on && (step() == 0 || !part.called);
+  return declares ? call_for(part.name, !part.called).has_value() : turn(part.name, !part.on);
+}
+
+bool Session::push(Index i) {
+  auto next = now_->clone();
+  if (i < 0 || i >= size() || !next->push(i, view())) return false;
+  const int step = step_;
+  if (!become(std::move(next))) return false;
+  step_ = std::min(step, steps());  // the run may have become longer
+  return true;
+}
+
 void Session::scatter(std::uint64_t seed) {
   static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
 }

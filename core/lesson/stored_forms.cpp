@@ -276,7 +276,7 @@ std::vector<StoredForm> forms_of(const Capsule<double, Dim>& capsule) {
   form.place("a", capsule.a);
   form.place("b", capsule.b);
   form.number("r", capsule.radius, radius_from<Dim>(capsule.a, V(capsule.b - capsule.a), capsule.radius));
-  form.costs({"the distance of two segments", 1}, capsule, {}, {});
+  form.costs({"the distance between two segments", 1}, capsule, {}, {});
   return {std::move(form).done()};
 }
 
@@ -286,7 +286,7 @@ std::vector<StoredForm> forms_of(const Lozenge<double, Dim>& lozenge) {
   form.place("a", lozenge.origin);
   for (int i = 0; i < 2; ++i) form.vector(entry("u", i), lozenge.edges[static_cast<std::size_t>(i)], lozenge.origin);
   form.number("r", lozenge.radius, radius_from<Dim>(lozenge.origin, lozenge.edges[0], lozenge.radius));
-  form.costs({"the distance of two rectangles", 1}, lozenge, {}, {});
+  form.costs({"the distance between two rectangles", 1}, lozenge, {}, {});
   return {std::move(form).done()};
 }
 

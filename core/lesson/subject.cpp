@@ -100,5 +100,9 @@ Grade Subject::grade(const Lesson& lesson, const Task& task, const View& view) c
 }
 std::vector<Switch> Subject::switches(const View&) const { return {}; }
 bool Subject::turn(std::string_view, bool, const View&) { return false; }
+Done Subject::call_for(std::string_view name, bool) {
+  return tl::unexpected(InputError{.what = "nothing here can call for " + std::string(name)});
+}
+bool Subject::push(Index, const View&) { return false; }
 
 }  // namespace snug::lesson

@@ -168,6 +168,9 @@ struct Switch {
   bool on = true;
   std::int64_t constructed = 0, run = 0, skipped = 0;
   std::string microseconds;  // the time of a run; kept out of steps, figures and hashes, which are the same everywhere
+  bool called = true;        // whether the subject calls for it now, and not only may do so
+  bool optional = false;     // whether the student may add it to what the subject calls for, and take it out
+  std::string says = {};     // what it did in the current step, and why; empty where that is not told
 };
 
 class Subject {
@@ -287,7 +290,11 @@ class Subject {
   [[nodiscard]] virtual std::vector<Switch> switches(const View& view) const;
   /// Switches a part off after view.step steps, or on again for all. Returns false if that is impossible.
   virtual bool turn(std::string_view name, bool on, const View& view);
-  /// Whether parts are switched off: then what the lesson says about its own run is not true.
+  /// Adds a part to what the subject calls for, or takes it out. Errors: there is no such part.
+  virtual Done call_for(std::string_view name, bool called);
+  /// Pushes what is at a handle, after view.step steps. Returns false if that is impossible.
+  virtual bool push(Index i, const View& view);
+  /// Whether parts are switched off, or something was pushed: then what the lesson says about its own run is not true.
   [[nodiscard]] virtual bool has_switched_off() const { return false; }
 
  protected:

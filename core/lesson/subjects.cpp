@@ -8,6 +8,7 @@
 #include "lesson/stored.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
+#include "lesson/subjects/cost/criteria.hpp"
 #include "lesson/subjects/field/field.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
@@ -20,8 +21,8 @@
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow, &kVolumesRow, &kFrustumRow,
-                                        &kFieldRow, &kTreeRow, &kSceneRow,   &kCostRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,  &kVolumesRow, &kFrustumRow, &kFieldRow,
+                                        &kTreeRow,  &kSceneRow, &kCostRow,    &kCriteriaRow};
   return kSubjects;
 }
 

@@ -22,13 +22,6 @@ namespace {
 /// The number of poses in a full turn: each update follows one a few degrees before it, as from frame to frame.
 constexpr int kPoses = 64;
 
-/// The tight update of a fitted volume; null if there is none.
-const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
-  if (algorithm.volume == "aabb") return fit::find_update("aabb", "hill_climb");
-  if (algorithm.volume == "kdop") return fit::find_update("kdop", std::string(algorithm.name) + "_hill_climb");
-  return fit::find_update(algorithm.volume, "transform");
-}
-
 Timing per_test(Timing timing, int tests) {
   timing.median /= tests;
   timing.min /= tests;
@@ -36,6 +29,12 @@ Timing per_test(Timing timing, int tests) {
 }
 
 }  // namespace
+
+const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
+  if (algorithm.volume == "aabb") return fit::find_update("aabb", "hill_climb");
+  if (algorithm.volume == "kdop") return fit::find_update("kdop", std::string(algorithm.name) + "_hill_climb");
+  return fit::find_update(algorithm.volume, "transform");
+}
 
 CostRun::CostRun(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const CostOptions& options,
                  Clock clock)

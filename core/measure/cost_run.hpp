@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "fit/update/updates.hpp"
 #include "geometry/pose.hpp"
 #include "measure/ladder.hpp"
 #include "measure/rounding.hpp"
@@ -91,6 +92,9 @@ class CostRun {
   std::map<const fit::Algorithm*, Ladder> ladders_;
   std::map<std::pair<const fit::Algorithm*, Index>, fit::Volume3> fitted_;
 };
+
+/// The tight update of a fitted volume, which is timed; null if there is none.
+[[nodiscard]] const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm);
 
 /// The indices of the rows that no other row beats in both time and measure, by time. Only rows measured on all points
 /// count. Measures that differ only by rounding are equal.

@@ -22,10 +22,10 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 9> kGjkPseudocode{
-    "simplex ← a vertex of a - a vertex of b", "repeat",
-    "  v ← point of the simplex nearest to 0", "  keep the vertices that support v",
-    "  if |v| is only rounding: they overlap", "  w ← vertex of a - b farthest along -v",
-    "  if w · v / |v| = |v|: distance found",  "  add w to the simplex",
+    "simplex ← a vertex of a - a vertex of b",  "repeat",
+    "  v ← point of the simplex nearest to 0",  "  keep the vertices that support v",
+    "  if |v| is only rounding error: overlap", "  w ← vertex of a - b farthest along -v",
+    "  if w · v / |v| = |v|: distance found",   "  add w to the simplex",
     "if v came no nearer: twice the digits",
 };
 

@@ -40,7 +40,8 @@ struct EffectKind {
   std::string_view calls_for;  // another effect that is added with it; empty for none
   bool many = false;           // whether a scene may call for it more than once, for several bodies
   tl::expected<std::unique_ptr<Effect>, InputError> (*make)(const EffectCall& call, World& world) = nullptr;
-  PosePart drives = 0;  // of the bodies that it is about; no two effects may drive the same part of one body
+  PosePart drives = 0;          // of the bodies that it is about; no two effects may drive the same part of one body
+  std::string_view idles = {};  // of one that reads time: why it has nothing to do when it is idle
 };
 
 /// All effects. A new one is its file in effects/ and its row here.

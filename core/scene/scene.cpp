@@ -1,6 +1,7 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/bytes.hpp"
 
@@ -18,6 +19,13 @@ std::size_t bytes_of(const physics::Moving& moving, const State& state) {
 
 /// The slots that velocities and contacts depend on.
 constexpr SlotSet kLoop = slots(Slot::kVelocities, Slot::kVolumes, Slot::kPairs, Slot::kContacts);
+
+/// The velocity at which a body rises by half its reach; without gravity, by twice its reach in a second.
+V3 hop_of(const World& world, std::size_t body) {
+  const double reach = world.members[body].shape.reach, pull = world.gravity.norm();
+  if (pull == 0) return V3::UnitY() * (2 * reach);
+  return -world.gravity * (std::sqrt(pull * reach) / pull);
+}
 
 SlotSet made_by(const EffectKind& kind) { return kind.writes | kind.revises; }
 
@@ -50,15 +58,19 @@ tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Cloc
   return scene;
 }
 
-bool Scene::has_something_new(const Runner& runner) const {
-  if (!runner.ran) return true;
+/// Whether there is something new for an effect, and what.
+Deed Scene::look_at(const Runner& runner) const {
   const EffectKind& kind = *runner.kind;
   const SlotSet all = kind.reads | kind.reads_last | kind.revises;
+  if (!runner.ran) return {Deed::Kind::kRan, true, all};
+  Deed deed{Deed::Kind::kSkipped};
   for (std::size_t i = 0; i < kSlots; ++i) {
     const auto slot = static_cast<Slot>(i);
-    if (has(all, slot) && slot != Slot::kTime && world_.state.revisions[i] != runner.seen[i]) return true;
+    if (has(all, slot) && slot != Slot::kTime && world_.state.revisions[i] != runner.seen[i]) deed.news |= bit(slot);
   }
-  return has(all, Slot::kTime) && !runner.effect->idle(world_);
+  if (has(all, Slot::kTime) && !runner.effect->idle(world_)) deed.news |= bit(Slot::kTime);
+  if (deed.news != 0) deed.kind = Deed::Kind::kRan;
+  return deed;
 }
 
 void Scene::run(std::size_t i) {
@@ -86,16 +98,32 @@ void Scene::step() {
   const auto before = state.revisions;
   ++state.frame;
   state.changed(Slot::kTime);
-  std::vector<bool> ran(runners_.size(), false);
-  for (int round = 0; round < world_.rounds; ++round)
-    for (std::size_t i = 0; i < runners_.size(); ++i)
-      if (tallies_[i].on && is_of_round(*runners_[i].kind, round, world_.rounds) && has_something_new(runners_[i]))
-        run(i), ran[i] = true;
+  push_due();
+  run_rounds();
+  const auto ran = [](const Deed& deed) { return deed.kind == Deed::Kind::kRan; };
   for (std::size_t i = 0; i < runners_.size(); ++i)
-    if (tallies_[i].on) ++(ran[i] ? tallies_[i].run : tallies_[i].skipped);
-  resting_ = std::find(ran.begin(), ran.end(), true) == ran.end();
-  changed_ = !std::equal(before.begin() + 1, before.end(), state.revisions.begin() + 1);  // all slots except time
+    if (tallies_[i].on) ++(ran(deeds_[i]) ? tallies_[i].run : tallies_[i].skipped);
+  resting_ = std::none_of(deeds_.begin(), deeds_.end(), ran);
+  changes_ = 0;
+  for (std::size_t i = 0; i < kSlots; ++i)
+    if (const auto slot = static_cast<Slot>(i); slot != Slot::kTime && state.revisions[i] != before[i])
+      changes_ |= bit(slot);
+  changed_ = changes_ != 0;
   keep_snapshot();
+}
+
+/// Runs the effects with changed inputs, in every round of the frame, and records what each did.
+void Scene::run_rounds() {
+  deeds_.assign(runners_.size(), {});
+  for (int round = 0; round < world_.rounds; ++round)
+    for (std::size_t i = 0; i < runners_.size(); ++i) {
+      Deed& whole = deeds_[i];
+      if (!tallies_[i].on) whole.kind = Deed::Kind::kOff;
+      if (!tallies_[i].on || !is_of_round(*runners_[i].kind, round, world_.rounds)) continue;
+      const Deed deed = look_at(runners_[i]);
+      whole = {std::max(whole.kind, deed.kind), whole.first || deed.first, whole.news | deed.news};
+      if (deed.kind == Deed::Kind::kRan) run(i);
+    }
 }
 
 void Scene::take_snapshot() {
@@ -171,8 +199,38 @@ void Scene::turn(std::size_t effect, bool on) {
   tallies_[effect].on = on;
   std::erase_if(turns_, [&](const Turn& one) { return one.frame > now; });
   turns_.push_back({now, effect, on});
-  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > now; });
+  forget_after_now();
+}
+
+/// The frames after this one will be others.
+void Scene::forget_after_now() {
+  std::erase_if(snapshots_, [&](const Snapshot& one) { return one.state.frame > world_.state.frame; });
   resting_ = false;
+}
+
+std::vector<const EffectKind*> Scene::kinds() const {
+  std::vector<const EffectKind*> kinds;
+  for (const Runner& runner : runners_) kinds.push_back(runner.kind);
+  return kinds;
+}
+
+bool Scene::push(std::size_t body) {
+  const auto moves_bodies = [](const Runner& runner) { return has(runner.kind->reads, Slot::kVelocities); };
+  if (!world_.members[body].moves() || std::none_of(runners_.begin(), runners_.end(), moves_bodies)) return false;
+  std::erase_if(pushes_, [&](const Push& one) { return one.frame > world_.state.frame; });
+  pushes_.push_back({world_.state.frame, body});
+  forget_after_now();
+  return true;
+}
+
+/// Gives each body that was pushed in the frame before this one its speed.
+void Scene::push_due() {
+  for (const Push& push : pushes_) {
+    if (push.frame + 1 != world_.state.frame) continue;
+    world_.bodies[push.body].wake();
+    world_.bodies[push.body].velocity += hop_of(world_, push.body);
+    world_.state.changed(Slot::kVelocities);
+  }
 }
 
 void Scene::pull_to(const V3& point) {

@@ -23,6 +23,13 @@ struct Tally {
   bool on = true;
 };
 
+/// What an effect did in a frame, and what was new of all that it reads.
+struct Deed {
+  enum class Kind : std::uint8_t { kNone, kOff, kSkipped, kRan } kind = Kind::kNone;
+  bool first = false;  // it had not run before, so that everything was new
+  SlotSet news = 0;
+};
+
 class Scene {
  public:
   /// Errors: those of check and plan, and settings that an effect refuses, each with name and line. kinds: catalogue(),
@@ -40,6 +47,12 @@ class Scene {
   [[nodiscard]] int frame() const { return world_.state.frame; }
   [[nodiscard]] const World& world() const { return world_; }
   [[nodiscard]] std::span<const Tally> tallies() const { return tallies_; }
+  /// The effects in the order in which a frame runs them, which is that of tallies() and deeds().
+  [[nodiscard]] std::vector<const EffectKind*> kinds() const;
+  /// What each effect did in the last step.
+  [[nodiscard]] std::span<const Deed> deeds() const { return deeds_; }
+  /// The slots whose content the last step changed. Time is not counted.
+  [[nodiscard]] SlotSet changes() const { return changes_; }
   /// Whether the last frame ran nothing. Then the next ones will not either, and need not be drawn.
   [[nodiscard]] bool resting() const { return resting_; }
   /// Whether the last frame changed anything visible.
@@ -48,6 +61,10 @@ class Scene {
   /// The scene remembers the frame, and forgets switches in later frames. effect: its index in
   /// tallies().
   void turn(std::size_t effect, bool on);
+  /// Lets a body hop, at the start of the next frame: it gets the speed against gravity that takes it up by half its
+  /// reach, and wakes. The scene remembers the frame, and forgets pushes in later frames. Returns false if velocities
+  /// do not move the body.
+  bool push(std::size_t body);
   /// Sets the point that drag pulls to. Frames computed with another point are computed again when gone back to.
   void pull_to(const V3& point);
 
@@ -72,13 +89,20 @@ class Scene {
     std::size_t effect = 0;
     bool on = true;
   };
+  struct Push {
+    int frame = 0;
+    std::size_t body = 0;
+  };
   Scene() = default;
-  [[nodiscard]] bool has_something_new(const Runner& runner) const;
+  [[nodiscard]] Deed look_at(const Runner& runner) const;
+  void run_rounds();
+  void forget_after_now();
   void run(std::size_t i);
   void keep_snapshot();
   void take_snapshot();
   void set_anew();
   void turn_due();
+  void push_due();
   [[nodiscard]] std::size_t snapshot_before(int frame) const;
   void restore(const Snapshot& snapshot);
 
@@ -87,8 +111,11 @@ class Scene {
   std::vector<Tally> tallies_;
   std::vector<Snapshot> snapshots_;  // by rising frame, the start first
   std::vector<Turn> turns_;          // by rising frame
-  int set_ = 0;                      // how often pull_to changed something
-  int every_ = 16;                   // frames between snapshots
+  std::vector<Push> pushes_;         // by rising frame
+  std::vector<Deed> deeds_;          // in the last step
+  SlotSet changes_ = 0;
+  int set_ = 0;     // how often pull_to changed something
+  int every_ = 16;  // frames between snapshots
   Clock clock_ = nullptr;
   bool resting_ = false;
   bool changed_ = true;

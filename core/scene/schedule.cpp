@@ -38,6 +38,16 @@ std::string names_of(SlotSet set) {
   return names;
 }
 
+/// Which effects would write any of these slots: ": broad_phase would".
+std::string makers_of(SlotSet set, std::span<const EffectKind> kinds) {
+  std::string names;
+  for (const EffectKind& kind : kinds)
+    if ((kind.writes & set) != 0) names.append(names.empty() ? "" : ", ").append(kind.name);
+  return names.empty() ? names : ": " + names + " would";
+}
+
+SlotSet all_reads(const EffectKind& kind) { return kind.reads | kind.reads_last | kind.revises; }
+
 /// Whether a has to run before b.
 bool comes_before(const EffectKind& a, const EffectKind& b) {
   if (&a == &b) return false;
@@ -56,9 +66,10 @@ tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> 
   SlotSet made = kGiven;
   for (const Planned& one : *planned) made |= one.kind->writes;
   for (const Planned& one : *planned)
-    if (const SlotSet missing = (one.kind->reads | one.kind->reads_last | one.kind->revises) & ~made)
+    if (const SlotSet missing = all_reads(*one.kind) & ~made)
       return tl::unexpected(error_at(one.call.line, one.call.name + " reads " + names_of(missing) +
-                                                        ", which no effect of the scene makes"));
+                                                        ", which no effect of the scene makes" +
+                                                        makers_of(missing, kinds)));
 
   std::vector<Planned> order;
   while (!planned->empty()) {
@@ -74,6 +85,13 @@ tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> 
     planned->erase(next);
   }
   return order;
+}
+
+SlotSet missing_for(const EffectKind& kind, std::span<const EffectCall> all, std::span<const EffectKind> kinds) {
+  SlotSet made = kGiven;
+  for (const EffectCall& call : all)
+    if (const EffectKind* writer = find_effect(kinds, call.name)) made |= writer->writes;
+  return all_reads(kind) & ~made;
 }
 
 }  // namespace snug::scene

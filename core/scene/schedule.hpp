@@ -21,4 +21,8 @@ struct Planned {
 [[nodiscard]] tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> calls,
                                                                   std::span<const EffectKind> kinds);
 
+/// What an effect reads that neither the scene has from the start nor any of the called effects writes.
+[[nodiscard]] SlotSet missing_for(const EffectKind& kind, std::span<const EffectCall> calls,
+                                  std::span<const EffectKind> kinds);
+
 }  // namespace snug::scene

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geometry/aabb.hpp"
+#include "geometry/frustum.hpp"
 #include "physics/system.hpp"
 #include "scene/declaration.hpp"
 
@@ -87,7 +89,8 @@ struct State {
 /// The bodies of a scene, and the data that its effects share.
 struct World : physics::System {
   std::uint64_t seed = 1;
-  V3 pulled_to = V3::Zero();  // the point that drag pulls to
+  V3 pulled_to = V3::Zero();                      // the point that drag pulls to
+  std::optional<Frustum<double, 3>> camera = {};  // what culling tests against; none if nothing culls
   State state;
 
   /// A hash over every number of the bodies and of their contacts' memory.

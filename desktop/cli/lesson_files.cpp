@@ -126,6 +126,7 @@ tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string
     auto lesson = read_lesson_file(path);
     if (!lesson) return tl::unexpected(std::move(lesson.error()));
     lesson->slides = lesson::slides_of(*course, lesson->lesson.covers);
+    lesson->is_playground = lesson->lesson.id == course->playground;
     lessons.push_back(std::move(*lesson));
   }
   return in_order(std::move(lessons), *course);

@@ -18,6 +18,7 @@ struct LessonFile {
   std::string chapter;  // the chapter's title; empty if the folder has no course, or if the lesson was read alone
   std::vector<std::string> slides = {};  // those that it covers, by the course's list
   bool is_case = false;                  // a named case, and no lesson of the course
+  bool is_playground = false;            // whether it is the course's playground
 };
 
 /// The file in a folder that lists the lessons of its course.

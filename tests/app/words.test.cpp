@@ -16,6 +16,7 @@
 #include "io/point_file.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
 #include "viewed_lessons.hpp"
 
 namespace snug::app {
@@ -262,6 +263,8 @@ std::set<std::string> secrets_of(const lesson::Asked& asked, const lesson::Sessi
       secrets.insert(asked.choices[i]);
   for (const std::string& name : session.lesson().algorithms)  // each is named in the list of results, which are hidden
     secrets.erase(lesson::title_in(session.lesson(), *lesson::find_method(session.lesson(), name)));
+  for (const lesson::Switch& one : session.switches())  // each is named in the table of effects, whatever it does
+    secrets.erase(lesson::effect_words(one.name));
   return secrets;
 }
 

@@ -101,7 +101,7 @@ test("a number is typed; what is no number costs nothing", async (t) => {
   const field = card(page).getByRole("textbox", { name: "Number" });
   await field.fill("a lot");
   await page.keyboard.press("Enter");
-  assert.equal((await until(page, (now) => now.asked.says)).asked.says, "“a lot” is no number. Write it like 12 or 2.5.");
+  assert.equal((await until(page, (now) => now.asked.says)).asked.says, "“a lot” is not a number. Write it like 12 or 2.5.");
   await field.fill("12 %");
   await page.keyboard.press("Enter");
   const { outcome, asked: again } = await until(page, (now) => now.outcome ?? now.asked?.tried);

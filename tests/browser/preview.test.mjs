@@ -161,7 +161,7 @@ test("a folder that is gone is told, and followed again once it is back", async 
   const page = await open(t, "?lesson=mine&step=2", { ...kWide, may_complain: /404/ });
   const before = await state(page);
   renameSync(folder, `${folder}-away`);
-  await page.locator("#strip h2").getByText("The lessons cannot be looked at.").waitFor();
+  await page.locator("#strip h2").getByText("The lessons cannot be reached.").waitFor();
   await page.keyboard.press("ArrowRight"); // it goes on as it was
   await until(page, (it, step) => it.step !== step || it.asked, before.step);
   renameSync(`${folder}-away`, folder);

@@ -33,8 +33,22 @@ test("an address opens a lesson in the scalar that it names, and tells of one th
   assert.match(await other.locator("body").innerText(), /neither float nor double/);
 });
 
+test("two boxes are rounded to float and tested in it, and are what they were in double again", async (t) => {
+  const page = await visit(t, "?lesson=obb-sat&step=2");
+  const first = await state(page);
+  assert.equal(first.scalar, "double");
+  await page.getByRole("tab", { name: "Boxes" }).click();
+  const choice = page.getByLabel("Computed in");
+  await choice.selectOption("float");
+  const rounded = await until(page, (now) => now.scalar === "float");
+  assert.notEqual(rounded.trace, first.trace);
+  assert.equal(rounded.step, first.step);
+  await choice.selectOption("double");
+  await until(page, (now, trace) => now.scalar === "double" && now.trace === trace, first.trace);
+});
+
 test("a lesson about other things has no such switch", async (t) => {
-  const page = await visit(t, "?lesson=obb-sat&step=0");
+  const page = await visit(t, "?lesson=bvh-build&step=0");
   assert.equal((await state(page)).scalar, null);
   assert.equal(await page.getByLabel("Computed in").isVisible(), false);
 });

@@ -116,7 +116,7 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   };
   const broad = (from, to, at, says) => broken("scene-broad", from, to, { at, says });
   const body = "[[scene.body]]";
-  broad('effect = "refit"\nstrategy = "rotated_box"', 'effect = "trail"', '[[scene.effect]]\neffect = "broad_phase"', "broad_phase reads volumes, which no effect of the scene makes");
+  broad('effect = "refit"\nstrategy = "rotated_box"', 'effect = "trail"', '[[scene.effect]]\neffect = "broad_phase"', "broad_phase reads volumes, which no effect of the scene makes: refit would");
   broad('effect = "orbit"', 'effect = "fly"', 'effect = "fly"', '"effect" is none of spin, orbit, path, fall,');
   broad('effect = "orbit"', 'effect = "orbi"', 'effect = "orbi"', '"effect" is none of');
   broad("at_points = true", "at_points = true\nmass = 0", body, "body 0: its mass is 0: call it fixed instead");

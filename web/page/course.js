@@ -34,6 +34,7 @@ export class Course {
   /** choose(id): called in place of loading the page anew. */
   constructor(course, kept, choose) {
     this.#chapters = course.chapters;
+    this.playground = course.playground ?? "";
     this.#lessons = lessons_of(course);
     this.#kept = kept;
     this.#choose = choose;

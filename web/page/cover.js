@@ -1,4 +1,5 @@
 // What can stand in the stage's place: what to show in it, its work in slices between the frames, its table in words, its files.
+import { CoverTable } from "./cover_table.js";
 import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
 
 const kSlice = 4; // milliseconds: beside a frame's own work
@@ -17,6 +18,9 @@ export class CoverTools {
   #head = element("tr", {});
   #body = element("tbody", {});
   #choices = element("fieldset", { class: "segments" });
+  #told = element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),
+    element("thead", {}, this.#head), this.#body));
+  #seen = new CoverTable((command) => this.#command({ command }));
   #now = null;
   #section;
 
@@ -27,9 +31,7 @@ export class CoverTools {
     this.#request = request;
     this.#section = element("section", { class: "cover", "aria-label": "Measurement", hidden: true }, this.#choices,
       element("div", { class: "row" }, ...this.#work, this.#other), this.#bar,
-      element("div", { class: "row cover-says" }, this.#says, this.#files),
-      element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),
-        element("thead", {}, this.#head), this.#body)));
+      element("div", { class: "row cover-says" }, this.#says, this.#files), this.#told);
     by_id("told").before(this.#section);
   }
 
@@ -69,6 +71,8 @@ export class CoverTools {
 
   update({ cover }) {
     set_hidden(this.#section, !cover);
+    this.#seen.update(cover?.table);
+    set_hidden(this.#told, Boolean(cover?.table.sorts.length));
     if (!cover) return;
     if (cover.running) this.#slice_after_frame();
     this.#show(cover);

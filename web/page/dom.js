@@ -14,6 +14,8 @@ export function element(tag, properties = {}, ...children) {
   return made;
 }
 
+export const capital = (word) => word[0].toUpperCase() + word.slice(1);
+
 /** A button with its words. */
 export const button = (words, onclick, properties = {}) =>
   element("button", { type: "button", class: "button", onclick, ...properties }, words);

@@ -15,10 +15,12 @@ import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
 import { NumberTools } from "./numbers.js";
 import { Player } from "./player.js";
+import { Playground } from "./playground.js";
 import { PointTools } from "./points.js";
 import { Presentation } from "./presentation.js";
 import { QuestionCard } from "./question.js";
 import { Reading } from "./reading.js";
+import { ScalarSwitch } from "./scalar.js";
 import { Settings } from "./settings.js";
 import { Side } from "./side.js";
 import { SituationTools } from "./situations.js";
@@ -59,9 +61,10 @@ class Page {
   #preview;
   #draft; // as #read gave it
   #wanted = null; // what could not be opened, because of its file
+  #playground;
 
   /** go_to(id): to another lesson. preview: where the lessons are being written, else null. */
-  constructor({ door, downloads, lessons, gallery, formulas, settings, kept, embed, preview, go_to }) {
+  constructor({ door, downloads, lessons, playground, gallery, formulas, settings, kept, embed, preview, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
@@ -76,8 +79,9 @@ class Page {
     const question = this.#question = new QuestionCard(door, act, texts, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
     this.#reading = new Reading(door.words(), { texts, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
+    this.#playground = new Playground(door, embed ? "" : playground, lessons, go_to);
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [texts, this.#reading, question, new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#panels = [texts, this.#reading, question, this.#playground, new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new ScalarSwitch(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage.request()), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
@@ -198,6 +202,7 @@ class Page {
     await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked);
     if (turn !== this.#opens) return;
     if (back) this.#resume(kept);
+    this.#playground.arrived();
     this.#opening = false;
     clear_notices();
     notice_all(asked.problems);
@@ -518,7 +523,7 @@ class Site {
     veil.loading();
     const door = await open_door(this.#downloads, attempt);
     Object.assign(this.#typeset, await this.#formulas());
-    const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, gallery: this.#gallery, formulas: this.#typeset, settings: this.#settings,
+    const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, playground: this.#course.playground, gallery: this.#gallery, formulas: this.#typeset, settings: this.#settings,
       kept: this.#kept, embed, preview: this.#preview, go_to: (id) => this.#go_into(id) });
     return page;
   }

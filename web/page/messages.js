@@ -1,5 +1,5 @@
 // Messages about what went wrong: over the whole page, on the stage, or as notices that disappear.
-import { by_id, button, element, set_hidden, set_text } from "./dom.js";
+import { button, by_id, capital, element, set_hidden, set_text } from "./dom.js";
 
 /** The veil over the page while it loads, and after a failure. */
 export const veil = {
@@ -54,6 +54,12 @@ const kStays = { told: 4000, wrong: 15_000 }; // milliseconds
 /** Removes the notices, because what they are about is over. */
 export function clear_notices() {
   by_id("notices").replaceChildren();
+}
+
+/** Shows what an edit was refused for; "" removes the notices. */
+export function answer_edit(error) {
+  if (error) notice(`${capital(error)}.`);
+  else clear_notices();
 }
 
 /** One notice for all that went wrong. */

@@ -1,8 +1,7 @@
 // The tools of what is no set of points: every number of it that can be typed, scatter and reset.
-import { by_id, button, element, other_seed, when_changed } from "./dom.js";
-import { clear_notices, notice } from "./messages.js";
+import { button, by_id, element, other_seed, when_changed } from "./dom.js";
+import { answer_edit } from "./messages.js";
 
-const capital = (word) => word[0].toUpperCase() + word.slice(1);
 const rounded = (number) => Number(number.toPrecision(6));
 const number_field = (properties) => element("input", { type: "number", step: "any", inputmode: "decimal", ...properties });
 const label_of = ({ words, unit }) => (unit ? `${words}, ${unit}` : words);
@@ -56,11 +55,7 @@ export class NumberTools {
 
   #set(group, row, values) {
     if (values.every(Number.isFinite))
-      this.#act(() => {
-        const error = this.#door.set_numbers(group, row, values);
-        if (error) notice(`${capital(error)}.`);
-        else clear_notices();
-      });
+      this.#act(() => answer_edit(this.#door.set_numbers(group, row, values)));
     this.#show(); // what was not taken, too
   }
 

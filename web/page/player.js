@@ -17,6 +17,8 @@ export class Player {
   #word = "step";
   #effects = element("span", { class: "row" });
   #switches = [];
+  #says = [];
+  #names = [];
   #door;
   #act;
 
@@ -38,8 +40,12 @@ export class Player {
   }
 
   #list_effects = when_changed((...names) => {
+    const held = this.#names[this.#switches.indexOf(document.activeElement)];
     this.#switches = names.map((name) => element("input", { type: "checkbox", onchange: () => this.#act(() => this.#door.command(`turn:${name}`)) }));
-    this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`)));
+    this.#names = names;
+    this.#says = names.map(() => element("span", {}));
+    this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`, this.#says[i])));
+    this.#switches[names.indexOf(held)]?.focus(); // in another order they are other boxes
   });
 
   #show_step = when_changed((step, steps, word) => {
@@ -54,7 +60,10 @@ export class Player {
     this.#show_step(view.step, view.steps, this.#word);
     const effects = view.effects ?? [];
     this.#list_effects(...effects.map(({ effect }) => effect));
-    for (const [i, { on }] of effects.entries()) this.#switches[i].checked = on;
+    for (const [i, { on, called, says }] of effects.entries()) {
+      this.#switches[i].checked = on && called;
+      set_text(this.#says[i], says && `: ${says}`);
+    }
     set_text(this.#play, view.playing ? "Pause" : "Play");
   }
 }

@@ -1,7 +1,7 @@
 // The tools for points: choose a set, add, delete, scatter, reset, load a file, and a point's coordinates.
-import { by_id, button, element, other_seed, set_text, when_changed } from "./dom.js";
+import { button, by_id, capital, element, other_seed, set_text, when_changed } from "./dom.js";
 import { result_as_csv } from "./result.js";
-import { clear_notices, notice } from "./messages.js";
+import { answer_edit, clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const kMostBytes = 64e6;
@@ -10,7 +10,6 @@ const kMostMeasured = 256e6; // bytes: two million points, written out
 const label = (words, field) => element("label", {}, element("span", {}, words), field);
 /** A coordinate, with as many digits as fit in its field. */
 const short = (value) => Number(value.toPrecision(6));
-const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
 export class PointTools {
   #door;
@@ -33,9 +32,6 @@ export class PointTools {
   #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.json" });
   #delete = button("Delete", () => this.#command("delete_point"));
   #count_label = label("How many", this.#count);
-  #scalar = element("select", { onchange: () => this.#act(() => this.#tell(this.#door.set_float(this.#scalar.value === "float"))) },
-    element("option", { value: "double" }, "double"), element("option", { value: "float" }, "float"));
-  #scalar_label = label("Computed in", this.#scalar);
 
   /** bring_mesh(name): the mesh's bytes. */
   constructor(door, act, bring_mesh) {
@@ -50,7 +46,6 @@ export class PointTools {
       this.#title, this.#says,
       element("form", { class: "fields", onsubmit: scatter }, label("Set", this.#set), this.#count_label,
         label("Seed", this.#seed), element("button", { type: "submit", class: "button" }, "Scatter")),
-      element("div", { class: "fields" }, this.#scalar_label),
       element("div", { class: "row" }, button("Add", () => this.#command("add_point")), this.#delete,
         button("Reset", () => this.#command("reset_points")), button("Open file…", () => this.#file.click()), this.#file),
       element("div", { class: "coordinates" }, element("label", {}, this.#point_words, this.#point), ...kAxes.map((axis, i) => label(axis, this.#axes[i]))));
@@ -104,13 +99,8 @@ export class PointTools {
     const [kind, name] = this.#set.value.split(":");
     this.#act(() => {
       const error = kind === "generate" ? this.#door.set_generator(name, Number(this.#count.value), seed) : this.#door.scatter(seed);
-      this.#tell(error);
+      answer_edit(error);
     });
-  }
-
-  #tell(error) {
-    if (error) notice(`${capital(error)}.`);
-    else clear_notices();
   }
 
   /** Selects the option of the points' source. The student's own file gets its own option. */
@@ -216,10 +206,6 @@ export class PointTools {
   }
 
   #show_seed = when_changed((_lesson, seed) => (this.#seed.value = seed));
-  #show_scalar = when_changed((_lesson, scalar) => {
-    this.#scalar_label.parentElement.hidden = scalar === null;
-    this.#scalar.value = scalar ?? "double";
-  });
   #show_selected = when_changed((_lesson, selected, coordinates) => this.#show_place(selected, coordinates));
 
   update(view) {
@@ -227,7 +213,6 @@ export class PointTools {
     set_text(this.#says, `${view.size.toLocaleString("en")} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}${view.scalar === "float" ? ", rounded to float" : ""}`);
     this.#point.max = view.size - 1;
     this.#show_seed(view.lesson, view.seed);
-    this.#show_scalar(view.lesson, view.scalar);
     this.#show_sets(view.situation);
     this.#show_source(view.source, view.size, view.lesson, view.situation);
     this.#show_selected(view.lesson, view.selected, view.coordinates);

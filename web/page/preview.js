@@ -6,7 +6,7 @@ const kLook = 250; // milliseconds between looks at the files
 const kAgain = 2000; // the same after a look that failed: the server may be gone for a while
 
 const nothing = { heading: "", lines: [] };
-const lost = { heading: "The lessons cannot be looked at.", lines: [{ text: "Their folder, or the program that serves it, is gone. The lesson is shown as it was.", warning: false }] };
+const lost = { heading: "The lessons cannot be reached.", lines: [{ text: "Their folder, or the program that serves it, is gone. The lesson is shown as it was.", warning: false }] };
 
 export class Preview {
   #stamps; // by the files' names

@@ -1,8 +1,7 @@
 // The situations and the sliders of a lesson, under its stage: what they change is in sight.
 import { by_id, element, set_hidden, set_text } from "./dom.js";
-import { clear_notices, notice } from "./messages.js";
+import { answer_edit } from "./messages.js";
 
-const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
 /** One slider. hold(held): whether it is in hand; slide(place): moves it. */
 class Slider {
@@ -52,13 +51,8 @@ export class SituationTools {
     this.#sliders.replaceChildren();
   }
 
-  #tell(error) {
-    if (error) notice(`${capital(error)}.`);
-    else clear_notices();
-  }
-
   #show(name) {
-    this.#act(() => this.#tell(this.#door.show_situation(name)));
+    this.#act(() => answer_edit(this.#door.show_situation(name)));
   }
 
   #hold(held) {
@@ -68,7 +62,7 @@ export class SituationTools {
   }
 
   #slide(number, place) {
-    this.#act(() => this.#tell(this.#door.slide(number, place)));
+    this.#act(() => answer_edit(this.#door.slide(number, place)));
   }
 
   #lay_out(sliders) {
@@ -76,11 +70,11 @@ export class SituationTools {
     this.#sliders.replaceChildren(...[...this.#shown.values()].map(({ node }) => node));
   }
 
-  update({ situation, sliders }) {
+  update({ situation, sliders, cover }) {
     for (const input of this.#situations.querySelectorAll("input")) input.checked = input.value === situation;
     if (sliders.length !== this.#shown.size || sliders.some(({ number }) => !this.#shown.has(number))) this.#lay_out(sliders);
     for (const slider of sliders) this.#shown.get(slider.number).show(slider);
     set_hidden(this.#sliders, sliders.length === 0);
-    set_hidden(by_id("controls"), situation === null && sliders.length === 0);
+    set_hidden(by_id("controls"), situation === null && sliders.length === 0 && !cover?.table.sorts.length);
   }
 }

@@ -78,8 +78,8 @@ float draw_census_panel(const Look& look, const lesson::Session& session, ImVec2
   y += look.px(18);
   return y - at.y +
          paragraph(list, look, Face::kRegular, kCensusWords, 16, {at.x, y}, width, look->muted,
-                   "A stroke for each cloud of 30 points. Left of the line the 14-DOP is tighter, in as many clouds as "
-                   "stand at the right.") +
+                   "One stroke for each cloud of 30 points. Left of the line the 14-DOP is tighter; the number of such "
+                   "clouds is on the right.") +
          look.px(12);
 }
 

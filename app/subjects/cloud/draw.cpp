@@ -57,7 +57,7 @@ void draw_extremes(Brush& brush, const CloudShown& shown) {
     draw_box(brush.canvas, shown.box->least, shown.box->greatest, {Stroke::kSolid, p.previous, brush.stroke(0.55f)});
     const ImVec2 middle = brush.at(shown.box->midpoint);
     plus(brush.list, middle, 6 * p.mark, p.current, brush.stroke(0.8f));
-    if (!shown.volume) brush.label(middle, 8, kRightUp, "midpoint", p.current_text);
+    if (!shown.volume) brush.label(middle, 8, kRightUp, "AABB centre", p.current_text);
   }
   const std::vector<Index> extremes = extremes_alone(brush, shown);
   if (extremes.empty()) return;

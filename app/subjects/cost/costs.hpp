@@ -65,7 +65,7 @@ class Costs final : public Cover {
   [[nodiscard]] std::vector<CoverButton> choices(const lesson::Session& session) const override;
   [[nodiscard]] std::array<CoverButton, 2> work_buttons(const lesson::Session& session) const override;
   [[nodiscard]] std::string status(const lesson::Session& session) const override;
-  [[nodiscard]] WordTable table() const override;
+  [[nodiscard]] WordTable table(const lesson::Session&) const override;
   [[nodiscard]] bool decided(const lesson::Session& session) const override;
   /// The formats of `snug cost`.
   [[nodiscard]] std::span<const std::string_view> formats() const override;

@@ -88,10 +88,9 @@ std::array<CoverButton, 2> Costs::work_buttons(const lesson::Session& session) c
           CoverButton{"stop_measuring", "Stop", false, running()}};
 }
 
-WordTable Costs::table() const {
+WordTable Costs::table(const lesson::Session&) const {
   if (view_ == CostView::kGrowth)
-    return table_of({"Algorithm", "Points at most", "Time of these", "Power of n", "In theory"},
-                    lines_of(growth().rows));
+    return table_of({"Algorithm", "Most points", "Time for these", "Power of n", "In theory"}, lines_of(growth().rows));
   if (view_ == CostView::kTurn)
     return table_of({"Update", "Least looseness", "Most looseness", "Time of one"}, lines_of(turn().rows));
   return table_of({"Algorithm", "Time", "Times the smallest", "On the front"}, accuracy().rows);

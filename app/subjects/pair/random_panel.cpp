@@ -32,7 +32,7 @@ float draw_random_panel(const Look& look, const lesson::Session& session, ImVec2
   float y = at.y + look.px(kRandomHeading);
   if (counts_hidden(session)) {
     y += paragraph(list, look, Face::kRegular, kRandomWords, kRandomLeading, {at.x, y}, width, look->muted,
-                   "Counted once its question is answered.");
+                   "Shown once the question about them is answered.");
     return y - at.y;
   }
   const auto names = lesson::axis_names(subject.dim());

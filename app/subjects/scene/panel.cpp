@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/marks.hpp"
+#include "app/subjects/scene/graph.hpp"
 #include "app/widgets.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
@@ -30,6 +31,8 @@ class ScenePanel {
       : look_(look), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width), top_(at.y), y_(at.y) {}
 
   [[nodiscard]] float height() const { return y_ - top_; }
+
+  void gap() { y_ += look_.px(12); }
 
   void heading(std::string_view words) {
     text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(5)}, look_->muted, words);
@@ -115,8 +118,17 @@ class ScenePanel {
     y_ = bottom + look_.px(44);
   }
 
+  void graph(const lesson::Session& session) {
+    const ImVec2 size = graph_size(look_, session, width_);
+    if (size.y == 0) return;
+    heading("The graph of the effects");
+    draw_graph(list_, look_, session, {x_, y_}, width_);
+    y_ += size.y + look_.px(12);
+  }
+
   void effects(lesson::Session& session) {
-    heading("What each effect has done so far");
+    const bool declares = lesson::set_of(session).graph;
+    heading(declares ? "Effects that the scene calls for" : "What each effect has done so far");
     text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_}, look_->muted, "effect");
     constexpr std::array<const char*, 3> kHeads{"run", "skipped", "time, µs"};
     for (int i = 0; i < 3; ++i)
@@ -130,23 +142,36 @@ class ScenePanel {
       ImGui::PushID(row++);
       const std::string name = lesson::effect_words(one.name);
       const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
-      const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1));
-      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, name, session.step() > 0 || !one.on);
+      const std::size_t says = one.says.empty() ? 0 : 1;
+      const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1 + says));
+      const bool enabled = session.can_toggle(one);
+      const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, name, enabled);
       ImGui::PopID();
       if (touch.clicked) turned = &one;
       if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + height - 1}, look_->raised, 4);
       effect(one, lines);
+      if (says > 0)
+        text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_ + height - look_.px(kLeading + 4)}, look_->muted,
+             shortened(look_, Face::kRegular, kTiny, one.says, width_ - kIndent));
       y_ += height;
       rule(list_, x_, y_ - 1, width_, look_->line);
     }
     y_ += look_.px(8);
-    y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted,
-                    "The frames in which each effect ran, those in which it was skipped because nothing that it reads "
-                    "had changed, and the mean time of a run. Click an effect's box to switch it off or on.");
-    if (turned != nullptr) session.turn(turned->name, !turned->on);
+    y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted, note(session));
+    if (turned != nullptr) session.toggle(*turned);
   }
 
  private:
+  static std::string_view note(const lesson::Session& session) {
+    if (!lesson::set_of(session).graph)
+      return "The frames in which each effect ran, those in which it was skipped because nothing that it reads had "
+             "changed, and the mean time of a run. Click an effect's box to switch it off or on.";
+    return session.step() == 0
+               ? "Before the first frame, an effect's box takes it out of the scene's declaration, or adds it."
+               : "An effect's box switches it off from this frame on. To change the declaration, go to frame 0. Tap a "
+                 "body to let it hop.";
+  }
+
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
     constexpr std::array<float, 3> kShares{0.55f, 0.76f, 1};
@@ -159,7 +184,7 @@ class ScenePanel {
     const float box = 6;
     list_->AddRect({x_, middle - box}, {x_ + 2 * box, middle + box}, one.on ? look_->current : look_->muted, 3, 0,
                    1.5f);
-    if (one.on) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
+    if (one.on && one.called) tick(list_, {x_ + box, middle}, 4, look_->current, 2);
     float y = middle_of(middle, look_.px(kSmall));
     for (const std::string_view line : lines) {
       text(list_, look_, Face::kRegular, kSmall, {x_ + kIndent, y}, one.on ? look_->ink : look_->muted, line);
@@ -179,13 +204,18 @@ class ScenePanel {
 
 }  // namespace
 
-float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, float width, bool with_graph) {
   ScenePanel panel(look, at, width);
+  if (lesson::set_of(session).graph) {
+    if (with_graph) panel.graph(session);
+    panel.effects(session);
+    panel.gap();
+  }
   if (const lesson::FrameTaken* now = taken(session, 0, session.step())) {
     if (now->all_pairs > 0) panel.funnel(session, *now);
     else if (session.volume(0) != nullptr) panel.slack(session);
   }
-  panel.effects(session);
+  if (!lesson::set_of(session).graph) panel.effects(session);
   return panel.height();
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/brush.hpp"
 #include "app/subjects/scene/draw.hpp"
+#include "app/subjects/scene/effects.hpp"
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/panel.hpp"
 #include "lesson/subjects/scene/scene.hpp"
@@ -22,7 +23,17 @@ class SceneView final : public SubjectView {
   [[nodiscard]] const Shown& shown() const override { return shown_; }
   void draw(Brush& brush) const override {
     draw_scene(brush);
+    draw_effects(brush, *frame_of(brush.session));
     SubjectView::draw(brush);
+  }
+  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
+    const Rect graph = draw_graph_inset(brush, top);
+    graph_on_stage_ = graph.width > 0;
+    return graph;
+  }
+  [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
+                                    const Rect& stage) const override {
+    return graph_room(look, session, stage);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override;
   /// No: volumes jump with the bodies that they enclose.
@@ -45,7 +56,10 @@ class SceneView final : public SubjectView {
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    return draw_scene_panel(look, session, at, width);
+    return draw_scene_panel(look, session, at, width, !graph_on_stage_);
+  }
+  [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
+    return lesson::set_of(session).graph;
   }
   /// The figures of the funnel.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override { return figure.unit == "pairs"; }
@@ -64,7 +78,8 @@ class SceneView final : public SubjectView {
   };
 
   Shown shown_;
-  std::optional<Extent> extent_;  // computed once for each run, over all bodies and frames
+  mutable bool graph_on_stage_ = true;  // in the last frame; else it is in the panel
+  std::optional<Extent> extent_;        // computed once for each run, over all bodies and frames
 };
 
 /// The point moves with the body that it belongs to, or with the body at it.

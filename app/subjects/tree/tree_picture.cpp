@@ -163,7 +163,7 @@ float draw_tree_panel(const Look& look, const TreeShown& shown, ImVec2 at, float
     heading("Stack, the next node first");
     y += paragraph(list, look, Face::kMono, 13, 20, {at.x, y}, width, look->ink, waiting_words(shown));
   } else if (shown.priced != nullptr) {
-    heading("Expected tests at each border");
+    heading("Expected tests at each split");
     y += draw_cost_curve(look, *shown.priced, {at.x, y}, width);
   }
   return y - at.y;

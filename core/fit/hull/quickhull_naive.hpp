@@ -12,7 +12,7 @@ inline constexpr std::array<std::string_view, 7> kQuickhullRoundedPseudocode{
     "edges ← a b and b a, a the leftmost point, b the rightmost",
     "give p to the edge a b if (b − a) × (p − a) < 0, rounded",
     "while an edge a b has points outside",
-    "  c ← that with the least cross product",
+    "  c ← the one of least cross product",
     "  replace a b by a c and c b",
     "  give its points to these two in the same way",
     "return the edges in their order",

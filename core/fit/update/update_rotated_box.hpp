@@ -11,8 +11,8 @@ namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 4> kUpdateRotatedBoxPseudocode{
     "for each axis i of the world",
-    "  sum r(i,j) · the lesser end of box j",
-    "  likewise the greater ends; then translate",
+    "  min ← sum over j of the lesser r(i,j) · end",
+    "  max ← likewise the greater; then translate",
     "return box",
 };
 

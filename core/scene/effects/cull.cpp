@@ -47,6 +47,7 @@ MadeEffect make_cull(const EffectCall& call, World& world) {
   else camera.axes = axes_looking(way);
   const auto frustum = frustum_of_camera(camera);
   if (!frustum) settings.refuse(frustum.error().what);
+  else world.camera = *frustum;
   return settings.make<Cull>(frustum ? *frustum : Frustum<double, 3>());
 }
 

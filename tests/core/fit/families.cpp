@@ -14,7 +14,8 @@ namespace {
 /// 10^exponent, rounded once; std::pow differs between C libraries.
 double ten_to(int exponent) { return std::strtod(("1e" + std::to_string(exponent)).c_str(), nullptr); }
 
-/// Draws members in double; they are rounded to their scalar in the end.
+/// Draws members in double; they are rounded to their scalar in the end. An expression draws once at most: compilers
+/// evaluate operands and arguments in orders of their own, and the members shall be the same everywhere.
 template <int Dim>
 struct Draw {
   using Point = Vector<double, Dim>;
@@ -131,7 +132,8 @@ struct Draw {
     return all;
   }
   Points platonic() {
-    if constexpr (Dim == 2) return turned(regular(count(3, 12)), random.between(0.5, 2));
+    const double size = random.between(0.5, 2);
+    if constexpr (Dim == 2) return turned(regular(count(3, 12)), size);
     else {
       const double golden = (1 + std::sqrt(5.0)) / 2;
       Points all;
@@ -152,7 +154,7 @@ struct Draw {
         case 3: add(0, 1, golden); break;
         default: add(1, 1, 1), add(0, 1 / golden, golden); break;
       }
-      return turned(std::move(all), random.between(0.5, 2));
+      return turned(std::move(all), size);
     }
   }
   Points prism() {
@@ -228,7 +230,10 @@ std::vector<Vector<double, Dim>> drawn(std::size_t family, Draw<Dim>& d) {
     return half;
   };
   switch (family) {
-    case 0: return std::vector<Point>(static_cast<std::size_t>(d.count(2)), d.any());
+    case 0: {
+      const int n = d.count(2);
+      return std::vector<Point>(static_cast<std::size_t>(n), d.any());
+    }
     case 1: {
       const Point a = d.any(), b = d.any();
       auto all = d.points([&] { return d.coin() ? a : b; });
@@ -247,14 +252,18 @@ std::vector<Vector<double, Dim>> drawn(std::size_t family, Draw<Dim>& d) {
     case 4: return d.near_line(d.part(16));
     case 5: {
       const Point from = d.any_whole(9), u = d.any_whole(5), v = d.any_whole(5);
-      return d.points(d.count(4, 8), [&] { return Point(from + u * d.whole(6) + v * d.whole(6)); });
+      return d.points(d.count(4, 8), [&] {
+        const int along_u = d.whole(6), along_v = d.whole(6);
+        return Point(from + u * along_u + v * along_v);
+      });
     }
     case 6: {
       const Point from = d.any(), u = d.any(), v = d.any();
-      return d.jittered(
-          d.points(d.count(5, 8),
-                   [&] { return Point(from + u * d.random.between(-1, 1) + v * d.random.between(-1, 1)); }),
-          d.part(16));
+      const auto flat = d.points(d.count(5, 8), [&] {
+        const double along_u = d.random.between(-1, 1), along_v = d.random.between(-1, 1);
+        return Point(from + u * along_u + v * along_v);
+      });
+      return d.jittered(flat, d.part(16));
     }
     case 7: return d.cospherical(d.count(6, 10));
     case 8: return d.jittered(d.points([&] { return d.on_sphere(); }), d.part(12));
@@ -279,7 +288,10 @@ std::vector<Vector<double, Dim>> drawn(std::size_t family, Draw<Dim>& d) {
     }
     case 14: {
       const Point a = d.any(), b = d.any();
-      return d.points(d.count(4, 8), [&] { return Point((d.coin() ? a : b) + d.any(d.part(8))); });
+      return d.points(d.count(4, 8), [&] {
+        const Point& cluster = d.coin() ? a : b;
+        return Point(cluster + d.any(d.part(8)));
+      });
     }
     case 15: return d.cap(d.part(4));
     case 16: return d.cap(d.part(7));
@@ -288,8 +300,9 @@ std::vector<Vector<double, Dim>> drawn(std::size_t family, Draw<Dim>& d) {
     case 19: return d.scaled();
     case 20: {
       auto all = d.points(d.count(4, 8), [&] { return d.any(); });
-      all[d.random.below(static_cast<std::uint32_t>(all.size()))] =
-          d.on_sphere() * ten_to(3 + static_cast<int>(d.random.below(9)));
+      Point& outlier = all[d.random.below(static_cast<std::uint32_t>(all.size()))];
+      outlier = d.on_sphere();
+      outlier *= ten_to(3 + static_cast<int>(d.random.below(9)));
       return all;
     }
     case 21: return d.platonic();

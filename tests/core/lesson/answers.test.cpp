@@ -84,7 +84,7 @@ TEST_CASE("a number is right within its tolerance, with its unit or without") {
   CHECK(field_word(*session.asked()) == "Number");
   CHECK(session.asked_figure() == "radius");
   CHECK_FALSE(session.pick("much"));
-  CHECK(session.answer_says() == "“much” is no number. Write it like 12 or 2.5.");
+  CHECK(session.answer_says() == "“much” is not a number. Write it like 12 or 2.5.");
   CHECK_FALSE(session.pick(choice(0)));
   REQUIRE(session.pick("2"));
   REQUIRE(session.commit());

@@ -60,11 +60,11 @@ TEST_CASE("a first wrong answer is told to be wrong, and nothing else") {
   CHECK(session.tried()->value == 3);
   CHECK_FALSE(session.pick(point(3)));
   CHECK(session.answer_says() == "You have tried that one. Choose another.");
-  SUBCASE("right at the second try") {
+  SUBCASE("right on the second try") {
     REQUIRE(give(session, point(4)));
     CHECK(session.outcome()->right);
     CHECK(session.outcome()->tries == 2);
-    CHECK(verdict_text(*session.outcome()) == "Correct at the second try");
+    CHECK(verdict_text(*session.outcome()) == "Correct on the second try");
     CHECK(session.tally().right == 1);
     CHECK(session.tally().second == 1);
   }

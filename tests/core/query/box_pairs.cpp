@@ -23,7 +23,9 @@ void bring_together(BoxPair<Scalar, Dim>& pair, double gap, Random& random) {
   const int face = static_cast<int>(random.below(Dim));
   const double side = random.below(2) == 0 ? -1 : 1;
   const Vector<double, Dim> outwards = side * pair.a.axes.col(face).template cast<double>();
-  Vector<double, Dim> on_b = place(pair.b, static_cast<int>(random.below(Dim)), random.below(2) == 0 ? -1 : 1);
+  const int face_of_b = static_cast<int>(random.below(Dim));
+  const double side_of_b = random.below(2) == 0 ? -1 : 1;
+  Vector<double, Dim> on_b = place(pair.b, face_of_b, side_of_b);
   if (on_b.dot(outwards) > 0) on_b = -on_b;
   pair.b.center = (pair.a.center.template cast<double>() + place(pair.a, face, side) + gap * outwards - on_b)
                       .template cast<Scalar>();
@@ -36,8 +38,10 @@ void orient(BoxPair<Scalar, Dim>& pair, Orientation how, Random& random) {
   Turn other = any_turn<Dim>(random);
   pair.a.axes = base.template cast<Scalar>();
   if (how == Orientation::kSharedAxis) {
-    if constexpr (Dim == 3)
-      other = base * turn(Vector<double, 3>::Unit(static_cast<int>(random.below(3))), random.between(-3, 3));
+    if constexpr (Dim == 3) {
+      const Vector<double, 3> shared = Vector<double, 3>::Unit(static_cast<int>(random.below(3)));
+      other = base * turn(shared, random.between(-3, 3));
+    }
   } else if (how == Orientation::kTilted) {
     const double tilt = std::pow(10.0, -2 - static_cast<int>(random.below(7)));
     if constexpr (Dim == 2) other = turn(tilt) * base;

@@ -22,7 +22,10 @@ Vector<double, Dim> any_vector(Random& random, double size = 1) {
 template <int Dim>
 Matrix<double, Dim> any_turn(Random& random, double most = 3.2) {
   if constexpr (Dim == 2) return turn(random.between(-most, most));
-  else return turn(any_vector<3>(random), random.between(-most, most));
+  else {
+    const Vector<double, 3> axis = any_vector<3>(random);
+    return turn(axis, random.between(-most, most));
+  }
 }
 
 template <class Scalar, int Dim>

@@ -7,8 +7,8 @@ template <class Scalar, int Dim>
 Frustum<Scalar, Dim> with_any_lengths(const Frustum<Scalar, Dim>& frustum, Random& random) {
   auto planes = frustum.planes();
   for (auto& plane : planes) {
-    const Scalar length =
-        static_cast<Scalar>(random.between(1, 3)) * std::ldexp(Scalar(1), static_cast<int>(random.below(21)) - 10);
+    const Scalar mantissa = static_cast<Scalar>(random.between(1, 3));
+    const Scalar length = std::ldexp(mantissa, static_cast<int>(random.below(21)) - 10);
     plane.normal *= length;
     plane.d *= length;
   }

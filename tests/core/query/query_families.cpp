@@ -31,7 +31,9 @@ void add_boxes(QueryTally& tally, Random& random) {
   constexpr std::array kGaps{0.0, 0.0, 1e-15, -1e-15, 1e-7, -1e-7, 1e-3, -1e-3};
   const auto orientation = static_cast<Orientation>(random.below(kOrientations));
   const auto extents = static_cast<Extents>(random.below(kExtents));
-  const auto pair = pair_of<Scalar, Dim>(orientation, extents, kGaps[random.below(8)], random.below(2) * 1e5, random);
+  const double gap = kGaps[random.below(8)];
+  const double offset = random.below(2) * 1e5;
+  const auto pair = pair_of<Scalar, Dim>(orientation, extents, gap, offset, random);
   const bool flat = pair.a.half_extents.minCoeff() == 0 || pair.b.half_extents.minCoeff() == 0;
   const bool overlap = flat ? exact::overlap_by_simplex(pair.a, pair.b) : exact::overlap_by_corners(pair.a, pair.b);
   Recorder<query::SatStep<Scalar, Dim>> steps;

@@ -54,12 +54,13 @@ TEST_CASE("an effect whose inputs nobody makes is refused, with its line") {
     const auto planned = scene::plan(calls, scene::catalogue());
     return planned ? "" : planned.error().message();
   };
-  CHECK(message({call("broad_phase")}) == "line 12: broad_phase reads volumes, which no effect of the scene makes");
+  CHECK(message({call("broad_phase")}) ==
+        "line 12: broad_phase reads volumes, which no effect of the scene makes: refit would");
   CHECK(message({call("refit"), call("narrow_phase")}) ==
-        "line 12: narrow_phase reads pairs, which no effect of the scene makes");
+        "line 12: narrow_phase reads pairs, which no effect of the scene makes: broad_phase would");
   CHECK(message({call("refit"), call("broad_phase"), call("bounce")}) ==
-        "line 12: bounce reads contacts, which no effect of the scene makes");
-  CHECK(message({call("cull")}) == "line 12: cull reads volumes, which no effect of the scene makes");
+        "line 12: bounce reads contacts, which no effect of the scene makes: narrow_phase would");
+  CHECK(message({call("cull")}) == "line 12: cull reads volumes, which no effect of the scene makes: refit would");
   CHECK(message({call("explode")}) == "line 12: there is no effect called \"explode\"");
   CHECK(message({call("fall"), call("fall")}) == "line 12: fall is called for twice");
   CHECK(message({call("spin"), call("spin")}) == "");

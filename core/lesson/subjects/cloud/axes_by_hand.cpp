@@ -120,7 +120,7 @@ Done AxesByHand::take(std::vector<Point3> axes) {
   if (static_cast<int>(axes.size()) > most(dim_))
     return tl::unexpected(InputError{.what = "there are at most " + std::to_string(most(dim_)) + " directions"});
   if (enclosing(axes, dim_) < fit::kLeastEnclosing)
-    return tl::unexpected(InputError{.what = "slabs in these directions are endless"});
+    return tl::unexpected(InputError{.what = "slabs in these directions enclose nothing"});
   axes_ = std::move(axes);
   return {};
 }
@@ -129,7 +129,7 @@ Done AxesByHand::move(Index i, const Point3& to) {
   Point3 way = to - center_;
   if (dim_ == 2) way[2] = 0;
   const double length = way.norm();
-  if (!(length > 0) || !std::isfinite(length)) return tl::unexpected(InputError{.what = "this is no direction"});
+  if (!(length > 0) || !std::isfinite(length)) return tl::unexpected(InputError{.what = "a direction cannot be 0"});
   std::vector<Point3> axes = axes_;
   axes[i] = way / length;
   return take(std::move(axes));
@@ -160,7 +160,7 @@ Done AxesByHand::set_row(std::span<const double> numbers) {
   for (Point3& axis : axes) {
     row(axis);
     const double length = axis.norm();
-    if (!(length > 0) || !std::isfinite(length)) return tl::unexpected(InputError{.what = "this is no direction"});
+    if (!(length > 0) || !std::isfinite(length)) return tl::unexpected(InputError{.what = "a direction cannot be 0"});
     if (std::abs(length - 1) > kSameDirection) axis /= length;
   }
   if (!row.fits()) return tl::unexpected(InputError{.what = "these are not the numbers of directions"});

@@ -86,7 +86,7 @@ const SubjectRow kCloudRow{.name = "cloud",
 /// several volumes, and for k-DOPs, because k-DOPs with different directions are different kinds of volume. Null for a
 /// cost chart as well, which is to reveal it.
 const Method* reference_of(const Lesson& lesson) {
-  if (lesson.subject != &kCloudRow) return nullptr;
+  if (!lesson.subject->compares) return nullptr;
   if (!lesson.reference.empty()) return find_method(lesson, lesson.reference);
   if (is_mixed(lesson) || lesson.volume == "kdop") return nullptr;
   const fit::Algorithm* exact = fit::exact_algorithm(lesson.volume);

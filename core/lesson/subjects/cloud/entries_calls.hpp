@@ -29,7 +29,7 @@ struct Entry<fit::CallEntered> : FitEntry {
     if (fact.point != kNoIndex)
       return "A call for " + counted(fact.left, "point") + boundary + ": it removes " + where.name(fact.point) +
              " and calls for the rest.";
-    const std::string why = fact.left == 0 ? "No point is left" : "The support is full";
+    const std::string why = fact.left == 0 ? "No point is left" : "The support set is full";
     if (fact.boundary.size() == 0) return why + ": this call returns no " + where.ball() + " at all.";
     return why + ": this call returns the smallest " + where.ball() + " through " +
            where.names(list_of(fact.boundary)) + ", of radius " + number_text(where.radius()) + ".";
@@ -52,7 +52,7 @@ struct Entry<fit::CallDecided> : FitEntry {
   static constexpr std::array kAskings{kReturns};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string point = where.name(fact.point);
-    const std::string joins = ": it joins the support, and the call for the rest is made again.";
+    const std::string joins = ": it joins the support set, and the call for the rest is made again.";
     if (!where.step().has_volume) return point + " has no " + where.ball() + " to lie in" + joins;
     const double gap = fact.distance - where.radius();
     if (fact.outside) return point + " lies outside by " + number_text(gap) + joins;

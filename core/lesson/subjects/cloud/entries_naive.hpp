@@ -10,7 +10,7 @@ struct Entry<fit::CircumsphereFailed> : FitEntry {
   using Fact = fit::CircumsphereFailed;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "The formula for the " + std::string(where.ball()) + " through " + where.names(list_of(fact.points)) +
-           " divides by a number that is rounded to 0: " + where.name(last(fact)) + " is passed over.";
+           " divides by a number that rounds to 0: " + where.name(last(fact)) + " is passed over.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {last(fact)}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "is passed over"; }
@@ -23,7 +23,7 @@ struct Entry<fit::CircumsphereFailed> : FitEntry {
 template <>
 struct Entry<fit::TestsExhausted> : FitEntry {
   static std::string sentence(const fit::TestsExhausted& fact, const FitWhere& where) {
-    return "Stopped after " + counted(fact.tests, "test") + ", the most that it may make: the " + where.ball() +
+    return "Stopped after " + counted(fact.tests, "test") + ", the most that are allowed: the " + where.ball() +
            " is left as it is.";
   }
   static std::optional<Mark::Kind> mark(const auto&, const FitWhere&) { return Mark::Kind::kReplaced; }

@@ -62,7 +62,7 @@ struct Entry<fit::PairChosen> : FitEntry {
     const std::string pair = where.name(fact.a) + " and " + where.name(fact.b);
     const fit::Step3* before = where.before();
     if (before != nullptr && std::holds_alternative<fit::BallFound<double, 3>>(before->fact))
-      return pair + " are the points of the support set that lie farthest apart: an axis runs along them.";
+      return pair + " are the points of the support set that lie farthest apart: an axis runs through them.";
     if (!where.step().has_volume) return pair + " lie farthest out along the main axis, one on each side.";
     const std::string why = fact.axis == kNoIndex ? ", the extremes along the main axis, are"
                                                   : std::string(", the extremes along ") + "xyz"[fact.axis] +
@@ -239,7 +239,7 @@ struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     if (where.before() == nullptr)  // the core was set by hand
-      return "Of all points, " + where.name(fact.farthest) + " is farthest from the core: the radius reaches to it.";
+      return where.name(fact.farthest) + " is the farthest of all points from the core: the radius reaches to it.";
     return "The last check, in exact arithmetic: " + where.name(fact.farthest) + " is farthest from the " +
            core(where) +
            (fact.widened ? ", and the radius grows in its last digit to contain it."
@@ -265,8 +265,8 @@ struct Entry<fit::SupportReplaced> : FitEntry {
       if (!fact.after.contains(i)) gone.push_back(i);
     const std::string left = gone.empty() ? "" : where.names(gone) + (gone.size() == 1 ? " leaves" : " leave");
     if (fact.entered == kNoIndex)
-      return (left.empty() ? "The support set is solved again" : left + " the support set") +
-             ": the other points support the " + where.ball() + " alone.";
+      return (left.empty() ? "The support set is solved again: its points" : left + " the support set: the others") +
+             " support the " + where.ball() + " alone.";
     return where.name(fact.entered) + " joins the support set" +
            (left.empty() ? ", and none leaves it." : ", and " + left + " it.");
   }
@@ -283,7 +283,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
   static constexpr std::array kAskings{kBetter, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string names = where.names(list_of(fact.points));
-    const std::string tried = "The " + where.ball() + " of " + names;
+    const std::string tried = "The " + where.ball() + " through " + names;
     switch (fact.verdict) {
       case Verdict::kKept:
         return tried + " contains all points and is the smallest so far, " + number_text(fact.candidate.radius) +

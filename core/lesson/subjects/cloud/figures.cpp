@@ -228,7 +228,7 @@ class FitBoard {
   }
   void digits(const CovarianceFound<double, 3>& found) {
     const int right = digits_right(found.covariance, run_.points());
-    add("Digits that are right", "digits", std::to_string(right), right, "digits");
+    add("Correct digits", "digits", std::to_string(right), right, "digits");
   }
   /// How far a direction set by hand is from being an eigenvector.
   void image() {

@@ -96,13 +96,6 @@ const SubjectRow kCostRow{.name = "cost",
                           .play_task = &play_cost_task,
                           .before_play = &count_costs};
 
-Done CostSubject::edited(Done done) {
-  if (!done) return done;
-  origin_ = cloud_->origin();
-  rows_.reset();
-  return done;
-}
-
 void CostSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   const std::string_view kind = lesson.generators.empty() ? "gaussian" : std::string_view(lesson.generators.front());
   static_cast<void>(set_generator(kind, std::max(task.points, 1), dim(), lesson.seed, own));

@@ -19,8 +19,10 @@ FrustumCamera<double, 3> camera_of(const BoxPair& pair) {
   return camera;
 }
 
+namespace {
+
 template <int Dim>
-tl::expected<Frustum<double, Dim>, InputError> frustum_of(const BoxPair& pair) {
+tl::expected<Frustum<double, Dim>, InputError> frustum_in_double(const BoxPair& pair) {
   for (int axis = 0; axis < Dim; ++axis)
     if (!(pair.boxes[1].half_extents[axis] > 0))
       return tl::unexpected(InputError{.what = "a frustum has a depth and a far face above 0"});
@@ -34,6 +36,17 @@ tl::expected<Frustum<double, Dim>, InputError> frustum_of(const BoxPair& pair) {
     flat.half_tangents[0] = camera.half_tangents[0];
     return frustum_of_camera(flat);
   }
+}
+
+}  // namespace
+
+template <int Dim>
+tl::expected<Frustum<double, Dim>, InputError> frustum_of(const BoxPair& pair) {
+  auto frustum = frustum_in_double<Dim>(pair);
+  if (!frustum || !pair.in_float) return frustum;
+  const auto rounded = frustum_in<float>(*frustum);
+  if (!rounded) return tl::unexpected(rounded.error());
+  return frustum_in<double>(*rounded);
 }
 template tl::expected<Frustum<double, 2>, InputError> frustum_of<2>(const BoxPair&);
 template tl::expected<Frustum<double, 3>, InputError> frustum_of<3>(const BoxPair&);

@@ -21,9 +21,18 @@ namespace snug::lesson {
 /// finite.
 [[nodiscard]] FrustumCamera<double, 3> camera_of(const BoxPair& pair);
 
-/// Errors: a depth or a far face of 0, and what frustum_of_camera refuses.
+/// In float its planes are rounded to float. Errors: a depth or a far face of 0, and what frustum_of_camera refuses.
 template <int Dim>
 [[nodiscard]] tl::expected<Frustum<double, Dim>, InputError> frustum_of(const BoxPair& pair);
+
+/// The same planes in another scalar. Errors: those of Frustum::make.
+template <class Scalar, class From, int Dim>
+[[nodiscard]] tl::expected<Frustum<Scalar, Dim>, InputError> frustum_in(const Frustum<From, Dim>& frustum) {
+  typename Frustum<Scalar, Dim>::Planes planes;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    planes[i] = {frustum.planes()[i].normal.template cast<Scalar>(), static_cast<Scalar>(frustum.planes()[i].d)};
+  return Frustum<Scalar, Dim>::make(planes);
+}
 
 /// The face of B on a plane of the frustum: the axis that it is perpendicular to, and whether on its positive side.
 [[nodiscard]] std::pair<int, bool> face_on_plane(int dim, int plane);

@@ -58,8 +58,8 @@ constexpr std::array kFrustumTests{
            query::kClassifyCornersPseudocode},
     Method{kFrustumBox, "corners_outside", "All vertices outside (wrong)", kWrongCorners,
            query::kCornersOutsidePseudocode},
-    of_matrix(kMatrixTests[0], "Planes of the matrix (naive)"),
-    of_matrix(kMatrixTests[1], "Planes of the matrix, in float (naive)"),
+    of_matrix(kMatrixTests[0], "Matrix planes (naive)"),
+    of_matrix(kMatrixTests[1], "Matrix planes, float (naive)"),
     Method{kFrustumSphere, "grown_planes", "Planes moved out by r", kWrongCorners, query::kClassifySpherePseudocode},
     Method{kFrustumSphere, "wrong_sign", "Planes moved in by r (wrong)", kWrongCorners, query::kWrongSignPseudocode},
     Method{kFrustumPoint, "half_spaces", "Half-spaces", kWrongCorners, kPointPseudocode},
@@ -67,12 +67,11 @@ constexpr std::array kFrustumTests{
 
 template <int Dim>
 Obb<double, Dim> box_of(const BoxPair& pair) {
-  if constexpr (Dim == 2) return flat(pair.boxes[0]);
-  else return pair.boxes[0];
+  return converted<double, Dim>(pair.boxes[0]);
 }
 
-template <int Dim>
-Sphere<double, Dim> ball_of(const Obb<double, Dim>& box) {
+template <class Scalar, int Dim>
+Sphere<Scalar, Dim> ball_of(const Obb<Scalar, Dim>& box) {
   return {box.center, box.half_extents[0]};
 }
 
@@ -88,13 +87,15 @@ FrustumTrace record_matrix(const BoxPair& pair) {
   return trace;
 }
 
-template <int Dim>
+template <class Scalar, int Dim>
 FrustumTrace record_in(std::string_view test, const BoxPair& pair) {
   FrustumTrace trace;
-  const auto frustum = frustum_of<Dim>(pair);
+  const auto in_double = frustum_of<Dim>(pair);
+  if (!in_double) return trace;
+  const auto frustum = frustum_in<Scalar>(*in_double);
   if (!frustum) return trace;
-  const Obb<double, Dim> box = box_of<Dim>(pair);
-  query::ClassifyRecorder<double, Dim> recorder;
+  const auto box = converted<Scalar, Dim>(pair.boxes[0]);
+  query::ClassifyRecorder<Scalar, Dim> recorder;
   if (test == "half_spaces") query::classify(*frustum, box.center, {}, recorder);
   else if (test == "grown_planes") query::classify(*frustum, ball_of(box), {}, recorder);
   else if (test == "wrong_sign") query::wrong_sphere_sign(*frustum, ball_of(box), recorder);
@@ -143,9 +144,10 @@ std::span<const Method> frustum_tests(std::string_view volume) {
 }
 
 FrustumTrace record_frustum(std::string_view test, const BoxPair& pair) {
-  if (test == kMatrixTests[0]) return record_matrix<double>(pair);
-  if (test == kMatrixTests[1]) return record_matrix<float>(pair);
-  return pair.dim == 2 ? record_in<2>(test, pair) : record_in<3>(test, pair);
+  if (is_of_matrix(test))
+    return pair.in_float || test == kMatrixTests[1] ? record_matrix<float>(pair) : record_matrix<double>(pair);
+  if (pair.in_float) return pair.dim == 2 ? record_in<float, 2>(test, pair) : record_in<float, 3>(test, pair);
+  return pair.dim == 2 ? record_in<double, 2>(test, pair) : record_in<double, 3>(test, pair);
 }
 
 query::Culling verdict_of(std::string_view test, const BoxPair& pair) {

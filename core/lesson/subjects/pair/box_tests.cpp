@@ -23,10 +23,17 @@ constexpr std::array kTests{
     Method{kBoxPair, "corners_only", "Vertices only (wrong)", kWrong, query::kCornersOnlyPseudocode},
 };
 
-/// Calls a function with both boxes in their own dimension.
+/// Calls a function with both boxes in their own dimension and scalar.
 template <class Call>
 auto in_dimension(const BoxPair& pair, Call call) {
-  return pair.dim == 2 ? call(flat(pair.boxes[0]), flat(pair.boxes[1])) : call(pair.boxes[0], pair.boxes[1]);
+  const auto in = [&]<class Scalar>(Scalar) {
+    const auto of = [&]<int Dim>(std::integral_constant<int, Dim>, int i) {
+      return converted<Scalar, Dim>(pair.boxes[static_cast<std::size_t>(i)]);
+    };
+    if (pair.dim == 3) return call(of(std::integral_constant<int, 3>(), 0), of(std::integral_constant<int, 3>(), 1));
+    return call(of(std::integral_constant<int, 2>(), 0), of(std::integral_constant<int, 2>(), 1));
+  };
+  return pair.in_float ? in(float()) : in(double());
 }
 
 bool run_test(std::string_view test, const BoxPair& pair, RecordPair& observe) {

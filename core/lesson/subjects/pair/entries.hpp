@@ -137,7 +137,7 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
                   ? "."
                   : "; the penetration is least along " + name + ", " + gap_text(std::max(0.0, -axis.gap)) + ".");
     return "Apart: along " + name + " there is a gap" + (axis.gap > 0 ? " of " + gap_text(axis.gap) : "") + "; " +
-           std::to_string(tests) + " of " + all + " axes were tested.";
+           std::to_string(tests) + " of " + all + (tests == 1 ? " axes was tested." : " axes were tested.");
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kReplaced; }
 };

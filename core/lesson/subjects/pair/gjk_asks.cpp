@@ -48,7 +48,7 @@ Truth next_vertex_truth(const Asked& asked, const Run& run) {
     truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
   }
   truth.sentence = truth.happened + (truth.choices.size() == 1 ? " lies" : " lie") +
-                   " farthest along −v: no other vertex of A − B is nearer to the origin’s side of v.";
+                   " farthest along −v: no other vertex of A − B reaches as far in that direction.";
   return truth;
 }
 
@@ -73,7 +73,8 @@ Truth cheaper_truth(const Asked& asked, const Run&) {
   Truth truth;
   if (own <= gjk) truth.choices.push_back(0);
   if (gjk <= own) truth.choices.push_back(1);
-  truth.happened = truth.choices.size() == 2 ? "both alike" : asked.choices[static_cast<std::size_t>(truth.choices[0])];
+  truth.happened =
+      truth.choices.size() == 2 ? "both the same" : asked.choices[static_cast<std::size_t>(truth.choices[0])];
   truth.sentence = asked.choices[0] + " takes " + count_text(own) + (own == 1 ? " operation" : " operations") +
                    " on these volumes, GJK " + count_text(gjk) + ".";
   return truth;

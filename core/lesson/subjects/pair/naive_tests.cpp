@@ -50,7 +50,7 @@ Guard guard_of(std::string_view test) {
 /// Calls a function with both boxes in the test's own kind of number.
 template <class Call>
 auto in_scalar(std::string_view test, const BoxPair& pair, Call call) {
-  if (!in_float(test)) return call(pair.boxes[0], pair.boxes[1]);
+  if (!pair.in_float && !in_float(test)) return call(pair.boxes[0], pair.boxes[1]);
   return call(converted<float, 3>(pair.boxes[0]), converted<float, 3>(pair.boxes[1]));
 }
 
@@ -93,8 +93,9 @@ bool is_wrong(const query::AxisTested<double, 3>& row, const RowTruth& truth) {
 }
 
 std::string truth_text(const RowTruth& truth) {
-  if (truth.gap == 0) return "exactly, they touch";
-  return (truth.gap > 0 ? "exactly, there is a gap of " : "exactly, the projections overlap by ") +
+  if (truth.gap == 0) return "in exact arithmetic the projections touch";
+  return (truth.gap > 0 ? "in exact arithmetic there is a gap of "
+                        : "in exact arithmetic the projections overlap by ") +
          gap_text(std::abs(truth.gap)) + " (" + number_text(std::abs(truth.ulps), 2) + " ulps)";
 }
 

@@ -277,7 +277,7 @@ PairRun::Vertices VolumesSubject::vertices() const {
 
 std::string VolumesSubject::refusal(const Method& method) const {
   if (!pair_.any || is_among(tests_of(pair_), method.name)) return {};
-  return std::string(method.title) + " is no test of these two volumes";
+  return std::string(method.title) + " is not a test of these two volumes";
 }
 
 std::unique_ptr<Run> VolumesSubject::run(const Method& method, std::unique_ptr<Run>) const {
@@ -332,8 +332,7 @@ std::vector<Proof> VolumesSubject::proofs(const View& view) const {
     return {{"GJK finds a point that both volumes have in common, or that is within rounding of both", true, true}};
   const double end_of_a = reach_along(pair_.held[0], apart->direction);
   const double end_of_b = -reach_along(pair_.held[1], -apart->direction);
-  return {{"a plane across the axis of the nearest points has A on one side and B on the other", end_of_a < end_of_b,
-           true}};
+  return {{"a plane between the nearest points has A on one side and B on the other", end_of_a < end_of_b, true}};
 }
 
 }  // namespace snug::lesson

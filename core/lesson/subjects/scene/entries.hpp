@@ -8,11 +8,15 @@ namespace snug::lesson {
 /// "figure": in which range a figure of the scene lies; the choices are the ranges.
 const char* offer_ranges(Asked& asked, const Run& run);
 Truth range_truth(const Asked& asked, const Run& run);
+/// "skipped": which effects are skipped in the frame; the choices are the effects.
+const char* offer_effects(Asked& asked, const Run& run);
+Truth skipped_truth(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<FrameTaken> : EntryDefaults {
   static constexpr std::array kAskings{
-      Asking{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_ranges}};
+      Asking{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_ranges},
+      Asking{.name = "skipped", .offer = &offer_effects, .truth = &skipped_truth}};
   static std::string sentence(const FrameTaken& fact, const SceneRun::Where& where);
 };
 

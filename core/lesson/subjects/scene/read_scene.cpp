@@ -103,7 +103,9 @@ scene::Setting read_setting(TomlTable& table, const std::string& key, const toml
   return places;
 }
 
-scene::EffectCall read_effect(const toml::table& toml, const std::vector<SceneBody>& bodies, Complaints& complaints) {
+/// Reads an effect, and whether the scene calls for it from the start.
+std::pair<scene::EffectCall, bool> read_effect(const toml::table& toml, const std::vector<SceneBody>& bodies,
+                                               Complaints& complaints) {
   TomlTable table(toml, "[[scene.effect]]", complaints);
   scene::EffectCall call{.name = table.text("effect"), .body = table.text_or("body", ""), .line = table.place().line};
   std::vector<std::string_view> effects, names;
@@ -112,13 +114,14 @@ scene::EffectCall read_effect(const toml::table& toml, const std::vector<SceneBo
     if (!one.body.name.empty()) names.push_back(one.body.name);
   check_name(table, "effect", call.name, effects);
   if (!names.empty()) check_name(table, "body", call.body, names);
+  const bool called = table.flag_or("called", true);
   for (const auto& [key, node] : toml) {
     const std::string name(key.str());
-    if (name == "effect" || name == "body") continue;
+    if (name == "effect" || name == "body" || name == "called") continue;
     call.settings.push_back(read_setting(table, name, node));
   }
   table.refuse_others();
-  return call;
+  return {std::move(call), called};
 }
 
 void check_figure(TomlTable& table, const std::string& figure) {
@@ -141,8 +144,13 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   const toml::table* points = lesson.table("points");
   const bool has_mesh = points != nullptr && points->contains("mesh");
   for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));
-  for (const toml::table* effect : table.tables("effect"))
-    set.effects.push_back(read_effect(*effect, set.bodies, complaints));
+  set.graph = table.flag_or("graph", false);
+  for (const toml::table* effect : table.tables("effect")) {
+    auto [call, called] = read_effect(*effect, set.bodies, complaints);
+    (called ? set.effects : set.spare).push_back(std::move(call));
+  }
+  if (!set.spare.empty() && !set.graph)
+    complaints.add(table.place(), "an effect that is not called for needs \"graph = true\", where students add it");
   if (set.bodies.empty()) complaints.add(table.place(), "[scene] has no [[scene.body]]");
   table.refuse_others();
   return set;

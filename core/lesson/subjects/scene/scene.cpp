@@ -6,6 +6,8 @@
 #include "lesson/check_lesson.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/scene/declared_effects.hpp"
+#include "lesson/subjects/scene/effect_words.hpp"
 #include "lesson/subjects/scene/entries.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
 #include "measure/timing.hpp"
@@ -40,6 +42,9 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& less
     return tl::unexpected(at_line({.what = too_long_text()}, set.frames_line));
   if (const Done sound = check_scene_opens(set, lesson.algorithms, *points, lesson.seed); !sound)
     return tl::unexpected(at_line(sound.error(), set.line));
+  if (!set.spare.empty())  // a student may call for all of them
+    if (const Done sound = check_scene_opens(*with_all_called(set), lesson.algorithms, *points, lesson.seed); !sound)
+      return tl::unexpected(at_line(sound.error(), set.line));
   return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
 }
 
@@ -98,6 +103,8 @@ std::string range_sentence(std::string_view figure, double value, const std::str
                                               : "It is " + looser_words(value / 100, "the tightest") + ".";
 }
 
+std::string refusal_text(const InputError& error) { return "The scene cannot run: " + effect_words(error.what) + "."; }
+
 std::string pair_words(const FrameTaken& fact, const SceneRun::Where& where) {
   std::string words = "of " + count_of_pairs(fact.all_pairs) + (fact.all_pairs == 1 ? " pair" : " pairs");
   if (where.hides("after_broad")) return words + ", how many do the AABBs leave?";
@@ -117,6 +124,7 @@ std::string Entry<FrameTaken>::sentence(const FrameTaken& fact, const SceneRun::
   if (asked || (fact.all_pairs == 0 && where.hides("slack") && where.hides("cost")))
     return words + "predict what comes next.";
   if (const std::string still = still_words(where, fact.all_pairs > 0); !still.empty()) return words + still;
+  if (where.subject().set().graph) return words + counts_words(where.run.recording(), fact.frame);
   if (fact.resting) return words + "all bodies are at rest, so no effect runs.";
   if (fact.all_pairs > 0) return words + pair_words(fact, where);
   return words + (where.step().has_volume ? update_words(fact, where) : "the bodies have moved.");
@@ -147,14 +155,14 @@ const SubjectRow kSceneRow{.name = "scene",
                            .facts = &FactList<decltype(FrameStep::fact)>::names,
                            .askings = &FactList<decltype(FrameStep::fact)>::askings,
                            .read = &read_scene,
-                           .read_model = &read_point_model,
+                           .read_model = &read_scene_model,
                            .check_first = &check_frames,
                            .check_task = &check_scene_task,
                            .open = &open_scene};
 
 SceneSubject::SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock)
     : PointSubject(lesson, std::move(points), std::move(mesh)),
-      set_(std::static_pointer_cast<const SceneSet>(lesson.tables)), clock_(clock) {
+      set_(std::static_pointer_cast<const SceneSet>(lesson.tables)), own_set_(set_), clock_(clock) {
   if (clock_ != nullptr) clock_step_ = cost::resolution_of(clock_);
 }
 
@@ -162,13 +170,27 @@ std::string_view SceneSubject::fixed_now() const {
   return set().at_points() ? "Bodies can only be moved before frame 1." : "Points can only be moved before frame 1.";
 }
 
-/// The lesson's own scene was opened when it was read. An edited scene may be refused, and then has no frames.
+/// The lesson's own scene was opened when it was read. An edited scene may be refused: then its bodies stand where they
+/// are put, and nothing runs.
 std::unique_ptr<Run> SceneSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  auto run = run_scene(set(), method.name, *points(), origin_.seed, clock_, off_);
+  refused_.clear();
+  const auto stand_still = [&](const InputError& error) {
+    refused_ = refusal_text(error);
+    return start_of(set(), *points(), origin_.seed);
+  };
+  auto run = run_scene(set(), method.name, *points(), origin_.seed, clock_, off_, pushed_).or_else(stand_still);
   return std::make_unique<SceneRun>(*this, run ? *std::move(run) : SceneRecording());
 }
 
+std::string SceneSubject::refusal_now(std::string_view method) const {
+  const auto scene = declaration_with(set(), method, *points(), origin_.seed).and_then([](const auto& declaration) {
+    return scene::Scene::open(declaration);
+  });
+  return scene ? "" : refusal_text(scene.error());
+}
+
 std::string SceneSubject::opening(const Method& method) const {
+  if (!refused_.empty()) return refused_;
   const std::string many = std::to_string(size()) + (set().at_points() ? " bodies" : " points");
   const std::string what = set().at_points() ? (size() == 1 ? "1 body" : many)
                                              : "a body of " + (size() == 1 ? std::string("1 point") : many);
@@ -183,15 +205,22 @@ std::vector<Figure> SceneSubject::figures(const View& view) const {
 /// None: its figures are counts.
 std::vector<Proof> SceneSubject::proofs(const View&) const { return {}; }
 
-/// Those of the last frame, with every effect on.
+/// Those of the last frame, with every effect on and nothing pushed. If the scene cannot run, none is known.
 std::vector<Figure> SceneSubject::results(const Method& method, const View&) const {
   const auto last = last_frame(set(), method.name, *points(), origin_.seed);
-  if (!last) return {};
-  std::vector<Figure> figures;
-  const auto add = [&](std::string_view key) { figures.push_back(scene_figure(key, value_of(*last, key, *points()))); };
+  std::vector<Figure> figures = picture_figures(set(), last ? last->pictured : Pictured());
+  const auto add = [&](std::string_view key) {
+    figures.push_back(scene_figure(key, last ? value_of(last->step, key, *points()) : 0));
+  };
   for (const std::string_view key : scene_figure_names()) add(key);
-  if (last->has_volume) add(kOverHull);
+  if (last && last->step.has_volume) add(kOverHull);
+  for (Figure& figure : figures) figure.known = figure.known && last.has_value();
   return figures;
+}
+
+Grade SceneSubject::grade(const Lesson& lesson, const Task& task, const View& view) const {
+  if (std::string refusal = refusal_now(task.algorithm); !refusal.empty()) return {.says = std::move(refusal)};
+  return PointSubject::grade(lesson, task, view);
 }
 
 int SceneSubject::off_since(std::string_view effect, int step) const {
@@ -213,8 +242,9 @@ std::vector<Switch> SceneSubject::switches(const View& view) const {
     const EffectCount& now = run.counts[first + i];
     const bool on = std::none_of(off_.begin(), off_.end(), [&](const auto& off) { return off.effect == last.effect; });
     all.push_back({last.effect, on, last.constructed, now.run, now.skipped, time_of(last)});
+    if (set().graph) all.back().says = deed_words(*run.kinds[i], deed_of(run, view.step, i));
   }
-  return all;
+  return set().graph ? with_optional(std::move(all), set()) : all;
 }
 
 /// Before the first frame an effect cannot be switched off: its readers would have nothing to work with.
@@ -226,6 +256,73 @@ bool SceneSubject::turn(std::string_view name, bool on, const View& view) {
   if (found->on == on) return true;
   if (on) std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == name; });
   else off_.push_back({std::string(name), view.step});
+  return true;
+}
+
+/// Those whose numbers the scene takes: of the others a copy was edited, which is dropped.
+Done SceneSubject::is_sound() const {
+  if (const auto sound = scene::check(declaration_of(set(), *points(), origin_.seed)); !sound)
+    return tl::unexpected(InputError{.what = sound.error().what});
+  return {};
+}
+
+/// A drag moves the subject itself, so that what is refused has to be taken back.
+Done SceneSubject::move(Index i, const Point3& to) {
+  const Point3 from = at(i);
+  if (Done moved = PointSubject::move(i, to); !moved) return moved;
+  Done sound = is_sound();
+  if (!sound) static_cast<void>(PointSubject::move(i, from));
+  return sound;
+}
+
+Done SceneSubject::add(const Point3& at) {
+  return PointSubject::add(at).and_then([&] { return is_sound(); });
+}
+
+Done SceneSubject::load(const io::PointFile& file, std::string_view name) {
+  return PointSubject::load(file, name).and_then([&] { return is_sound(); });
+}
+
+Rows SceneSubject::rows() const {
+  Rows rows = PointSubject::rows();
+  if (set_ != own_set_) rows.push_back(called_row(set()));
+  return rows;
+}
+
+Done SceneSubject::set_rows(const Rows& rows) {
+  const bool declares = !rows.empty() && is_called_row(rows.back());
+  if (Done set = PointSubject::set_rows(declares ? Rows(rows.begin(), rows.end() - 1) : rows); !set) return set;
+  const bool differs = declares && rows.back() != called_row(*own_set_);
+  set_ = differs ? with_called(*own_set_, rows.back()) : own_set_;
+  return is_sound();
+}
+
+Done SceneSubject::call_for(std::string_view name, bool called) {
+  auto next = with_call(set(), name, called);
+  if (!next) return Subject::call_for(name, called);
+  set_ = called_row(*next) == called_row(*own_set_) ? own_set_ : std::move(next);
+  std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == name; });
+  pushed_.clear();
+  origin_.edited = true;
+  return {};
+}
+
+void SceneSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
+  PointSubject::begin_task(lesson, task, own);
+  set_ = own_set_;
+}
+
+bool SceneSubject::push(Index i, const View& view) {
+  const SceneRecording& run = scene_run(view.run()).recording();
+  const std::size_t body = set().first_at_points() + static_cast<std::size_t>(i);
+  if (!set().graph || view.step == 0 || body >= run.members.size() || !run.members[body].moves()) return false;
+  const bool moves =
+      std::any_of(run.tallies.begin(), run.tallies.end(), [](const auto& t) { return t.effect == "move"; });
+  std::vector<Pushed> pushed = pushed_;
+  std::erase_if(pushed, [&](const Pushed& one) { return one.after > view.step; });
+  pushed.push_back({body, view.step});
+  if (!moves || frames_of(set(), size(), pushed) <= view.step) return false;
+  pushed_ = std::move(pushed);
   return true;
 }
 

@@ -64,19 +64,37 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::vector<Figure> results(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Switch> switches(const View& view) const override;
   bool turn(std::string_view name, bool on, const View& view) override;
-  [[nodiscard]] bool has_switched_off() const override { return !off_.empty(); }
+  [[nodiscard]] bool has_switched_off() const override { return !off_.empty() || !pushed_.empty(); }
+  /// The declaration's effects, if the lesson is about them. They are part of rows(): where they differ from the
+  /// lesson's own, the last row has a 1 for each that is called for, in the order of the file.
+  Done call_for(std::string_view name, bool called) override;
+  [[nodiscard]] Rows rows() const override;
+  Done set_rows(const Rows& rows) override;
+  void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
+  [[nodiscard]] Grade grade(const Lesson& lesson, const Task& task, const View& view) const override;
+  /// Lets the body at a point hop.
+  bool push(Index i, const View& view) override;
+  Done move(Index i, const Point3& to) override;
+  Done add(const Point3& at) override;
+  Done load(const io::PointFile& file, std::string_view name) override;
 
   [[nodiscard]] const SceneSet& set() const { return *set_; }
+  /// Why the scene as it stands cannot run, as a sentence; empty if it can.
+  [[nodiscard]] std::string refusal_now(std::string_view method) const;
   /// The step after which an effect was switched off; -1 if it is on, or was on in the given step.
   [[nodiscard]] int off_since(std::string_view effect, int step) const;
 
  private:
   [[nodiscard]] std::string time_of(const scene::Tally& tally) const;
+  void points_changed() override { pushed_.clear(); }
+  [[nodiscard]] Done is_sound() const;
 
-  std::shared_ptr<const SceneSet> set_;
+  std::shared_ptr<const SceneSet> set_, own_set_;  // with the effects that it calls for now, and as the lesson has it
   Clock clock_;
   double clock_step_ = 0;  // ns
   std::vector<SwitchedOff> off_;
+  std::vector<Pushed> pushed_;
+  mutable std::string refused_;  // why the last run stands still; empty if it runs
 };
 
 /// The recording of a slot's run, in a lesson about a scene; null otherwise. Its current frame is

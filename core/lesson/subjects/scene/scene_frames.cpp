@@ -14,15 +14,19 @@ constexpr std::size_t kShareBesideSnapshots = 7;
 std::size_t bytes_of(const SceneFrame& frame) {
   return sizeof frame + scene::bytes_in(frame.bodies) + scene::bytes_in(frame.volumes) + scene::bytes_in(frame.pairs) +
          scene::bytes_in(frame.near) + scene::bytes_in(frame.touching) + scene::bytes_in(frame.shadows) +
-         scene::bytes_in(frame.trails) + scene::bytes_in(frame.rays);
+         scene::bytes_in(frame.trails) + scene::bytes_in(frame.rays) + scene::bytes_in(frame.asleep) +
+         scene::bytes_in(frame.visibility);
 }
 
 SceneFrame seen(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
-  SceneFrame frame{{},           state.volumes, state.pairs,      state.near, {}, state.shadows,
-                   state.trails, state.rays,    state.funnel.axis};
+  SceneFrame frame{{},         state.volumes,     state.pairs, state.near,      {}, state.shadows, state.trails,
+                   state.rays, state.funnel.axis, {},          state.visibility};
   frame.bodies.reserve(scene.world().bodies.size());
-  for (const scene::Motion& body : scene.world().bodies) frame.bodies.push_back({body.position, body.orientation});
+  for (const scene::Motion& body : scene.world().bodies) {
+    frame.bodies.push_back({body.position, body.orientation});
+    frame.asleep.push_back(body.asleep ? 1 : 0);
+  }
   for (const scene::Contact& contact : scene.world().contacts)
     if (contact.touching) frame.touching.push_back(contact.pair);
   return frame;

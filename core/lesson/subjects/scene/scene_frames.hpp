@@ -23,7 +23,9 @@ struct SceneFrame {
   std::vector<scene::Pair> pairs, near, touching;
   std::vector<std::vector<scene::V3>> shadows, trails;
   std::vector<scene::Ray> rays;
-  int swept_along = -1;  // the axis that AABBs were sorted along; -1: none
+  int swept_along = -1;                  // the axis that AABBs were sorted along; -1: none
+  std::vector<std::uint8_t> asleep;      // by body
+  std::vector<std::uint8_t> visibility;  // by body, query::Culling; empty if nothing culls
 };
 
 // Enough for 2,000 bodies in 125 frames, each body overlapping six others.

@@ -70,6 +70,21 @@ void add_frame(SceneRecording& run, const scene::Scene& scene) {
   }
   for (const Aabb<double, 3>& box : world.state.volumes) hold(run.volumes, box.min, box.max);
   for (const scene::Tally& tally : scene.tallies()) run.counts.push_back({tally.run, tally.skipped});
+  int awake = 0;
+  for (std::size_t i = 0; i < world.size(); ++i) awake += world.awake(i) ? 1 : 0;
+  run.awake.push_back(awake);
+}
+
+/// Begins the recording of a scene at its start.
+SceneRecording begun_with(scene::Scene opened) {
+  const scene::V3 far = scene::V3::Constant(1e300);
+  SceneRecording run{.frames = SceneFrames(std::move(opened)), .bodies = {far, -far}, .volumes = {far, -far}};
+  const scene::Scene& scene = run.frames.scene();
+  run.members = scene.world().members;
+  run.kinds = scene.kinds();
+  run.camera = scene.world().camera;
+  add_frame(run, scene);
+  return run;
 }
 
 /// Only a body of points has its volume measured.
@@ -114,6 +129,9 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& sc
   const std::string_view effect = search ? "broad_phase" : "refit";
   const auto call = std::find_if(declaration.effects.begin(), declaration.effects.end(),
                                  [&](const scene::EffectCall& one) { return one.name == effect; });
+  const auto is_spare = [&](const scene::EffectCall& one) { return one.name == effect; };
+  if (call == declaration.effects.end() && std::any_of(scene_set.spare.begin(), scene_set.spare.end(), is_spare))
+    return declaration;  // the student has left it out, and the method has nothing to choose
   if (call == declaration.effects.end())
     return tl::unexpected(InputError{.what = "the scene does not call for " + std::string(effect) + ", which " +
                                              std::string(method) + " is about"});
@@ -185,7 +203,7 @@ double figure_of(const FrameTaken& frame, std::string_view figure) {
 
 tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::string_view method,
                                                    const AnyPointSet& points, std::uint64_t seed, scene::Clock clock,
-                                                   std::span<const SwitchedOff> off) {
+                                                   std::span<const SwitchedOff> off, std::span<const Pushed> pushed) {
   auto declaration = declaration_with(set, method, points, seed);
   if (!declaration) return tl::unexpected(std::move(declaration.error()));
   auto opened = scene::Scene::open(*declaration, clock);
@@ -193,18 +211,20 @@ tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::str
   const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
                                   [&](const Method& one) { return one.name == method; });
   const int line = static_cast<int>(known->pseudocode.size()) - 1;
-  const scene::V3 far = scene::V3::Constant(1e300);
-  SceneRecording run{.frames = SceneFrames(*std::move(opened)), .bodies = {far, -far}, .volumes = {far, -far}};
+  SceneRecording run = begun_with(*std::move(opened));
   scene::Scene& scene = run.frames.scene();
-  run.members = scene.world().members;
   OperationCounts counts{};
-  add_frame(run, scene);
-  for (int frame = 0; frame < set.frames; ++frame) {
+  const int frames = frames_of(set, fit::size_of(points), pushed);
+  for (int frame = 0; frame < frames; ++frame) {
     switch_off(scene, off, frame);
+    for (const Pushed& one : pushed)
+      if (one.after == frame) scene.push(one.body);
     run.frames.step();
     counts[static_cast<std::size_t>(Operation::kPointsTouched)] +=
         static_cast<std::int64_t>(scene.world().state.refitted.cost);
     run.steps.push_back({step_of(scene, line), counts});
+    run.deeds.insert(run.deeds.end(), scene.deeds().begin(), scene.deeds().end());
+    run.changes.push_back(scene.changes());
     add_frame(run, scene);
   }
   run.tallies.assign(scene.tallies().begin(), scene.tallies().end());
@@ -212,13 +232,31 @@ tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::str
   return run;
 }
 
-tl::expected<FrameStep, InputError> last_frame(const SceneSet& set, std::string_view method, const AnyPointSet& points,
+int frames_of(const SceneSet& set, std::int64_t points, std::span<const Pushed> pushed) {
+  constexpr int kToRest = 150;
+  SceneSet longer;
+  longer.bodies = set.bodies, longer.effects = set.effects, longer.frames = set.frames;
+  for (const Pushed& one : pushed) longer.frames = std::max(longer.frames, one.after + kToRest);
+  return longer.is_too_long(points) ? set.frames : longer.frames;
+}
+
+tl::expected<SceneRecording, InputError> start_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed) {
+  scene::Declaration still = declaration_of(set, points, seed);
+  still.effects.clear();
+  return scene::Scene::open(still).map([](scene::Scene scene) {
+    SceneRecording run = begun_with(std::move(scene));
+    run.frames.finish();
+    return run;
+  });
+}
+
+tl::expected<LastFrame, InputError> last_frame(const SceneSet& set, std::string_view method, const AnyPointSet& points,
                                                std::uint64_t seed) {
   return declaration_with(set, method, points, seed)
       .and_then([](const scene::Declaration& declaration) { return scene::Scene::open(declaration); })
       .map([&](scene::Scene scene) {
         for (int frame = 0; frame < set.frames; ++frame) scene.step();
-        return step_of(scene, 0);
+        return LastFrame{step_of(scene, 0), pictured_in(scene)};
       });
 }
 

@@ -6,6 +6,7 @@
 
 #include "lesson/subject.hpp"
 #include "lesson/subjects/scene/frame_steps.hpp"
+#include "lesson/subjects/scene/pictured.hpp"
 #include "lesson/subjects/scene/scene_frames.hpp"
 #include "lesson/subjects/scene/scene_set.hpp"
 #include "trace/observer.hpp"
@@ -20,6 +21,12 @@ struct EffectCount {
   std::int64_t run = 0, skipped = 0;
 };
 
+/// A body that the student pushed, after this frame.
+struct Pushed {
+  std::size_t body = 0;
+  int after = 0;
+};
+
 struct SceneRecording {
   std::vector<Recorder<FrameStep>::Entry> steps;  // one for each frame
   SceneFrames frames;
@@ -27,6 +34,11 @@ struct SceneRecording {
   std::vector<scene::Tally> tallies;  // those at the end
   std::vector<EffectCount> counts;    // for each frame, the start first: the effects in the order of tallies
   Aabb<double, 3> bodies, volumes;    // around all bodies in all frames and orientations, and around all volumes
+  std::vector<const scene::EffectKind*> kinds = {};  // of the effects, in the order of tallies
+  std::vector<scene::Deed> deeds = {};               // for each frame from the first on: what each effect did
+  std::vector<scene::SlotSet> changes = {};          // for each frame from the first on: what changed
+  std::vector<int> awake = {};                       // for each frame, the start first: how many bodies are awake
+  std::optional<Frustum<double, 3>> camera = {};     // that culling tests against
 };
 
 /// An effect that the student switched off: it runs only up to this frame.
@@ -37,13 +49,25 @@ struct SwitchedOff {
 
 /// method: one of scene_methods(). Errors: those of scene::Scene::open, with lines of the lesson's file; an effect that
 /// the method is about but that the scene does not call for.
-[[nodiscard]] tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::string_view method,
-                                                                 const AnyPointSet& points, std::uint64_t seed,
-                                                                 scene::Clock clock = nullptr,
-                                                                 std::span<const SwitchedOff> off = {});
+[[nodiscard]] tl::expected<SceneRecording, InputError>
+run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed,
+          scene::Clock clock = nullptr, std::span<const SwitchedOff> off = {}, std::span<const Pushed> pushed = {});
+
+/// How many frames are shown: after a push as many as bodies usually need to come to rest again, if a scene may have so
+/// many.
+[[nodiscard]] int frames_of(const SceneSet& set, std::int64_t points, std::span<const Pushed> pushed);
+
+/// The start alone of a scene that is refused: its bodies stand where they are put, and nothing runs. Errors: those of
+/// scene::check.
+[[nodiscard]] tl::expected<SceneRecording, InputError> start_of(const SceneSet& set, const AnyPointSet& points,
+                                                                std::uint64_t seed);
 
 /// The last frame only, with the first body's volume if that is measured. Errors: those of run_scene.
-[[nodiscard]] tl::expected<FrameStep, InputError> last_frame(const SceneSet& set, std::string_view method,
+struct LastFrame {
+  FrameStep step;
+  Pictured pictured;
+};
+[[nodiscard]] tl::expected<LastFrame, InputError> last_frame(const SceneSet& set, std::string_view method,
                                                              const AnyPointSet& points, std::uint64_t seed);
 
 /// Checks that each method can run the scene. Errors: those of run_scene; too many frames of too many bodies.

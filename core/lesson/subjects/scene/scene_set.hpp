@@ -33,12 +33,20 @@ inline constexpr std::array<std::string_view, 4> kBodyColors{"blue", "green", "p
 struct SceneSet : Tables {
   std::vector<SceneBody> bodies;
   std::vector<scene::EffectCall> effects;
-  double step = 1.0 / 60;         // seconds a frame
-  int frames = 120;               // how many are shown
+  std::vector<scene::EffectCall> spare;  // that it does not call for, but the student may add
+  bool graph = false;      // whether its effects are what the lesson is about: their graph is on the stage, the student
+                           // adds and takes them out, and pushes bodies
+  double step = 1.0 / 60;  // seconds a frame
+  int frames = 120;        // how many are shown
   int line = 0, frames_line = 0;  // in the file, for errors: those of [scene] and of its key
 
   /// Whether there are too many frames of too many bodies (kMostBodyFrames).
   [[nodiscard]] bool is_too_long(std::int64_t points) const;
+  /// The body at the first of the points.
+  [[nodiscard]] std::size_t first_at_points() const {
+    const auto found = std::find_if(bodies.begin(), bodies.end(), [](const SceneBody& body) { return body.at_points; });
+    return static_cast<std::size_t>(found - bodies.begin());
+  }
   /// Whether a body stands at each of the points.
   [[nodiscard]] bool at_points() const {
     return std::any_of(bodies.begin(), bodies.end(), [](const SceneBody& body) { return body.at_points; });

@@ -94,7 +94,7 @@ const char* offer_split_axes(Asked& asked, const Run& run) {
   return nullptr;
 }
 Truth priced_axis_truth(const Asked& asked, const Run& run) {
-  return axis_truth(fact_of<hierarchy::SplitsPriced>(asked, run).axis, "The cheapest border is along ");
+  return axis_truth(fact_of<hierarchy::SplitsPriced>(asked, run).axis, "The cheapest split is along ");
 }
 Truth split_axis_truth(const Asked& asked, const Run& run) {
   return axis_truth(fact_of<hierarchy::SplitChosen>(asked, run).axis, "The node is split along ");
@@ -153,13 +153,13 @@ Truth rotates_truth(const Asked& asked, const Run& run) {
   const auto next = static_cast<std::size_t>(asked.fact) + 1;
   if (next < steps.size() && std::holds_alternative<hierarchy::Rotated>(steps[next].step.fact))
     return yes("Two nodes change places after it.");
-  return no("No exchange makes a node smaller.");
+  return no("No rotation makes a node smaller.");
 }
 
 Truth left_out_truth(const Asked& asked, const Run& run) {
   switch (fact_of<hierarchy::NodeVisited>(asked, run).answer) {
-    case hierarchy::Answer::kPrune: return yes("The query misses the node's box, and so all that is in it.");
-    case hierarchy::Answer::kAccept: return no("The node is inside, so all below is taken.");
+    case hierarchy::Answer::kPrune: return yes("The query misses the node's box, and so everything in it.");
+    case hierarchy::Answer::kAccept: return no("The node is inside the query, so everything below it is taken.");
     case hierarchy::Answer::kDescend: break;
   }
   return no("The query meets the node's box, so what is below has to be looked at.");

@@ -39,7 +39,7 @@ struct Entry<hierarchy::SplitsPriced> : EntryDefaults {
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const auto priced = std::count_if(fact.costs.begin(), fact.costs.end(), [](double c) { return std::isfinite(c); });
     return capital(where.beside_name(fact.node)) + ": of " + std::to_string(priced) +
-           " possible borders, the cheapest is at " + axis_letter(fact.axis) + " = " +
+           " possible splits, the cheapest is at " + axis_letter(fact.axis) + " = " +
            number_text(fact.position(fact.axis, fact.border)) + ", with " +
            number_text(fact.cost_at(fact.axis, fact.border)) + " expected tests.";
   }
@@ -176,9 +176,9 @@ struct Entry<hierarchy::NodeVisited> : EntryDefaults {
         return name + ": the query misses it" +
                (node.boxes.size() == 1
                     ? "."
-                    : ", so all " + std::to_string(node.boxes.size()) + " boxes below are left out.");
+                    : ", so the " + std::to_string(node.boxes.size()) + " boxes below are left out.");
       case hierarchy::Answer::kAccept:
-        return name + ": all of it is inside, so all " + std::to_string(node.boxes.size()) +
+        return name + ": all of it is inside, so the " + std::to_string(node.boxes.size()) +
                " boxes below are taken without a test.";
       case hierarchy::Answer::kDescend: break;
     }
@@ -212,14 +212,15 @@ struct Entry<hierarchy::Done> : EntryDefaults {
     const TreeRun& run = where.run;
     if (!run.is_merging() && !run.is_query() && !run.is_whole())
       return "There are " + std::to_string(where.before().roots.size()) +
-             " nodes without a parent: choose two of them beside the stage, to be merged.";
+             " nodes without a parent: beside the stage, choose two of them to merge.";
     if (run.is_merging())
       return "Every node has its " + std::string(run.volume_word()) + ", after " + std::to_string(fact.nodes / 2) +
-             " mergers; each has the children that it had.";
+             " mergers; each keeps its children.";
     if (!run.is_query())
       return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each with the box around its children.";
-    return "The end: " + std::to_string(fact.volume_tests) + " tests found " + box_names(run.result().found) +
-           "; one by one it takes " + std::to_string(run.boxes().size()) + ".";
+    return "The end: " + std::to_string(fact.volume_tests) + (fact.volume_tests == 1 ? " test" : " tests") + " found " +
+           box_names(run.result().found) + "; testing the boxes one by one takes " +
+           std::to_string(run.boxes().size()) + ".";
   }
   /// What a query found.
   static std::vector<Index> handles(const Fact&, const TreeWhere& where) {

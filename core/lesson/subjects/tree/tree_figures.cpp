@@ -32,7 +32,7 @@ void add_costs(std::vector<Figure>& figures, const TreeRun& run, bool done) {
   figures.push_back(at_end("SAH cost as built", "cost_built", number_text(run.cost_built()) + " tests",
                            run.cost_built(), "tests", true));
   figures.push_back(at_end("SAH cost now", "cost", number_text(cost) + " tests", cost, "tests", done));
-  figures.push_back(at_end("Of the rebuilt tree's cost", "of_rebuilt", number_text(share) + " %", share, "%", done));
+  figures.push_back(at_end("Against the rebuilt tree", "of_rebuilt", number_text(share) + " %", share, "%", done));
 }
 
 std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
@@ -47,10 +47,10 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   const double cost = run.cost(), median = hierarchy::expected_cost(build_tree("top_down_median", run.boxes()));
   const double share = 100 * (cost / median);
   figures.push_back(at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done));
-  figures.push_back(at_end("Of the median tree's cost", "of_median", number_text(share) + " %", share, "%", done));
+  figures.push_back(at_end("Against the median tree", "of_median", number_text(share) + " %", share, "%", done));
   if (!run.is_by_hand()) return figures;
   const double of_sah = 100 * (cost / hierarchy::expected_cost(build_tree("top_down_sah", run.boxes())));
-  figures.push_back(at_end("Of the SAH tree's cost", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
+  figures.push_back(at_end("Against the SAH tree", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
   return figures;
 }
 
@@ -58,8 +58,7 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
 Figure share_of_far_first(const TreeRun& run, int step) {
   const auto far = run_query("ray_far_first", run.query(), run.tree(), run.boxes()).counts.volume_tests();
   const double share = 100 * (static_cast<double>(run.state(run.steps()).tests()) / static_cast<double>(far));
-  return at_end("Of the tests back to front", "of_far_first", number_text(share) + " %", share, "%",
-                step == run.steps());
+  return at_end("Against back to front", "of_far_first", number_text(share) + " %", share, "%", step == run.steps());
 }
 
 std::vector<Figure> figures_of_query(const TreeRun& run, int step) {
@@ -89,10 +88,9 @@ std::vector<Figure> figures_of_merging(const TreeRun& run, int step) {
   std::int64_t merged = 0;
   for (Index i = node; i < nodes; ++i) merged += any && !run.tree().nodes[i].is_leaf();
   const double loss = any ? merging_loss(run, node) : 0;
-  std::vector<Figure> figures{area("Area, merged", "area", run.volumes().merged),
-                              area("Area, round the vertices", "area_points", run.volumes().tight),
-                              at_end("Merging loses", "loss", percent_text(loss), 100 * loss, "%", any),
-                              count("Mergers", "mergers", merged)};
+  std::vector<Figure> figures{
+      area("Area, merged", "area", run.volumes().merged), area("Area, tightest", "area_points", run.volumes().tight),
+      at_end("Loss by merging", "loss", percent_text(loss), 100 * loss, "%", any), count("Mergers", "mergers", merged)};
   if (run.volume_word() == "AABB") add_costs(figures, run, step == run.steps());
   return figures;
 }
@@ -142,7 +140,7 @@ Proof contains_all(const TreeRun& run) {
       for (const double x : {own.min[0], own.max[0]})
         for (const double y : {own.min[1], own.max[1]}) holds = holds && has_point(run.volumes().merged[i], {x, y, 0});
     }
-  return {"each node's volume has all vertices of the boxes below it", holds, true};
+  return {"each node's volume contains all vertices of the boxes below it", holds, true};
 }
 
 }  // namespace
@@ -162,7 +160,7 @@ std::vector<Proof> tree_proofs(const View& view, const QueryPlaces* query) {
     return {
         {"each box is in one leaf, and each node's box is the smallest around those below it", is_sound(run), true}};
   const bool same = run.result().found == found_one_by_one(view.method().name, *query, run.boxes());
-  return {{same ? "testing every box finds the same" : "testing every box finds others", same, true}};
+  return {{same ? "testing every box finds the same boxes" : "testing every box finds other boxes", same, true}};
 }
 
 }  // namespace snug::lesson

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kMergePseudocode{
     "for each node, children before parents",
     "  leaf: volume ← around its box",
-    "  else volume ← merged of both children",
+    "  else volume ← merged from both children",
     "the tree's shape stays as it was",
 };
 

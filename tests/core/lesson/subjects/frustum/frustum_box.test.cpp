@@ -214,6 +214,22 @@ TEST_CASE("the three tests: inside, intersecting, outside, and the box that the 
   }
 }
 
+TEST_CASE("in float no body that reaches into the frustum is lost, exactly, and the switch changes the planes") {
+  int outside = 0;
+  for (const char* id : {"frustum-2d", "frustum-3d", "frustum-sphere", "frustum-point"}) {
+    CAPTURE(id);
+    const Session session = session_of(id);
+    const std::string test(session.method(0)->name);
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      const BoxPair pair = rounded_to_float(scattered(boxes_of(session.subject()), seed));
+      const Culling verdict = verdict_of(test, pair);
+      outside += verdict == Culling::kOutside;
+      if (verdict == Culling::kOutside) CHECK_FALSE(share_a_point(pair).value_or(false));
+    }
+  }
+  CHECK(outside > 50);
+}
+
 TEST_CASE("p- and n-vertex are answered on the stage, by a corner of the box and nothing else") {
   BoxPair pair = plain(2, {2, 1.8, 0}, {0.4, 0.2, 0});
   pair.boxes[0] = turned_by(pair.boxes[0], 2, 0.3);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "geometry/convert.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
@@ -195,6 +196,64 @@ TEST_CASE("scattered boxes keep their sizes, and a seed leads to the same") {
   CHECK(box(session, 0).center == first.center);
   CHECK(box(session, 0).axes == first.axes);
   CHECK(session.seed() == 7);
+}
+
+TEST_CASE("in float the boxes are rounded, and in double they are what they were, hands and rows included") {
+  for (const char* id : {"obb-sat", "obb-axes", "frustum-2d", "frustum-3d", "frustum-sphere"}) {
+    CAPTURE(id);
+    Session session = session_of(id);
+    const std::uint64_t trace = session.run(0).hash();
+    const Rows rows = session.subject().rows();
+    REQUIRE(session.set_float(true).has_value());
+    CHECK(session.subject().in_float());
+    for (const int i : {0, 1}) {
+      const Obb<double, 3>& rounded = box(session, i);
+      CHECK(rounded.center == converted<double, 3>(converted<float, 3>(rounded)).center);
+      CHECK(rounded.axes == converted<double, 3>(converted<float, 3>(rounded)).axes);
+      CHECK(rounded.center.isApprox(boxes_of(session_of(id).subject()).boxes[i].center, 1e-6));
+    }
+    CHECK(session.run(0).hash() != trace);
+    CHECK(session.subject().rows() == rows);
+
+    const Point3 to = session.point(0) + Point3(0.123456789, 0, 0);
+    REQUIRE(session.move(0, to).has_value());
+    CHECK(session.point(0)[0] == static_cast<double>(static_cast<float>(to[0])));
+    session.scatter(7);
+    CHECK(session.subject().in_float());
+    session.undo();
+    session.undo();
+    REQUIRE(session.set_float(false).has_value());
+    CHECK(session.subject().rows() == rows);
+    CHECK(session.run(0).hash() == trace);
+  }
+}
+
+TEST_CASE("what is tested in float is what double, and exact arithmetic, make of the rounded boxes") {
+  int apart = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed)
+    for (const char* id : {"obb-sat", "obb-axes"}) {
+      static const Session plane = session_of("obb-sat"), space = session_of("obb-axes");
+      const BoxPair pair =
+          rounded_to_float(scattered(boxes_of((std::string_view(id) == "obb-sat" ? plane : space).subject()), seed));
+      BoxPair in_double = pair;
+      in_double.in_float = false;
+      CHECK(says_overlap("sat", pair) == says_overlap("sat", in_double));
+      apart += says_overlap("sat", pair) ? 0 : 1;
+    }
+  CHECK(apart > 100);
+  CHECK(apart < 700);
+}
+
+TEST_CASE("a box that float cannot hold is refused in float alone") {
+  Session session = session_of("obb-sat");
+  REQUIRE(session.move(0, Point3(1e30, 0, 0)).has_value());
+  const Done refused = session.set_float(true);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().what.find("larger than this program can take (1.1e18)") != std::string::npos);
+  CHECK_FALSE(session.subject().in_float());
+  session.undo();
+  REQUIRE(session.set_float(true).has_value());
+  CHECK_FALSE(session.move(0, Point3(1e30, 0, 0)).has_value());
 }
 
 TEST_CASE("every place is found again by its index, and bears its own name") {

@@ -1,0 +1,77 @@
+#include "app/subjects/scene/effects.hpp"
+
+#include <array>
+
+#include "app/marks.hpp"
+#include "app/subjects/scene/graph.hpp"
+#include "app/subjects/scene/pairs.hpp"
+#include "geometry/frustum_corners.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+#include "query/classify.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kGraphPad = 10, kLeastStage = 560, kHalfOfSleep = 3.5f, kMostWidth = 400;
+// Of the stage's height, with its buttons and the sentence. If less is left, the graph is in the panel.
+constexpr float kLeastForBodies = 520;
+
+/// The camera's frustum, dashed. Its vertices differ in one bit along each edge.
+void draw_view_of_camera(Brush& brush, const Frustum<double, 3>& camera) {
+  const auto corners = corners_of(camera);
+  if (!corners) return;
+  for (int c = 0; c < 8; ++c)
+    for (int bit = 1; bit < 8; bit <<= 1)
+      if ((c & bit) == 0)
+        line(brush.list, brush.at((*corners)[static_cast<std::size_t>(c)]),
+             brush.at((*corners)[static_cast<std::size_t>(c | bit)]), Stroke::kDashed, brush.p.examined,
+             brush.stroke(0.5f));
+}
+
+/// A z in the middle of a body. It is drawn as a mark: words must not stand over others, and bodies may.
+void draw_asleep(Brush& brush, const Seen& body) {
+  const ImVec2 at = brush.at(body.at.position);
+  const float half = kHalfOfSleep * brush.p.mark;
+  const std::array<ImVec2, 4> z{ImVec2{at.x - half, at.y - half},
+                                {at.x + half, at.y - half},
+                                {at.x - half, at.y + half},
+                                {at.x + half, at.y + half}};
+  path(brush.list, z, false, Stroke::kSolid, brush.p.ground, 4);
+  path(brush.list, z, false, Stroke::kSolid, brush.p.ink, 1.5f);
+}
+
+}  // namespace
+
+void draw_effects(Brush& brush, const lesson::SceneFrame& frame) {
+  const lesson::SceneRecording& run = *lesson::recorded_scene(brush.session, 0);
+  if (!lesson::set_of(brush.session).graph || frame.bodies.size() > kCrowd) return;
+  if (run.camera) draw_view_of_camera(brush, *run.camera);
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    const Seen body = body_in(brush, frame, i);
+    const bool culled =
+        i < frame.visibility.size() && frame.visibility[i] == static_cast<std::uint8_t>(query::Culling::kOutside);
+    if (culled) cross(brush.list, brush.at(body.at.position), 7 * brush.p.mark, brush.p.wrong, brush.stroke());
+    if (frame.asleep[i] != 0) draw_asleep(brush, body);
+  }
+}
+
+float graph_room(const Look& look, const lesson::Session& session, const Rect& stage) {
+  const float height = graph_size(look, session, kMostWidth).y;
+  if (height == 0 || stage.width < kLeastStage) return 0;
+  const float room = height + 2 * kGraphPad + 8;
+  return stage.height - look.foot - room < look.px(kLeastForBodies) ? 0 : room;
+}
+
+Rect draw_graph_inset(Brush& brush, float top) {
+  const Look& look = brush.look;
+  if (graph_room(look, brush.session, brush.rect) == 0) return {};
+  const ImVec2 size = graph_size(look, brush.session, kMostWidth);
+  const Rect panel{brush.rect.x + 12, top, size.x + 2 * kGraphPad, size.y + 2 * kGraphPad};
+  const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
+  brush.list->AddRectFilled(low, high, with_alpha(brush.p.panel, 0.94f), 8);
+  brush.list->AddRect(low, high, brush.p.line, 8, 0, 1);
+  draw_graph(brush.list, look, brush.session, {panel.x + kGraphPad, panel.y + kGraphPad}, kMostWidth);
+  return panel;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,65 @@
+// A subject that measures a cloud of points: it is the cloud, as far as points, edits and runs go.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "lesson/session.hpp"
+
+namespace snug::lesson {
+
+class OnCloud : public Subject {
+ public:
+  [[nodiscard]] const Subject& shape() const override { return *cloud_; }
+  void set_origin(Origin origin) override { cloud_->set_origin(origin), origin_ = std::move(origin); }
+  [[nodiscard]] std::vector<Drive> drives() const override { return cloud_->drives(); }
+  Done drive(std::string_view name, double from, double to) override { return edited(cloud_->drive(name, from, to)); }
+  [[nodiscard]] int dim() const override { return cloud_->dim(); }
+  [[nodiscard]] Index size() const override { return cloud_->size(); }
+  [[nodiscard]] Point3 at(Index i) const override { return cloud_->at(i); }
+  [[nodiscard]] std::string name_of(Index i) const override { return cloud_->name_of(i); }
+  [[nodiscard]] Tools tools() const override { return cloud_->tools(); }
+  [[nodiscard]] Rows rows() const override { return cloud_->rows(); }
+  Done set_rows(const Rows& rows) override { return edited(cloud_->set_rows(rows)); }
+  [[nodiscard]] const AnyPointSet* points() const override { return cloud_->points(); }
+  [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override { return cloud_->triangles(); }
+  Done move(Index i, const Point3& to) override { return edited(cloud_->move(i, to)); }
+  Done add(const Point3& at) override { return edited(cloud_->add(at)); }
+  Done remove(Index i) override { return edited(cloud_->remove(i)); }
+  Done load(const io::PointFile& file, std::string_view name) override { return edited(cloud_->load(file, name)); }
+  Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override {
+    return edited(cloud_->set_generator(kind, count, dim, seed, own.shape()));
+  }
+  void scatter(std::uint64_t seed, const Subject& own) override {
+    cloud_->scatter(seed, own.shape());
+    static_cast<void>(edited({}));
+  }
+  [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override {
+    return cloud_->run(method, std::move(earlier));
+  }
+  [[nodiscard]] std::string opening(const Method& method) const override { return cloud_->opening(method); }
+  [[nodiscard]] std::vector<Figure> figures(const View& view) const override { return cloud_->figures(view); }
+  [[nodiscard]] std::vector<Proof> proofs(const View& view) const override { return cloud_->proofs(view); }
+
+ protected:
+  explicit OnCloud(std::unique_ptr<Subject> cloud) : cloud_(std::move(cloud)) { origin_ = cloud_->origin(); }
+  OnCloud(const OnCloud& other) : Subject(other), cloud_(other.cloud_->clone()) {}
+  OnCloud& operator=(const OnCloud&) = delete;
+
+  [[nodiscard]] Subject& cloud() { return *cloud_; }
+  [[nodiscard]] const Subject& cloud() const { return *cloud_; }
+  /// Takes over what an edit made of the cloud.
+  Done edited(Done done) {
+    if (!done) return done;
+    origin_ = cloud_->origin();
+    points_changed();
+    return done;
+  }
+  /// Called when the points have changed, and what was measured of them is stale.
+  virtual void points_changed() = 0;
+
+ private:
+  std::unique_ptr<Subject> cloud_;
+};
+
+}  // namespace snug::lesson

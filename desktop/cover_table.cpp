@@ -1,0 +1,97 @@
+#include "desktop/cover_table.hpp"
+
+#include <algorithm>
+
+#include "app/cover.hpp"
+#include "app/marks.hpp"
+#include "app/widgets.hpp"
+
+namespace snug::desktop {
+namespace {
+
+using app::Face;
+
+constexpr float kTableRow = 20, kHeadSize = 12, kCellSize = 12.5f, kFirstShare = 0.17f, kTableMargin = 16;
+
+app::WordTable seen_table(Shell& shell) {
+  if (shell.app().session() == nullptr || shell.app().cover() == nullptr) return {};
+  app::WordTable table = shell.app().cover()->table(shell.session());
+  return table.sorts.empty() ? app::WordTable{} : table;
+}
+
+/// Where a column ends, in which words stand flush right; the first column's words begin at its left.
+float end_of(const app::Rect& rect, std::size_t column, std::size_t columns) {
+  const float first = rect.width * kFirstShare;
+  if (column == 0) return rect.x + first;
+  return rect.x + first + (rect.width - first) * static_cast<float>(column) / static_cast<float>(columns - 1);
+}
+
+/// A triangle that points down: the least stands first.
+void draw_sorted(ImDrawList* list, ImVec2 at, float size, app::Color color) {
+  list->AddTriangleFilled({at.x - size, at.y - size * 0.6f}, {at.x + size, at.y - size * 0.6f},
+                          {at.x, at.y + size * 0.8f}, color);
+}
+
+/// Returns the command of the head that was pressed; empty for none.
+std::string draw_heads(ImDrawList* list, const app::Look& look, const app::Rect& rect, const app::WordTable& table) {
+  std::string pressed;
+  for (std::size_t i = 0; i < table.head.size(); ++i) {
+    const float right = end_of(rect, i, table.head.size()),
+                left = i == 0 ? rect.x : end_of(rect, i - 1, table.head.size());
+    const app::Rect cell{left, rect.y, right - left, look.px(kTableRow)};
+    const std::string id = "head " + table.head[i];
+    const app::Touch touch = app::touch_area(id.c_str(), cell, "Sort by " + table.head[i]);
+    if (touch.clicked) pressed = table.sorts[i];
+    const bool sorted = static_cast<int>(i) == table.sorted;
+    const app::Color color = sorted || touch.hovered ? look->current_text : look->muted;
+    const float y = app::middle_of(cell.y + cell.height / 2, look.px(kHeadSize));
+    const float width = app::measure(look, Face::kSemiBold, kHeadSize, table.head[i]).x,
+                x = i == 0 ? left : right - width;
+    app::text(list, look, Face::kSemiBold, kHeadSize, {x, y}, color, table.head[i]);
+    if (sorted) draw_sorted(list, {x - look.px(8), cell.y + cell.height / 2}, look.px(4), color);
+  }
+  return pressed;
+}
+
+void draw_cells(ImDrawList* list, const app::Look& look, const app::Rect& row, const app::WordTable& table,
+                std::size_t i) {
+  const bool picked = static_cast<int>(i) == table.picked;
+  const float y = app::middle_of(row.y + row.height / 2, look.px(kCellSize));
+  if (picked) {
+    list->AddRectFilled({row.x - 8, row.y}, {row.x + row.width + 8, row.y + row.height}, look->lit, 4);
+    app::diamond(list, {row.x + look.px(4), row.y + row.height / 2}, look.px(4.5f), look->support, look->lit);
+  }
+  app::text(list, look, Face::kSemiBold, kCellSize, {row.x + (picked ? look.px(14) : 0), y},
+            picked ? look->support_text : look->ink, table.rows[i][0]);
+  for (std::size_t k = 1; k < table.rows[i].size(); ++k) {
+    const bool best = table.best[i][k];
+    app::text_right(list, look, best ? Face::kMonoBold : Face::kMono, kCellSize, {end_of(row, k, table.head.size()), y},
+                    best ? look->optimum_text : look->ink, table.rows[i][k]);
+  }
+}
+
+}  // namespace
+
+float cover_table_height(Shell& shell, const app::Look& look) {
+  const app::WordTable table = seen_table(shell);
+  return table.sorts.empty() ? 0 : look.px(kTableRow) * static_cast<float>(table.rows.size() + 1) + 12;
+}
+
+void draw_cover_table(Shell& shell, const app::Rect& rect) {
+  const app::WordTable table = seen_table(shell);
+  if (table.sorts.empty()) return;
+  const app::Look& look = shell.app().look();
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  app::Rect row{rect.x + kTableMargin, rect.y + 6, rect.width - 2 * kTableMargin, look.px(kTableRow)};
+  std::string pressed = draw_heads(list, look, row, table);
+  app::rule(list, row.x, row.y + row.height - 1, row.width, look->line);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    row.y += row.height;
+    const std::string id = "row " + table.rows[i][0];
+    if (app::touch_area(id.c_str(), row, table.rows[i][0]).clicked) pressed = table.picks[i];
+    draw_cells(list, look, row, table, i);
+  }
+  if (!pressed.empty()) shell.app().command(pressed);
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,49 @@
+// The lesson on effects: what each does and why, a body at rest that is pushed, and a declaration that is edited.
+import { after, before, test } from "node:test";
+import { assert, start, state, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+test("at rest nothing runs, and each effect says why it is skipped", async (t) => {
+  const page = await visit(t, "?lesson=scene-effects&step=260");
+  const view = await state(page);
+  assert.equal(view.step, 260);
+  for (const { effect, run, skipped, says } of view.effects) {
+    assert.equal(run + skipped, 260, effect);
+    assert.match(says, /^skipped: \w/, effect);
+  }
+  assert.match(view.caption, /^Frame 260: none of 8 effects runs; none of 8 bodies is awake\.$/);
+});
+
+test("a push of a body at rest wakes its island alone, and undo puts it to sleep again", async (t) => {
+  const page = await visit(t, "?lesson=scene-effects&step=240");
+  const before = await state(page);
+  assert.equal(before.step, 240);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("]"); // selects the first body
+  await page.keyboard.press("p");
+  const pushed = await until(page, (now) => now.steps > 260);
+  assert.equal(pushed.step, 240);
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("ArrowRight");
+  const awake = await until(page, (now) => now.step === 241);
+  const [, some] = /; (\d) of 8 bodies are awake\.$/.exec(awake.caption);
+  assert.ok(some >= 1 && some < 8, awake.caption);
+  assert.match(awake.effects.find(({ effect }) => effect === "fall").says, /^runs: new time/);
+  await page.keyboard.press("Control+z");
+  await until(page, (now) => now.steps === 260);
+});
+
+test("before the first frame an effect is taken out of the declaration, and what needs it says so", async (t) => {
+  const page = await visit(t, "?lesson=scene-effects&step=0");
+  const field = page.getByRole("checkbox", { name: "broad phase" });
+  await field.focus();
+  await page.keyboard.press(" ");
+  const refused = await until(page, (now) => now.steps === 0);
+  assert.equal(refused.caption, "The scene cannot run: narrow phase reads pairs, which no effect of the scene makes: broad phase would.");
+  assert.ok(!(await field.isChecked()));
+  assert.ok(await field.evaluate((node) => node === document.activeElement)); // although the order is another one now
+  await page.keyboard.press(" ");
+  await until(page, (now) => now.steps === 260);
+});
