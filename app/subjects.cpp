@@ -17,10 +17,10 @@ namespace snug::app {
 namespace {
 
 constexpr std::array kSubjects{
-    SubjectRow{"cloud", cloud_view, nullptr},     SubjectRow{"pair", pair_view, nullptr},
-    SubjectRow{"volumes", volumes_view, nullptr}, SubjectRow{"frustum", frustum_view, nullptr},
-    SubjectRow{"field", field_view, nullptr},     SubjectRow{"tree", tree_view, nullptr},
-    SubjectRow{"scene", scene_view, nullptr},     SubjectRow{"cost", cloud_view, cost_cover},
+    SubjectRow{"cloud", cloud_view, nullptr},          SubjectRow{"pair", pair_view, nullptr},
+    SubjectRow{"volumes", volumes_view, nullptr},      SubjectRow{"frustum", frustum_view, nullptr},
+    SubjectRow{"field", field_view, nullptr},          SubjectRow{"tree", tree_view, nullptr},
+    SubjectRow{"scene", scene_view, nullptr},          SubjectRow{"cost", cloud_view, cost_cover},
     SubjectRow{"criteria", cloud_view, criteria_cover}};
 
 }  // namespace
