@@ -204,6 +204,7 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
   scene_.point_radius = point_radius * std::sqrt(p.mark);
   scene_.view_projection = matrix_of(camera_, frame_);
   scene_.volumes.clear();
+  scene_.marks.reset();
   if (!scene_.three_d) {
     const double scale = camera_.scale_at(Point3::Zero());
     const double step = nice_at_least(32 / scale);  // cells of 32 to 80 pixels
@@ -217,6 +218,7 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
   scene_.grid = with_alpha(p.line, 0.7f);
   scene_.eye = frame_.to_stage(camera_.eye());
   scene_.eye_to_target = static_cast<float>((camera_.eye() - camera_.view().target).norm() / frame_.unit);
+  scene_.focal = static_cast<float>(camera_.focal());
   scene_.light = (-0.5 * camera_.right() + 0.75 * camera_.up() - 0.55 * camera_.forward()).normalized().cast<float>();
   scene_.plane_height = -1.25f;
   scene_.plane_step = 0.25f;

@@ -4,6 +4,7 @@
 #include <snug_gl.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <span>
 
@@ -117,7 +118,44 @@ void main() {
 }
 )";
 
-constexpr int kPositionSlot = 0, kNormalSlot = 1;
+// Many marks in one call, each of its own size, shape and colour.
+constexpr const char* kMarkVertex = R"(
+uniform mat4 view_projection;
+uniform vec2 reach;   // the least and the greatest radius, device pixels
+uniform float focal;  // device pixels
+in vec3 position;
+in vec2 style;        // x: radius, y: shape
+in vec4 tint;
+out float size;
+out float shape;
+out vec4 color;
+void main() {
+  gl_Position = view_projection * vec4(position, 1.0);
+  size = clamp(focal * style.x / max(gl_Position.w, 0.0001), reach.x, reach.y);
+  shape = style.y;
+  color = tint;
+  gl_PointSize = 2.0 * (size + 1.0);
+}
+)";
+constexpr const char* kMarkFragment = R"(
+in float size;
+in float shape;
+in vec4 color;
+out vec4 result;
+void main() {
+  vec2 p = abs(gl_PointCoord - 0.5) * 2.0 * (size + 1.0);
+  float thick = max(1.0, 0.28 * size), inside;
+  if (shape < 0.5) inside = 0.6 * size + 0.5 - length(p);
+  else if (shape < 1.5) inside = 0.85 * size + 0.5 - max(p.x, p.y);
+  else if (shape < 2.5) inside = 0.5 * thick + 0.5 - abs(0.7071 * (p.x + p.y - size) + 0.5 * thick);
+  else inside = min(0.5 * thick + 0.5 - 0.7071 * abs(p.x - p.y), 0.8 * size + 0.5 - max(p.x, p.y));
+  inside = clamp(inside, 0.0, 1.0);
+  if (inside <= 0.0) discard;
+  result = vec4(color.rgb, color.a * inside);
+}
+)";
+
+constexpr int kPositionSlot = 0, kNormalSlot = 1, kStyleSlot = 2, kTintSlot = 3;
 
 struct Rgba {
   float r, g, b, a;
@@ -193,6 +231,8 @@ bool StageGl::build(const char* version, Program program, const char* vertex, co
   glAttachShader(linked, f);
   glBindAttribLocation(linked, kPositionSlot, "position");
   glBindAttribLocation(linked, kNormalSlot, "normal");
+  glBindAttribLocation(linked, kStyleSlot, "style");
+  glBindAttribLocation(linked, kTintSlot, "tint");
   glLinkProgram(linked);
   glDeleteShader(v);
   glDeleteShader(f);
@@ -214,7 +254,8 @@ bool StageGl::create(const char* glsl_version) {
   const bool built = build(glsl_version, kLine, kLineVertex, kLineFragment) &&
                      build(glsl_version, kMesh, kMeshVertex, kMeshFragment) &&
                      build(glsl_version, kVolume, kVolumeVertex, kVolumeFragment) &&
-                     build(glsl_version, kPoint, kPointVertex, kPointFragment);
+                     build(glsl_version, kPoint, kPointVertex, kPointFragment) &&
+                     build(glsl_version, kMark, kMarkVertex, kMarkFragment);
   if (!built) {
     programs_ = {};
     if (error_.empty()) error_ = "the graphics driver refused a shader without saying why";
@@ -226,7 +267,8 @@ bool StageGl::create(const char* glsl_version) {
 
 void StageGl::abandon() {
   programs_ = {};
-  lines_ = sphere_ = mesh_ = points_ = {};
+  lines_ = sphere_ = mesh_ = points_ = marks_ = {};
+  uploaded_marks_.reset();
   uploaded_ = ~std::uint64_t{0};
   point_count_ = 0;
 }
@@ -234,7 +276,7 @@ void StageGl::abandon() {
 void StageGl::destroy() {
   for (const GLuint program : programs_)
     if (program != 0) glDeleteProgram(program);
-  for (const Shape* shape : {&lines_, &sphere_, &mesh_, &points_}) {
+  for (const Shape* shape : {&lines_, &sphere_, &mesh_, &points_, &marks_}) {
     glDeleteVertexArrays(1, &shape->array);
     glDeleteBuffers(1, &shape->vertices);
     glDeleteBuffers(1, &shape->indices);
@@ -243,7 +285,7 @@ void StageGl::destroy() {
 }
 
 void StageGl::make_shapes() {
-  for (Shape* shape : {&lines_, &sphere_, &mesh_, &points_}) {
+  for (Shape* shape : {&lines_, &sphere_, &mesh_, &points_, &marks_}) {
     glGenVertexArrays(1, &shape->array);
     glGenBuffers(1, &shape->vertices);
     glGenBuffers(1, &shape->indices);
@@ -270,6 +312,14 @@ void StageGl::make_shapes() {
   glBindVertexArray(points_.array);
   glBindBuffer(GL_ARRAY_BUFFER, points_.vertices);
   attribute(kPositionSlot, 3, sizeof(Point3f), 0);
+
+  glBindVertexArray(marks_.array);
+  glBindBuffer(GL_ARRAY_BUFFER, marks_.vertices);
+  attribute(kPositionSlot, 3, sizeof(GlMark), offsetof(GlMark, at));
+  attribute(kStyleSlot, 2, sizeof(GlMark), offsetof(GlMark, radius));
+  glEnableVertexAttribArray(kTintSlot);
+  glVertexAttribPointer(kTintSlot, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(GlMark),
+                        reinterpret_cast<const void*>(offsetof(GlMark, color)));
   glBindVertexArray(0);
 }
 
@@ -361,6 +411,24 @@ void StageGl::draw_points(const GlScene& scene, float scale) const {
   glDepthMask(GL_TRUE);
 }
 
+/// Nothing hides a mark, so that one on top can be seen wherever it is.
+void StageGl::draw_marks(const GlScene& scene, float scale) {
+  if (scene.marks == nullptr || scene.marks->marks.empty()) return;
+  const GlMarks& all = *scene.marks;
+  glBindVertexArray(marks_.array);
+  if (uploaded_marks_.lock() != scene.marks || uploaded_version_ != all.version) {
+    uploaded_marks_ = scene.marks, uploaded_version_ = all.version;
+    fill_buffer<GlMark>(GL_ARRAY_BUFFER, marks_.vertices, all.marks, GL_DYNAMIC_DRAW);
+  }
+  glDisable(GL_DEPTH_TEST);
+  use(kMark, scene);
+  glUniform2f(uniform(kMark, "reach"), all.least_radius * scale, all.greatest * scale);
+  glUniform1f(uniform(kMark, "focal"), scene.focal * scale);
+  let_shaders_size_points();
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(all.marks.size()));
+  glEnable(GL_DEPTH_TEST);
+}
+
 void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   const auto px = [&](float v) { return static_cast<int>(std::lround(v * scale)); };
   const Rgba ground = channels(scene.ground);
@@ -381,6 +449,7 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   if (scene.three_d) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
+    draw_marks(scene, scale);
     draw_mesh(scene);
     draw_volumes(scene);
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,22 @@ struct GlVolume {
   float fill = 0.09f;  // alpha looking straight through one side; higher at the rim
 };
 
+/// One of many things that are too small for a drawing of their own, as a mark.
+struct GlMark {
+  enum Shape { kDot, kSquare, kDiamond, kCross };  // a dot; filled; hollow; crossed out
+  Point3f at = Point3f::Zero();                    // stage units
+  float radius = 0;                                // stage units: on the screen it becomes smaller with the distance
+  float shape = kDot;
+  Color color = 0;
+};
+
+/// All of them, the ones that are to be on top last.
+struct GlMarks {
+  std::vector<GlMark> marks;
+  std::uint64_t version = 0;              // changes with them
+  float least_radius = 1, greatest = 24;  // page pixels
+};
+
 struct GlScene {
   Rect stage;
   Color ground = 0, grid = 0, surface = 0, point = 0;
@@ -37,10 +54,12 @@ struct GlScene {
 
   std::vector<Point3f> points;
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<Point3f> normals;      // one per point if there are triangles
-  std::uint64_t points_version = 0;  // changes with the points or the triangles
-  float point_radius = 5;            // page pixels
-  std::vector<GlVolume> volumes;     // 3-D: the farthest first
+  std::vector<Point3f> normals;          // one per point if there are triangles
+  std::uint64_t points_version = 0;      // changes with the points or the triangles
+  float point_radius = 5;                // page pixels
+  std::vector<GlVolume> volumes;         // 3-D: the farthest first
+  float focal = 1;                       // 3-D: page pixels of a stage unit at the distance of one
+  std::shared_ptr<const GlMarks> marks;  // 3-D; null for none
 };
 
 class StageGl {
@@ -57,7 +76,7 @@ class StageGl {
   void draw(const GlScene& scene, int framebuffer_width, int framebuffer_height, float scale);
 
  private:
-  enum Program { kLine, kMesh, kVolume, kPoint, kPrograms };
+  enum Program { kLine, kMesh, kVolume, kPoint, kMark, kPrograms };
   struct Shape {
     std::uint32_t array = 0, vertices = 0, indices = 0;
     int count = 0;
@@ -73,10 +92,13 @@ class StageGl {
   void draw_mesh(const GlScene& scene) const;
   void draw_volumes(const GlScene& scene) const;
   void draw_points(const GlScene& scene, float scale) const;
+  void draw_marks(const GlScene& scene, float scale);
 
   std::array<std::uint32_t, kPrograms> programs_{};
-  Shape lines_, sphere_, mesh_, points_;
+  Shape lines_, sphere_, mesh_, points_, marks_;
   std::uint64_t uploaded_ = ~std::uint64_t{0};
+  std::weak_ptr<const GlMarks> uploaded_marks_;
+  std::uint64_t uploaded_version_ = 0;
   int point_count_ = 0;
   std::string error_;
 };

@@ -7,6 +7,7 @@
 #include "app/subjects/cloud/view.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "app/subjects/cost/criteria_board.hpp"
+#include "app/subjects/field/view.hpp"
 #include "app/subjects/frustum/view.hpp"
 #include "app/subjects/pair/view.hpp"
 #include "app/subjects/scene/view.hpp"
@@ -17,16 +18,13 @@
 namespace snug::app {
 namespace {
 
-constexpr std::array kSubjects{SubjectRow{"cloud", cloud_view, nullptr},
-                               SubjectRow{"pair", pair_view, nullptr},
-                               SubjectRow{"volumes", volumes_view, nullptr},
-                               SubjectRow{"frustum", frustum_view, nullptr},
-                               SubjectRow{"tree", tree_view, nullptr},
-                               SubjectRow{"scene", scene_view, nullptr},
-                               SubjectRow{"update", update_view, nullptr},
-                               SubjectRow{"cost", cloud_view, cost_cover},
-                               SubjectRow{"criteria", cloud_view, criteria_cover},
-                               SubjectRow{"claims", cloud_view, claims_cover}};
+constexpr std::array kSubjects{
+    SubjectRow{"cloud", cloud_view, nullptr},      SubjectRow{"pair", pair_view, nullptr},
+    SubjectRow{"volumes", volumes_view, nullptr},  SubjectRow{"frustum", frustum_view, nullptr},
+    SubjectRow{"field", field_view, nullptr},      SubjectRow{"tree", tree_view, nullptr},
+    SubjectRow{"scene", scene_view, nullptr},      SubjectRow{"update", update_view, nullptr},
+    SubjectRow{"cost", cloud_view, cost_cover},    SubjectRow{"criteria", cloud_view, criteria_cover},
+    SubjectRow{"claims", cloud_view, claims_cover}};
 
 }  // namespace
 

@@ -29,7 +29,8 @@ struct CullSavings {
 
 /// Reports every body that is not outside one of the planes, with query::classify's verdict: report(body, Culling). The
 /// verdict is that of the body's own volume against all planes, because a node contains its bodies exactly. Bodies
-/// outside are not reported. last: see LastRejected, or null.
+/// outside are not reported. last: see LastRejected, or null. An observer may also have tested(Place, PlaneSet, const
+/// query::CullResult&): it is told each volume's test, with the planes that were not masked out.
 template <class Scalar, int Dim, class VolumeType, class Report, StepObserver<Step> Observer = Ignore>
 Culled cull(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
             const Frustum<Scalar, Dim>& frustum, LastRejected* last, Report&& report, const CullSavings& savings = {},
@@ -43,6 +44,7 @@ Culled cull(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const V
     if (rejected != nullptr) plan.first = *rejected;
     const query::CullResult result = query::classify(frustum, volume, plan);
     culled.planes_tested += result.planes_tested;
+    if constexpr (requires { observe.tested(place, planes, result); }) observe.tested(place, planes, result);
     if (rejected != nullptr && result.rejected_by >= 0) *rejected = static_cast<std::int8_t>(result.rejected_by);
     if (savings.masking) planes = result.crossing;
     return result.verdict == query::Culling::kOutside  ? Answer::kPrune

@@ -10,6 +10,7 @@
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/cost/criteria.hpp"
+#include "lesson/subjects/field/field.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
 #include "lesson/subjects/pair/pair.hpp"
@@ -22,7 +23,7 @@
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,   &kVolumesRow, &kFrustumRow,  &kTreeRow,
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,   &kVolumesRow, &kFrustumRow,  &kFieldRow, &kTreeRow,
                                         &kSceneRow, &kUpdateRow, &kCostRow,    &kCriteriaRow, &kClaimsRow};
   return kSubjects;
 }

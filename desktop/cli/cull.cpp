@@ -12,6 +12,7 @@
 #include "query/classify.hpp"
 #include "query/classify_corners.hpp"
 #include "query/frustum_sat.hpp"
+#include "query/sphere_survey.hpp"
 #include "query/wrong_corners_outside.hpp"
 
 namespace snug::desktop {
@@ -24,6 +25,8 @@ struct CullOptions {
   std::string tree;
   std::string steps;
   std::string file = "-", name;  // a file's path; a case's name, in place of it
+  std::int64_t survey = 0;       // spheres; 0 for none
+  std::uint64_t seed = 1;
 };
 
 using Rows = std::vector<std::vector<double>>;
@@ -296,7 +299,44 @@ CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
                   : cull_scene<double, 3>(*scene, options.tree, trace);
 }
 
+// ---- a survey
+
+/// The counts over random spheres of the line's radius around its frustum. Errors: it has no sphere; a frustum that
+/// cannot be made, or that has no vertices.
+template <int Dim>
+tl::expected<Json, std::string> surveyed(const CullLine& line, const CullOptions& options) {
+  const auto frustum = frustum_of<double, Dim>(line.frustum);
+  if (!frustum) return fault("frustum: " + frustum.error().what);
+  const auto* sphere = std::get_if<Sphere<double, Dim>>(&std::get<static_cast<std::size_t>(Dim - 2)>(line.volume));
+  if (sphere == nullptr) return fault("volume is no sphere, which --survey needs");
+  auto survey = query::SphereSurvey<Dim>::make(*frustum, sphere->radius, options.seed);
+  if (!survey) return fault("frustum: its planes do not meet in vertices, which --survey needs");
+  survey->run(options.survey);
+  const query::SurveyCounts& counts = survey->counts();
+  Json answer{{"spheres", counts.spheres},
+              {"seed", options.seed},
+              {"radius", sphere->radius},
+              {"inside", counts.inside},
+              {"intersecting", counts.intersecting},
+              {"outside", counts.outside},
+              {"false_positives", counts.false_positives()}};
+  if (Dim == 3) answer["near_edges"] = counts.false_at_two;
+  answer["near_vertices"] = Dim == 3 ? counts.false_at_more : counts.false_positives();
+  return answer;
+}
+
+CommandResult run_survey(const CullOptions& options) {
+  if (!options.tree.empty() || options.test != "planes" || options.scalar != "double" || !options.steps.empty())
+    return bad_input("--survey goes with --seed and --dim only");
+  return answer_given(options.file, options.name, cull_case, [&](const Json& json) -> tl::expected<Json, std::string> {
+    const auto line = line_from(json, options);
+    if (!line) return fault(line.error());
+    return line->dim == 2 ? surveyed<2>(*line, options) : surveyed<3>(*line, options);
+  });
+}
+
 CommandResult run_cull(const CullOptions& options) {
+  if (options.survey > 0) return run_survey(options);
   auto trace = trace_file(options.steps);
   if (!trace) return bad_input(trace.error());
   if (!options.tree.empty()) return with_trace(run_tree(options, *trace), *trace);
@@ -333,6 +373,12 @@ then one more object:
   by_tree          volume_tests (nodes and bodies) and planes_tested; without_masks: the same if children are also
                    tested against planes that their parent is inside; one_by_one: without the tree
 
+--survey N tests N random spheres instead, of the radius of each line's sphere, their centres spread evenly over the box
+around its frustum and whatever touches it:
+  spheres, seed, radius; inside, intersecting, outside: how many the test calls so; false_positives: how many of the
+                   intersecting ones touch nothing, by their distance from the frustum; near_edges: how many
+                   of these cross two planes; near_vertices: how many cross more. In 2-D there are no edges
+
 --steps writes what the test did, one JSON object a line: volume (which line of the answers), test, step (its name),
 line (of the test's pseudocode, counted from 0) and the step's own fields. In side, so_far and verdict 0 is inside, 1
 intersecting, 2 outside. For a tree there is doing (build or cull) instead of volume.
@@ -357,6 +403,9 @@ void add_cull(Commands& commands) {
   command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")
       ->check(CLI::IsMember(kTreeRules));
   command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
+  command.add_option("--survey", options->survey, "Test so many random spheres instead, and count the false positives")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+  command.add_option("--seed", options->seed, "Of the random spheres")->capture_default_str();
   command.add_option("--case", options->name, kCaseHelp);
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }

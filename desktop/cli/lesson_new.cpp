@@ -60,7 +60,8 @@ void add_lesson_new(Commands& commands, CLI::App& group) {
   const auto options = add_command<NewOptions>(commands, start, run_new);
   start
       .add_option("--subject", options->subject,
-                  "What its stage is about: cloud, pair, volumes, frustum, tree, scene, update, cost or criteria")
+                  "What its stage is about: cloud, pair, volumes, frustum, field, tree, scene, update, cost, criteria "
+                  "or claims")
       ->capture_default_str();
   start.add_option("--lessons", options->folder, "The folder to write to")->capture_default_str();
   start.add_option("ID", options->id, "The lesson's id, its file's name without .toml")->required();

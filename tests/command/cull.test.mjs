@@ -282,3 +282,23 @@ test("a point as a k-DOP, rounded, is on one side of a plane, and a tree says th
     }
   }
 });
+
+test("a survey counts the false positives among random spheres, by its seed", () => {
+  const line = { frustum: cube, volume: { sphere: { center: [9, 9, 9], radius: 0.6 } } };
+  const survey = (...args) => answers([line], "--survey", "20000", ...args)[0];
+  const first = survey("--seed", "5");
+  assert.deepEqual(Object.keys(first), ["spheres", "seed", "radius", "inside", "intersecting", "outside", "false_positives", "near_edges", "near_vertices"]);
+  assert.equal(first.inside + first.intersecting + first.outside, 20000);
+  assert.equal(first.false_positives, first.near_edges + first.near_vertices);
+  assert.ok(first.near_edges > 50 && first.near_vertices > 50);
+  assert.deepEqual(survey("--seed", "5"), first);
+  assert.notDeepEqual(survey("--seed", "6"), first);
+  const [flat] = answers([{ frustum: square, volume: { sphere: { center: [0, 0], radius: 0.6 } } }], "--survey", "20000");
+  assert.equal(flat.false_positives, flat.near_vertices);
+  assert.equal(flat.near_edges, undefined);
+  // Around a square with spheres of radius r, the share is that of four corners without their quarter circles.
+  const touching_square = (2 + 2 * 0.6) ** 2, corners = (4 - Math.PI) * 0.6 ** 2;
+  assert.ok(Math.abs(flat.false_positives / 20000 - corners / touching_square) < 0.005);
+  refused_command(["cull", "--survey", "10"], /volume is no sphere/, JSON.stringify({ frustum: cube, volume: { aabb: space.aabb(0) } }));
+  refused_command(["cull", "--survey", "10", "--tree", "median"], /--survey goes with/, "");
+});

@@ -2,6 +2,7 @@
 
 #include "app/polytope.hpp"
 #include "app/subjects/frustum/draw.hpp"
+#include "app/subjects/frustum/survey_panel.hpp"
 
 namespace snug::app {
 namespace {
@@ -29,12 +30,17 @@ class FrustumView final : public SubjectView {
     return place.kind == lesson::BoxHandle::Kind::kCorner && place.box == 0;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
+  float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
+    return draw_survey_panel(look, session, at, width, surveying_);
+  }
+  [[nodiscard]] bool working() const override { return surveying_; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "verdict", .best = "entirely outside"};
   }
 
  private:
   FrustumShown shown_;
+  mutable bool surveying_ = false;
 };
 
 }  // namespace

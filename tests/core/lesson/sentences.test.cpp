@@ -9,6 +9,7 @@
 #include "geometry/turn.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/field/field.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
@@ -183,6 +184,28 @@ std::vector<lesson::Session> tree_sessions() {
   return sessions;
 }
 
+/// Every way to cull a field, of many boxes and of a few, some of which the camera does not see at all.
+std::vector<lesson::Session> field_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const int objects : {8, 9, 400})
+    for (const double aim : {0.0, -100.0})
+      for (const lesson::Method& method : lesson::field_methods()) {
+        lesson::Lesson lesson;
+        lesson.id = "test";
+        lesson.volume = method.volume;
+        auto tables = std::make_shared<lesson::FieldTables>();
+        tables->stage.recipe.objects = objects;
+        tables->stage.now = tables->stage.before = {{-30, 8, 10}, {aim, 6, 0}};
+        tables->stage.now.aim[2] = 1;
+        lesson.tables = std::move(tables);
+        lesson.algorithms = {std::string(method.name)};
+        auto session = lesson::Session::open(std::move(lesson));
+        REQUIRE(session.has_value());
+        sessions.push_back(*std::move(session));
+      }
+  return sessions;
+}
+
 /// Scenes of pairs, of a volume that follows a body, and of one that comes to rest.
 std::vector<lesson::Session> scene_sessions() {
   std::vector<lesson::Session> sessions;
@@ -245,7 +268,8 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
   }
   check_fit(*fit::find_algorithm("sphere", "welzl_recursive"), set_of(*generate("gaussian", 1100, 3, 7), 3));
   check_fit(*fit::find_algorithm("sphere", "welzl_naive"), small_grid(200));
-  for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, tree_sessions, scene_sessions})
+  for (const auto& sessions :
+       {box_sessions, volume_sessions, frustum_sessions, field_sessions, tree_sessions, scene_sessions})
     for (const lesson::Session& session : sessions()) check(session.run(0), session.dim(), true);
   for (const lesson::SubjectRow* subject : lesson::subjects())
     for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);

@@ -61,8 +61,8 @@ Rows read_frustum_model(TomlTable& task, const Lesson& lesson, Complaints& compl
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_frustum(const Lesson& lesson, std::optional<io::PointFile>,
-                                                                Clock) {
-  return std::make_unique<FrustumSubject>(static_cast<const BoxTables&>(*lesson.tables).boxes, lesson.seed);
+                                                                Clock clock) {
+  return std::make_unique<FrustumSubject>(static_cast<const BoxTables&>(*lesson.tables).boxes, lesson.seed, clock);
 }
 
 }  // namespace
@@ -128,6 +128,23 @@ Done FrustumSubject::check(const BoxPair& pair) const { return check_frustum(pai
 
 std::unique_ptr<Run> FrustumSubject::run(const Method& method, std::unique_ptr<Run>) const {
   return std::make_unique<FrustumRun>(boxes(), record_frustum(method.name, boxes()));
+}
+
+void FrustumSubject::start_survey() {
+  auto survey = FrustumSurvey::make(boxes(), origin_.seed);
+  survey_ = survey ? std::make_shared<FrustumSurvey>(*std::move(survey)) : nullptr;
+}
+
+void FrustumSubject::work_on_survey(double budget) {
+  const double end = clock_ != nullptr ? clock_() + budget : 0;
+  while (survey_ != nullptr && !survey_->done()) {
+    survey_->step();
+    if (clock_ != nullptr && clock_() >= end) return;
+  }
+}
+
+const FrustumSurvey* FrustumSubject::survey() const {
+  return survey_ != nullptr && survey_->is_of(boxes()) ? survey_.get() : nullptr;
 }
 
 std::string FrustumSubject::opening(const Method& method) const {

@@ -4,6 +4,7 @@
 #include "lesson/boxes.hpp"
 #include "lesson/facts.hpp"
 #include "lesson/subjects/frustum/frustum_tests.hpp"
+#include "lesson/subjects/frustum/survey.hpp"
 
 namespace snug::lesson {
 
@@ -41,7 +42,9 @@ extern template class FactRun<FrustumRun, FrustumStep>;
 class FrustumSubject final : public BoxSubject {
  public:
   static constexpr const SubjectRow& kRow = kFrustumRow;
-  FrustumSubject(const BoxPair& pair, std::uint64_t seed) : BoxSubject(pair, seed) {}
+  /// clock: by which the survey keeps to its portions; null for none.
+  FrustumSubject(const BoxPair& pair, std::uint64_t seed, Clock clock = nullptr)
+      : BoxSubject(pair, seed), clock_(clock) {}
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<FrustumSubject>(*this); }
   /// "Box", "Box turn", "+−" (sign_name), "Circle", "Circle radius", "Point", "Frustum", "Frustum turn", "F3".
@@ -62,8 +65,19 @@ class FrustumSubject final : public BoxSubject {
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 
+  /// Starts a survey of the sphere's radius around the frustum, by the seed on the stage; works on it for so many
+  /// nanoseconds, or without a clock to its end. An edit ends it.
+  void start_survey();
+  void work_on_survey(double budget);
+  /// That of what stands on the stage, started or done; null for none.
+  [[nodiscard]] const FrustumSurvey* survey() const;
+
  protected:
   [[nodiscard]] Done check(const BoxPair& pair) const override;
+
+ private:
+  Clock clock_;
+  std::shared_ptr<FrustumSurvey> survey_;  // shared, to keep snapshots small
 };
 
 }  // namespace snug::lesson

@@ -1,0 +1,143 @@
+// What each method costs on the field, beside the stage.
+#include <algorithm>
+#include <string>
+
+#include "app/subjects/field/draw.hpp"
+#include "app/widgets.hpp"
+#include "lesson/figures.hpp"
+#include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kFieldHead = 26, kFieldTime = 74, kFieldWords = 13;
+
+/// The figures that the panel's bars would give away.
+bool asks_of_tests(const lesson::Question& question) {
+  return question.figure == "saved" || question.figure == "planes" || question.figure == "products" ||
+         question.figure == "products_saved";
+}
+
+/// Whether a question about what a method costs is still to be answered.
+bool is_to_be_predicted(const lesson::Session& session, const lesson::Method& method) {
+  const auto& questions = session.lesson().questions;
+  return std::any_of(questions.begin(), questions.end(), [&](const lesson::Question& question) {
+    return question.gate.algorithm == method.name && asks_of_tests(question) && session.is_open(question);
+  });
+}
+
+/// "0.042 ms", "12.3 ms"
+std::string milliseconds(double ns) { return lesson::number_text(ns / 1e6, 2) + " ms"; }
+
+struct FieldTable {
+  const Look& look;
+  const lesson::Session& session;
+  const FieldCosts& costs;
+  ImDrawList* list;
+  float x, width;
+  double all;  // tests of planes, if every plane is tested against every box
+
+  /// Returns the row's height. What is shown already moves with the stage; what has to be measured is pale until it is.
+  [[nodiscard]] float row(const lesson::Method& method, float y) const {
+    const bool chosen = &method == session.method(0), hidden = is_to_be_predicted(session, method);
+    const FieldCosts::Entry* entry = hidden ? nullptr : costs.of(method);
+    const bool fresh = entry != nullptr && costs.is_of_now(*entry);
+    const float leading = look.px(18), middle = y + leading / 2, small = look.px(12);
+    if (entry != nullptr && entry->measured.ns)
+      text_right(list, look, Face::kMono, 12, {x + width, middle_of(middle, small)}, fresh ? look->ink : look->muted,
+                 milliseconds(*entry->measured.ns));
+    const Face face = chosen ? Face::kSemiBold : Face::kRegular;
+    float below = middle;
+    for (const std::string_view line : lines_of(look, face, kFieldWords, method.title, width - look.px(kFieldTime))) {
+      text(list, look, face, kFieldWords, {x, middle_of(below, look.px(kFieldWords))}, look->ink, line);
+      below += leading;
+    }
+    bar(hidden ? std::nullopt : planes_of(entry, chosen), chosen, fresh || chosen, below);
+    if (hidden)
+      text_right(list, look, Face::kRegular, 12, {x + width, middle_of(below, small)}, look->muted, "predict");
+    return below + leading - y + look.px(4);
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> planes_of(const FieldCosts::Entry* entry, bool chosen) const {
+    const lesson::FieldRun& run = lesson::field_run(session.run(0));
+    if (chosen) return static_cast<double>(run.tally(run.steps()).planes);
+    if (entry == nullptr) return std::nullopt;
+    return static_cast<double>(entry->measured.cost.planes);
+  }
+
+  /// How many of all tests are made; planes: none if that is not to be seen.
+  void bar(std::optional<double> planes, bool chosen, bool fresh, float middle) const {
+    const float words = look.px(64), high = 6, long_as = width - words, small = look.px(12);
+    list->AddRectFilled({x, middle - high / 2}, {x + long_as, middle + high / 2}, look->track, high / 2);
+    if (!planes) return;
+    const double share = *planes / all;
+    list->AddRectFilled({x, middle - high / 2},
+                        {x + long_as * static_cast<float>(std::min(share, 1.0)), middle + high / 2},
+                        chosen ? look->current : look->previous, high / 2);
+    text_right(list, look, Face::kMonoBold, 12, {x + width, middle_of(middle, small)}, fresh ? look->ink : look->muted,
+               lesson::number_text(100 * share, 3) + " %");
+  }
+};
+
+/// What the batch buys, once both are measured and may be seen.
+std::string batch_words(const lesson::Session& session, const FieldCosts& costs) {
+  const lesson::Method& alone = lesson::field_methods()[static_cast<std::size_t>(hierarchy::FieldWay::kPnVertex)];
+  const lesson::Method& batch = lesson::field_methods()[static_cast<std::size_t>(hierarchy::FieldWay::kAtOnce)];
+  const FieldCosts::Entry *slow = costs.of(alone), *fast = costs.of(batch);
+  if (slow == nullptr || fast == nullptr || is_to_be_predicted(session, alone) || is_to_be_predicted(session, batch))
+    return {};
+  if (!slow->measured.ns || !fast->measured.ns || !(*fast->measured.ns < *slow->measured.ns)) return {};
+  const std::string times = lesson::number_text(*slow->measured.ns / std::max(*fast->measured.ns, 1.0), 2);
+  return "Eight at once is " + times +
+         " times as fast here as the p- and n-vertex one by one, though it tests every plane.";
+}
+
+}  // namespace
+
+void FieldCosts::measure(const lesson::Session& session) {
+  const auto& subject = *lesson::as<lesson::FieldSubject>(session.subject());
+  lesson::Rows rows = subject.rows();
+  const bool still = rows == rows_ && seed_ == session.seed();
+  if (!still) rows_ = std::move(rows), seed_ = session.seed(), ++stage_;
+  working_ = false;
+  for (const std::string& name : session.lesson().algorithms) {
+    const lesson::Method& method = *lesson::find_method(session.lesson(), name);
+    const auto own =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.method == &method; });
+    if (own != entries_.end() && own->stage == stage_) continue;
+    working_ = true;
+    if (!still) return;
+    const Entry entry{&method, subject.measured(method), stage_};
+    if (own != entries_.end()) *own = entry;
+    else entries_.push_back(entry);
+    return;
+  }
+}
+
+const FieldCosts::Entry* FieldCosts::of(const lesson::Method& method) const {
+  for (const Entry& entry : entries_)
+    if (entry.method == &method) return &entry;
+  return nullptr;
+}
+
+float draw_field_panel(const Look& look, const lesson::Session& session, const FieldCosts& costs, ImVec2 at,
+                       float width) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const double all = 6.0 * static_cast<double>(lesson::field_run(session.run(0)).objects());
+  const float middle = middle_of(at.y + look.px(11), look.px(kFieldWords));
+  text(list, look, Face::kSemiBold, kFieldWords, {at.x, middle}, look->muted,
+       "Plane tests, of " + lesson::count_text(static_cast<std::int64_t>(all)));
+  text_right(list, look, Face::kSemiBold, kFieldWords, {at.x + width, middle}, look->muted, "Time");
+  float y = at.y + look.px(kFieldHead);
+  const FieldTable table{look, session, costs, list, at.x, width, all};
+  for (const std::string& name : session.lesson().algorithms) {
+    y += table.row(*lesson::find_method(session.lesson(), name), y);
+  }
+  if (const std::string words = batch_words(session, costs); !words.empty())
+    y += paragraph(list, look, Face::kRegular, 12, 17, {at.x, y}, width, look->muted, words);
+  return y - at.y;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,66 @@
+// What a frame of the field takes: each way to cull it, and what the lesson does besides when its camera moves. Prints
+// the table that RESULTS.md keeps.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "bench/ratio.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects/field/field.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+Session session_with(int objects) {
+  Lesson lesson;
+  lesson.id = "bench";
+  lesson.volume = kFrustumField;
+  auto tables = std::make_shared<FieldTables>();
+  tables->stage.recipe.objects = objects;
+  tables->stage.now = tables->stage.before = {{-30, 8, 10}, {0, 6, 0}};
+  lesson.tables = std::move(tables);
+  for (const Method& method : field_methods()) lesson.algorithms.emplace_back(method.name);
+  auto session = Session::open(std::move(lesson));
+  if (!session) std::puts(session.error().message().c_str()), std::abort();
+  return *std::move(session);
+}
+
+void measure(int objects) {
+  Session session = session_with(objects);
+  for (const Method& method : field_methods()) {
+    if (!session.choose(0, method.name)) std::abort();
+    session.last();
+    const auto& subject = *as<FieldSubject>(session.subject());
+    std::vector<query::Culling> verdicts(subject.field().boxes.size());
+    std::vector<std::int8_t> last(verdicts.size(), -1);
+    std::vector<double> culls, frames;
+    for (int frame = 0; frame < 60; ++frame) {
+      const double way = 0.05 * frame;
+      frames.push_back(1e3 * bench::seconds([&] {
+                         static_cast<void>(session.move(1, Point3(0, 6, way)));
+                         bench::keep(session.figures());
+                         bench::keep(session.proofs());
+                         bench::keep(session.caption());
+                       }));
+      const FieldStage& stage = as<FieldSubject>(session.subject())->stage();
+      const auto frustum = *frustum_of(stage.recipe, stage.now);
+      culls.push_back(1e3 * bench::seconds([&] {
+                        hierarchy::cull_field(subject.field(), frustum, way_of(method), last, verdicts);
+                        bench::keep(verdicts);
+                      }));
+    }
+    std::sort(culls.begin(), culls.end());
+    std::sort(frames.begin(), frames.end());
+    std::printf("| %d | %s | %.3f | %.2f | %.2f |\n", objects, method.name.data(), culls[30], frames[30], frames[57]);
+  }
+}
+
+}  // namespace
+
+int main() {
+  std::puts("| boxes | way | culling, ms | a move of the camera, ms | the slowest of twenty |");
+  std::puts("|---:|---|---:|---:|---:|");
+  for (const int objects : {10'000, 100'000}) measure(objects);
+}

@@ -1,0 +1,46 @@
+// A field of ten thousand boxes: its camera is dragged, its counts follow, and no frame takes long.
+import { after, before, test } from "node:test";
+import { answer, assert, drag, drag_by_finger, kPhone, start, state, stop, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kAtEnd = "?lesson=frustum-field&step=99";
+
+test("the aim is dragged, and the counts are of the new frame", async (t) => {
+  const page = await visit(t, kAtEnd);
+  const own = await until(page, (now) => now.step === now.steps);
+  await drag(page, "Aim", 60, 10);
+  const now = await until(page, (view, before) => JSON.stringify(view.readout) !== before, JSON.stringify(own.readout));
+  assert.notEqual(now.readout.drawn, own.readout.drawn);
+  assert.equal(now.readout.inside + now.readout.intersecting + now.readout.outside, 10_000);
+  await page.keyboard.press("Control+z");
+  await until(page, (view, before) => JSON.stringify(view.readout) === before, JSON.stringify(own.readout));
+});
+
+test("a finger drags the camera on a phone", async (t) => {
+  const page = await visit(t, kAtEnd, kPhone);
+  const own = await until(page, (now) => now.step === now.steps);
+  await drag_by_finger(page, "Camera", 30, -20);
+  await until(page, (view, before) => JSON.stringify(view.readout) !== before, JSON.stringify(own.readout));
+});
+
+test("what the first plane saves is predicted, and then shown", async (t) => {
+  const page = await visit(t, "?lesson=frustum-field");
+  const { asked } = await until(page, (now) => now.asked);
+  assert.equal(asked.id, "one-by-one");
+  const { outcome } = await answer(page, "20 to 40 %");
+  assert.ok(outcome.question === "one-by-one");
+});
+
+test("while the aim is dragged over ten thousand boxes, frames are drawn in time", async (t) => {
+  const page = await visit(t, kAtEnd);
+  await until(page, (now) => now.step === now.steps);
+  await page.evaluate(() => (window.snug.frameTimes().length = 0));
+  for (let i = 0; i < 4; ++i) await drag(page, "Aim", i % 2 ? -50 : 50, 8);
+  const costs = (await page.evaluate(() => window.snug.frameTimes().map(({ cost }) => cost))).sort((a, b) => a - b);
+  const [median, slow] = [0.5, 0.95].map((share) => costs[Math.floor(share * (costs.length - 1))]);
+  t.diagnostic(`${costs.length} frames; the program's time for one: median ${median.toFixed(1)} ms, 95 % under ${slow.toFixed(1)} ms`);
+  assert.ok(costs.length > 10, "frames were drawn while dragging");
+  assert.ok(median < 40, "a frame of the program takes at most 8 ms on a machine that is not busy");
+});

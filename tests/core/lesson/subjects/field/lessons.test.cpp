@@ -1,0 +1,76 @@
+// The lessons on a field, played to their ends, and what the reader refuses.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "lesson/play.hpp"
+#include "lesson/subjects/field/field.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+constexpr std::array kFieldLessons{"frustum-field", "examples/field"};
+
+std::string field_text(const std::string& id) {
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("the lessons on a field play to their ends, with their tasks solved by the model alone") {
+  for (const char* id : kFieldLessons) {
+    CAPTURE(id);
+    auto lesson = read_lesson(field_text(id), std::string(id) + ".toml");
+    REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+    auto session = Session::open(*std::move(lesson));
+    REQUIRE(session.has_value());
+    for (std::size_t task = 0; task < session->lesson().tasks.size(); ++task) CHECK_FALSE(session->grade(task).done);
+    const auto played = play(*session);
+    REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
+    CHECK(played->sound());
+    for (std::uint64_t seed = 2; seed <= 5; ++seed) {
+      CAPTURE(seed);
+      session->scatter(seed);
+      for (const std::string& name : session->lesson().algorithms) {
+        REQUIRE(session->choose(0, name).has_value());
+        for (const Asked& one : session->questions())
+          CHECK(judge(one, model_answer(one, session->run(0)), session->run(0)).right);
+      }
+    }
+  }
+}
+
+TEST_CASE("each mistake about a field is told with its line") {
+  struct Broken {
+    std::string_view from, to, marker, says;
+  };
+  const std::string good = field_text("examples/field");
+  for (const Broken& broken : std::initializer_list<Broken>{
+           {"[field]", "[things]", "# A lesson", "the lesson lacks [field]"},
+           {"objects = 1000", "objects = 3", "objects = 3", "8"},
+           {"camera = [-20, 6, 14]", "camera = [-20, 6]", "camera = [", "three numbers"},
+           {"camera = [-20, 6, 14]\n", "", "[field]", "camera"},
+           {"aim = [0, 4, 0]\n", "aim = [-20, 4, 14]\n", "camera = [", "straight up or down"},
+           {"far = 30", "far = 0.5", "camera = [", "near"},
+           {"far = 30", "size = [0.5, 0.1]", "size = [", "the least first"},
+           {"far = 30", "colour = 1", "colour", "colour"},
+           {"at_least = 300", "at_least = 999", "model = {", "does not solve the task"},
+       }) {
+    CAPTURE(broken.to);
+    std::string text = good;
+    const auto at = text.find(broken.from);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, broken.from.size(), broken.to);
+    const auto lesson = read_lesson(text, "x.toml");
+    REQUIRE_FALSE(lesson.has_value());
+    CHECK_MESSAGE(lesson.error().message().find(broken.says) != std::string::npos, lesson.error().message());
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(broken.marker));
+    const auto line = std::count(text.begin(), end, '\n') + 1;
+    CHECK_MESSAGE(lesson.error().message().find("x.toml:" + std::to_string(line)) == 0, lesson.error().message());
+  }
+}
