@@ -78,8 +78,8 @@ FieldSubject::Measured FieldSubject::measured(const Method& method) const {
 
 Rows FieldSubject::planes() const {
   Rows rows;
-  for (const auto& [normal, d] : frustum_of(stage_.recipe, stage_.now)->planes())
-    rows.push_back({normal[0], normal[1], normal[2], d});
+  const auto frustum = frustum_of(stage_.recipe, stage_.now);
+  for (const auto& [normal, d] : frustum->planes()) rows.push_back({normal[0], normal[1], normal[2], d});
   return rows;
 }
 
