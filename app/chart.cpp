@@ -8,14 +8,15 @@
 #include <tuple>
 #include <utility>
 
+#include "app/chart_pen.hpp"
 #include "app/labels.hpp"
-#include "app/marks.hpp"
 #include "app/numbers.hpp"
 
 namespace snug::app {
 namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
+constexpr float kNoteLeading = 1.5f;
 constexpr double kPadding = 0.06;
 constexpr double kNothing = 1e-7;       // a fraction below this is only rounding
 constexpr float kLittleRoom = 360;      // a line chart lower than this has no note; its file has the note as well
@@ -76,6 +77,7 @@ Scale scale_of(const Chart& chart, bool is_x) {
       least = std::min(least, is_x ? std::min(p.x, p.x_low) : p.y);
       most = std::max(most, is_x ? std::max(p.x, p.x_high) : p.y);
     }
+  if (!is_x && chart.limit && least <= most) least = std::min(least, *chart.limit), most = std::max(most, *chart.limit);
   const ChartAxis& axis = is_x ? chart.x : chart.y;
   Scale scale{.log = axis.log};
   if (!(least <= most)) std::tie(least, most) = usual_range(axis);
@@ -104,12 +106,30 @@ Color word_color(const Look& look, ChartRole role) {
   }
 }
 
-void draw_rim(ImDrawList* list, const Look& look, ImVec2 at, ChartRim rim, Color color) {
+/// Words on one line. before: how much of them lies left of the place: none, half, all.
+void words_at(ChartPen& pen, const Look& look, float before, Face face, float size, ImVec2 at, Color color,
+              std::string_view words) {
+  pen.words(look, face, size, {at.x - before * measure(look, face, size, words).x, at.y}, color, words);
+}
+
+/// Draws words in as many lines as they need. leading: of the size. Returns how much higher they are than one line.
+float draw_lines(ChartPen& pen, const Look& look, Face face, float size, float leading, ImVec2 at, float width,
+                 Color color, std::string_view words) {
+  const auto lines = lines_of(look, face, size, words, width);
+  float y = at.y;
+  for (const std::string_view line : lines) {
+    pen.words(look, face, size, {at.x, y}, color, line);
+    y += look.px(size * leading);
+  }
+  return lines.empty() ? 0 : y - at.y - look.px(size * leading);
+}
+
+void draw_rim(ChartPen& pen, const Look& look, ImVec2 at, ChartRim rim, Color color) {
   const float r = 1.7f * kMark * look->mark, width = look->stroke * 0.7f;
-  if (rim == ChartRim::kRing) ring(list, at, r, color, width);
+  if (rim == ChartRim::kRing) pen.disc(at, r, kNoColor, color, width);
   if (rim == ChartRim::kBar || rim == ChartRim::kBars)
-    list->AddLine({at.x - r, at.y + r}, {at.x + r, at.y + r}, color, width);
-  if (rim == ChartRim::kBars) list->AddLine({at.x - r, at.y - r}, {at.x + r, at.y - r}, color, width);
+    pen.line({at.x - r, at.y + r}, {at.x + r, at.y + r}, color, width);
+  if (rim == ChartRim::kBars) pen.line({at.x - r, at.y - r}, {at.x + r, at.y - r}, color, width);
 }
 
 Stroke stroke_of(const ChartSeries& series) {
@@ -117,20 +137,21 @@ Stroke stroke_of(const ChartSeries& series) {
   return series.role == ChartRole::kThen ? Stroke::kDotted : kOfRim[static_cast<std::size_t>(series.rim)];
 }
 
-void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries& series) {
+void draw_mark(ChartPen& pen, const Look& look, ImVec2 at, const ChartSeries& series) {
   const float r = kMark * look->mark;
   const Color color = mark_color(look, series.role);
-  draw_rim(list, look, at, series.rim, color);
+  draw_rim(pen, look, at, series.rim, color);
   const Color inside = series.hollow || series.role == ChartRole::kThen ? look->ground : color;
   const auto polygon = [&](std::initializer_list<ImVec2> corners) {
-    list->AddConvexPolyFilled(corners.begin(), static_cast<int>(corners.size()), inside);
-    list->AddPolyline(corners.begin(), static_cast<int>(corners.size()), color, ImDrawFlags_Closed,
-                      look->stroke * 0.7f);
+    pen.polygon({corners.begin(), corners.size()}, inside, color, look->stroke * 0.7f);
+  };
+  const auto lines = [&](float reach, ImVec2 first, ImVec2 second) {
+    for (const ImVec2 way : {first, second})
+      pen.line({at.x - reach * way.x, at.y - reach * way.y}, {at.x + reach * way.x, at.y + reach * way.y}, color,
+               look->stroke);
   };
   switch (series.shape) {
-    case ChartShape::kDisc:
-      list->AddCircleFilled(at, r, inside);
-      return list->AddCircle(at, r, color, 0, look->stroke * 0.7f);
+    case ChartShape::kDisc: return pen.disc(at, r, inside, color, look->stroke * 0.7f);
     case ChartShape::kDiamond:
       return polygon(
           {{at.x, at.y - r * 1.3f}, {at.x + r * 1.3f, at.y}, {at.x, at.y + r * 1.3f}, {at.x - r * 1.3f, at.y}});
@@ -140,8 +161,8 @@ void draw_mark(ImDrawList* list, const Look& look, ImVec2 at, const ChartSeries&
       return polygon({{at.x, at.y - r * 1.2f}, {at.x + r * 1.2f, at.y + r}, {at.x - r * 1.2f, at.y + r}});
     case ChartShape::kTriangleDown:
       return polygon({{at.x, at.y + r * 1.2f}, {at.x - r * 1.2f, at.y - r}, {at.x + r * 1.2f, at.y - r}});
-    case ChartShape::kPlus: return plus(list, at, r * 1.3f, color, look->stroke);
-    case ChartShape::kCross: return cross(list, at, r, color, look->stroke);
+    case ChartShape::kPlus: return lines(r * 1.3f, {1, 0}, {0, 1});
+    case ChartShape::kCross: return lines(r, {1, 1}, {1, -1});
   }
 }
 
@@ -161,12 +182,12 @@ class Legend {
     if (rows_ > kMostRows) place(width, false);
   }
   [[nodiscard]] float height() const { return rows_ == 0 ? 0 : static_cast<float>(rows_) * row() + 8; }
-  void draw(ImDrawList* list, ImVec2 from) const {
+  void draw(ChartPen& pen, ImVec2 from) const {
     for (const Entry& entry : entries_) {
       const ImVec2 at{from.x + entry.x, from.y + static_cast<float>(entry.row) * row() + row() / 2};
-      draw_mark(list, look_, {at.x + 2 * kMark, at.y}, *entry.series);
-      text(list, look_, Face::kRegular, kSize, {at.x + kIndent, middle_of(at.y, look_.px(kSize))}, look_->ink,
-           entry.words);
+      draw_mark(pen, look_, {at.x + 2 * kMark, at.y}, *entry.series);
+      pen.words(look_, Face::kRegular, kSize, {at.x + kIndent, middle_of(at.y, look_.px(kSize))}, look_->ink,
+                entry.words);
     }
   }
 
@@ -206,7 +227,7 @@ class Legend {
 
 /// Draws a chart.
 struct Plot {
-  ImDrawList* list;
+  ChartPen& pen;
   const Look& look;
   const Chart& chart;
   Rect frame;  // within the axes
@@ -220,19 +241,19 @@ struct Plot {
               most_y = std::max(2, static_cast<int>(frame.height / look.px(44)));
     for (const ChartTick& tick : chart_ticks(chart.x, x.from, x.to, most_x)) {
       const float place = x.at(tick.at);
-      list->AddLine({place, frame.y}, {place, bottom}, look->grid);
-      list->AddLine({place, bottom}, {place, bottom + 4}, look->muted);
-      text_middle(list, look, Face::kMono, kSize, {place, bottom + 8}, look->muted, tick.label);
+      pen.line({place, frame.y}, {place, bottom}, look->grid);
+      pen.line({place, bottom}, {place, bottom + 4}, look->muted);
+      words_at(pen, look, 0.5f, Face::kMono, kSize, {place, bottom + 8}, look->muted, tick.label);
     }
     for (const ChartTick& tick : chart_ticks(chart.y, y.from, y.to, most_y)) {
       const float place = y.at(tick.at);
-      list->AddLine({frame.x, place}, {frame.x + frame.width, place}, look->grid);
-      text_right(list, look, Face::kMono, kSize, {frame.x - 8, middle_of(place, height)}, look->muted, tick.label);
+      pen.line({frame.x, place}, {frame.x + frame.width, place}, look->grid);
+      words_at(pen, look, 1, Face::kMono, kSize, {frame.x - 8, middle_of(place, height)}, look->muted, tick.label);
     }
-    list->AddLine({frame.x, bottom}, {frame.x + frame.width, bottom}, look->line, 1);
-    list->AddLine({frame.x, frame.y}, {frame.x, bottom}, look->line, 1);
-    text_right(list, look, Face::kRegular, kSize, {frame.x + frame.width, bottom + 12 + height}, look->muted,
-               chart.x.title);
+    pen.line({frame.x, bottom}, {frame.x + frame.width, bottom}, look->line, 1);
+    pen.line({frame.x, frame.y}, {frame.x, bottom}, look->line, 1);
+    words_at(pen, look, 1, Face::kRegular, kSize, {frame.x + frame.width, bottom + 12 + height}, look->muted,
+             chart.x.title);
   }
 
   /// Draws the front as steps: between the times of two offers, nothing smaller is available.
@@ -242,25 +263,41 @@ struct Plot {
       if (!way.empty()) way.push_back({at(p).x, way.back().y});
       way.push_back(at(p));
     }
-    if (way.size() > 1) path(list, way, false, Stroke::kSolid, with_alpha(look->current, 0.6f), look->stroke * 0.7f);
+    if (way.size() > 1) pen.path(way, Stroke::kSolid, with_alpha(look->current, 0.6f), look->stroke * 0.7f);
   }
+
+  /// Draws the value that the chart's points are compared with.
+  void limit() const {
+    if (!has_limit()) return;
+    const float height = y.at(*chart.limit);
+    const std::array way{ImVec2(frame.x, height), ImVec2(frame.x + frame.width, height)};
+    pen.path(way, Stroke::kDashed, look->optimum, look->stroke * 0.7f);
+  }
+  /// Names it where rising lines leave room: at its left end, or where it is at the chart's foot, farther in.
+  void name_limit() const {
+    if (!has_limit()) return;
+    const float height = y.at(*chart.limit), size = look.px(kSize), clear = kMark * look->mark + 6;
+    const bool at_foot = frame.y + frame.height - height < 0.15f * frame.height;
+    pen.halo_words(look, Face::kSemiBold, kSize, {frame.x + (at_foot ? 0.25f * frame.width : 8), height - clear - size},
+                   look->optimum_text, look->ground, chart.limit_name);
+  }
+  [[nodiscard]] bool has_limit() const { return chart.limit && !chart.series.empty(); }
 
   void series() const {
     for (const ChartSeries& one : chart.series) {
       const Color color = mark_color(look, one.role);
       std::vector<ImVec2> way;
       for (const ChartPoint& p : one.points) way.push_back(at(p));
-      if (one.line && way.size() > 1)
-        path(list, way, false, stroke_of(one), with_alpha(color, 0.7f), look->stroke * 0.7f);
+      if (one.line && way.size() > 1) pen.path(way, stroke_of(one), with_alpha(color, 0.7f), look->stroke * 0.7f);
       for (const ChartPoint& p : one.points)
         if (p.x_low < p.x_high) {
           const float left = x.at(p.x_low), right = x.at(p.x_high), height = at(p).y;
-          list->AddLine({left, height}, {right, height}, color, look->stroke * 0.7f);
+          pen.line({left, height}, {right, height}, color, look->stroke * 0.7f);
           for (const float end : {left, right})
-            list->AddLine({end, height - 4}, {end, height + 4}, color, look->stroke * 0.7f);
+            pen.line({end, height - 4}, {end, height + 4}, color, look->stroke * 0.7f);
         }
       const std::size_t every = one.line ? 1 + one.points.size() / kMostMarks : 1;
-      for (std::size_t i = 0; i < one.points.size(); i += every) draw_mark(list, look, at(one.points[i]), one);
+      for (std::size_t i = 0; i < one.points.size(); i += every) draw_mark(pen, look, at(one.points[i]), one);
     }
   }
 
@@ -285,18 +322,19 @@ struct Plot {
     const auto places = place_labels(requests, obstacles, frame);
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i] && !chart.series[i].points.empty())
-        halo_text(list, look, Face::kRegular, kSize, {places[i]->x, places[i]->y},
-                  word_color(look, chart.series[i].role), look->ground, chart.series[i].name);
+        pen.halo_words(look, Face::kRegular, kSize, {places[i]->x, places[i]->y},
+                       word_color(look, chart.series[i].role), look->ground, chart.series[i].name);
   }
 
   [[nodiscard]] std::optional<ChartHit> under_pointer() const {
-    const ImVec2 pointer = ImGui::GetMousePos();
+    const auto pointer = pen.pointer();
+    if (!pointer) return std::nullopt;
     std::optional<ChartHit> hit;
     float nearest = kReach;
     for (std::size_t i = 0; i < chart.series.size(); ++i)
       for (std::size_t j = 0; j < chart.series[i].points.size(); ++j) {
         const ImVec2 place = at(chart.series[i].points[j]);
-        const float distance = std::hypot(place.x - pointer.x, place.y - pointer.y);
+        const float distance = std::hypot(place.x - pointer->x, place.y - pointer->y);
         if (distance < nearest) nearest = distance, hit = ChartHit{i, j};
       }
     return hit;
@@ -306,10 +344,10 @@ struct Plot {
   void slope(const ChartSeries& one) const {
     const ChartPoint& last = one.points.back();
     const double first = one.points.front().x;
-    list->PushClipRect({frame.x, frame.y}, {frame.x + frame.width, frame.y + frame.height}, true);
+    pen.clip(&frame);
     const std::array way{at({first, last.y * std::pow(first / last.x, *one.slope)}), at(last)};
-    path(list, way, false, Stroke::kDashed, look->optimum, look->stroke);
-    list->PopClipRect();
+    pen.path(way, Stroke::kDashed, look->optimum, look->stroke);
+    pen.clip(nullptr);
   }
 
   void figures(const ChartHit& hit) const {
@@ -317,20 +355,20 @@ struct Plot {
     if (one.slope) slope(one);
     const ChartPoint& p = one.points[hit.point];
     const ImVec2 place = at(p);
-    ring(list, place, kMark * look->mark + 4, look->support, 2);
+    pen.disc(place, kMark * look->mark + 4, kNoColor, look->support, 2);
     const std::string name = full_name(one) + (one.slope ? " (dashed)" : "");
-    const std::string words = chart_figure(chart.x.unit, p.x) +
-                              (chart.x.unit == ChartUnit::kCount ? " " + chart.x.title : "") + ", " +
-                              chart_figure(chart.y.unit, p.y);
+    const std::string x_words =
+        chart_figure(chart.x.unit, p.x) + (chart.x.unit == ChartUnit::kCount ? " " + chart.x.title : "");
+    const std::string words =
+        (one.names.empty() ? x_words : one.names[hit.point]) + ", " + chart_figure(chart.y.unit, p.y);
     const float width =
         std::max(measure(look, Face::kSemiBold, kSize, name).x, measure(look, Face::kMono, kSize, words).x) + 24;
     const float height = 2 * look.px(kSize) + 24;
     const float left = std::clamp(place.x + 12, frame.x, std::max(frame.x, frame.x + frame.width - width));
     const float top = std::clamp(place.y - height - 12, frame.y, std::max(frame.y, frame.y + frame.height - height));
-    list->AddRectFilled({left, top}, {left + width, top + height}, look->panel, 8);
-    list->AddRect({left, top}, {left + width, top + height}, look->line, 8);
-    text(list, look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, name);
-    text(list, look, Face::kMono, kSize, {left + 12, top + 14 + look.px(kSize)}, look->ink, words);
+    pen.box({left, top, width, height}, look->panel, look->line);
+    pen.words(look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, name);
+    pen.words(look, Face::kMono, kSize, {left + 12, top + 14 + look.px(kSize)}, look->ink, words);
   }
 };
 
@@ -391,21 +429,28 @@ std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to
   return ticks;
 }
 
-std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rect& rect, const Chart& chart,
+std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart,
                                    std::optional<ChartHit> focus, std::vector<ChartPlace>* places) {
   const float line = look.px(kSize);
   const float left = rect.x + 16, top = rect.y + 16;
-  text(list, look, Face::kSemiBold, kTitle, {left, top}, look->ink,
-       shortened(look, Face::kSemiBold, kTitle, chart.title, rect.width - 32));
-  const float under = top + look.px(kTitle) + 8;
-  const Legend legend(look, chart, rect.width - 32);
+  const float width = rect.width - 32;
+  const float title = draw_lines(pen, look, Face::kSemiBold, kTitle, 1.3f, {left, top}, width, look->ink, chart.title);
+  const float under = top + title + look.px(kTitle) + 8;
+  const Legend legend(look, chart, width);
   const bool noted = legend.height() == 0 || rect.height >= kLittleRoom;
-  const float note = !noted ? -8
-                            : paragraph(list, look, Face::kRegular, kSize, kSize * 1.5f, {left, under}, rect.width - 32,
-                                        look->muted, chart.note);
-  text(list, look, Face::kRegular, kSize, {left, under + note + 8}, look->muted, chart.y.title);
+  float note = -8;
+  if (noted && !chart.note.empty()) {
+    const float first = look.px(kSize * kNoteLeading) - look.px(kSize);  // the room above and below a line, together
+    note = first + look.px(kSize) +
+           draw_lines(pen, look, Face::kRegular, kSize, kNoteLeading, {left, under + first / 2}, width, look->muted,
+                      chart.note);
+  } else if (noted) {
+    note = 0;
+  }
+  note +=
+      draw_lines(pen, look, Face::kRegular, kSize, 1.3f, {left, under + note + 8}, width, look->muted, chart.y.title);
 
-  Plot plot{list, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
+  Plot plot{pen, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
   float widest = 0;
   for (const ChartTick& tick : chart_ticks(chart.y, plot.y.from, plot.y.to, 12))
     widest = std::max(widest, measure(look, Face::kMono, kSize, tick.label).x);
@@ -422,8 +467,10 @@ std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rec
     }
   plot.axes();
   plot.front();
+  plot.limit();
   plot.series();
-  if (legend.height() > 0) legend.draw(list, {left, rect.y + rect.height - legend.height()});
+  plot.name_limit();
+  if (legend.height() > 0) legend.draw(pen, {left, rect.y + rect.height - legend.height()});
   else plot.names();
   const auto hit = plot.under_pointer();
   const auto shown = hit ? hit : focus;

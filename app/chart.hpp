@@ -11,6 +11,8 @@
 
 namespace snug::app {
 
+class ChartPen;
+
 enum class ChartUnit : std::uint8_t { kTime, kRatio, kCount, kPercent, kDegrees };
 
 struct ChartAxis {
@@ -51,6 +53,7 @@ struct ChartSeries {
   bool line = false;               // whether its points are joined, in order of rising x
   bool hollow = false;             // measured on fewer points than the others, or not to be trusted
   std::vector<ChartPoint> points;  // finite; above 0 on a log axis
+  std::vector<std::string> names;  // of its points, in place of their x; empty for none
   int row = -1;                    // its row in the current table, if it has one
 };
 
@@ -61,6 +64,8 @@ struct Chart {
   std::vector<ChartSeries> series;
   int looks = 0;                  // how many different looks the series need; beyond kChartLooks they repeat
   std::vector<ChartPoint> front;  // the Pareto front, by rising x; empty for none
+  std::optional<double> limit;    // a y that the points are compared with; none if there is none
+  std::string limit_name;
 };
 
 struct ChartTick {
@@ -88,9 +93,10 @@ struct ChartPlace {
   float x = 0, y = 0;
 };
 
-/// Draws into the rectangle. focus: the point whose figures are shown; a point near the pointer takes precedence.
-/// places: receives one for each series. Returns the point whose figures were shown.
-std::optional<ChartHit> draw_chart(ImDrawList* list, const Look& look, const Rect& rect, const Chart& chart,
+/// Draws into the rectangle with a pen: on the screen, or into a file. focus: the point whose figures are shown; a
+/// point near the pointer takes precedence. places: receives one for each series. Returns the point whose figures were
+/// shown.
+std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart,
                                    std::optional<ChartHit> focus = {}, std::vector<ChartPlace>* places = nullptr);
 
 }  // namespace snug::app

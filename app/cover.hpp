@@ -12,6 +12,8 @@
 
 namespace snug::app {
 
+struct Chart;
+
 /// A button that runs one of the cover's commands.
 struct CoverButton {
   std::string command;
@@ -69,6 +71,8 @@ class Cover {
   [[nodiscard]] virtual std::span<const std::string_view> formats() const = 0;
   [[nodiscard]] virtual std::string file_name() const = 0;
   [[nodiscard]] virtual std::string file(std::string_view format) const = 0;
+  /// The same as a picture (app/chart.hpp), which doors save as SVG and PNG; null if it is no chart.
+  [[nodiscard]] virtual const Chart* picture() const { return nullptr; }
   /// Shows an earlier file, in the first format, over the current result. none: the text is no such file. Errors: those
   /// of reading it; it cannot be shown now.
   virtual std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,

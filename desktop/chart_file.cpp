@@ -1,9 +1,11 @@
 #include "desktop/chart_file.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
+#include "app/subjects/claims/trial_chart.hpp"
 #include "app/subjects/cost/charts.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
@@ -34,6 +36,28 @@ tl::expected<app::Chart, InputError> chart_of(const std::string& path, const std
   return chart;
 }
 
+/// The chart of the claim that the table is about.
+tl::expected<app::Chart, InputError> chart_of_trials(const std::string& path, const std::string& then) {
+  const auto wrong = [&](std::string what) {
+    return tl::unexpected(InputError{.what = std::move(what), .file = path});
+  };
+  const auto table = read_table<cost::TrialRow>(path);
+  if (!table) return tl::unexpected(table.error());
+  if (!then.empty()) return wrong("is a table of trials, which are the same everywhere: --against has no use for it");
+  if (table->rows.empty()) return wrong("has no rows");
+  const std::string& name = table->rows.front().claim;
+  const cost::TrialClaim* const claim = cost::find_trial(name);
+  if (claim == nullptr) return wrong("is about a claim that is not known here: " + name);
+  for (const cost::TrialRow& row : table->rows) {
+    const auto kinds = cost::trial_kinds();
+    if (row.claim != name) return wrong("is about more than one claim: choose one with --trials of snug cost");
+    if (std::find(kinds.begin(), kinds.end(), row.kind) == kinds.end())
+      return wrong("has a kind of clouds that is not known here: " + row.kind);
+    if (!(row.value > 0)) return wrong("has a value that is not above 0");
+  }
+  return app::trial_chart(*claim, table->rows);
+}
+
 }  // namespace
 
 tl::expected<app::Chart, InputError> read_chart(const std::string& path, const std::string& then) {
@@ -42,6 +66,7 @@ tl::expected<app::Chart, InputError> read_chart(const std::string& path, const s
   const std::string table = table_name(*text);
   if (table == cost::GrowthRow::kTable) return chart_of<cost::GrowthRow>(path, then, app::growth_chart);
   if (table == cost::TurnRow::kTable) return chart_of<cost::TurnRow>(path, then, app::turn_chart);
+  if (table == cost::TrialRow::kTable) return chart_of_trials(path, then);
   return chart_of<cost::CostRow>(path, then, app::cost_chart);
 }
 

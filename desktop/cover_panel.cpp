@@ -1,5 +1,6 @@
 // The controls of a cover: what it shows, its work, its files, and the results of the predictions about it.
 #include "app/cover.hpp"
+#include "app/cover_picture.hpp"
 #include "app/marks.hpp"
 #include "desktop/lower_panel.hpp"
 #include "desktop/prose.hpp"
@@ -31,14 +32,16 @@ void draw_work(Shell& shell, Column& column, const app::Cover& cover) {
   const CoverButton work = cover.work_buttons(shell.session())[cover.running() ? 1 : 0];
   std::vector<std::string> words{work.words};
   std::vector<bool> enabled{work.enabled};
-  for (const std::string_view format : cover.formats()) {
+  const bool any = !cover.file(cover.formats().front()).empty();
+  const std::vector<std::string_view> formats = app::formats_of(cover);
+  for (const std::string_view format : formats) {
     std::string ending(format);
     for (char& c : ending) c = static_cast<char>(std::toupper(c));
-    words.push_back("Save " + ending), enabled.push_back(!cover.file(format).empty());
+    words.push_back("Save " + ending), enabled.push_back(any);
   }
   const int clicked = column.buttons("work", words, -1, enabled);
   if (clicked == 0) shell.app().command(work.command);
-  if (clicked > 0) shell.save_cover(cover.formats()[clicked - 1]);
+  if (clicked > 0) shell.save_cover(formats[static_cast<std::size_t>(clicked - 1)]);
 }
 
 void draw_progress(Column& column, double progress) {

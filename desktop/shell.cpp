@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/cover.hpp"
+#include "app/cover_picture.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
@@ -194,7 +195,10 @@ void Shell::use_file(const std::string& path) {
 }
 
 void Shell::save_cover(std::string_view format) {
-  const std::string text = app_.cover()->file(format);
+  const app::Cover& cover = *app_.cover();
+  const bool picture = format == "png";
+  const std::string text =
+      format == "svg" ? app::cover_svg(app_) : cover.file(picture ? cover.formats().front() : format);
   if (text.empty()) {
     notice = "Not saved: nothing has been measured yet.";
     return;
@@ -206,6 +210,7 @@ void Shell::save_cover(std::string_view format) {
     return;
   }
   const std::string path = new_name(folder, app_.cover()->file_name(), "." + std::string(format)).string();
+  if (picture) return static_cast<void>(picture_wanted = path);  // drawn after this frame
   const auto written = write_file(path, text);
   if (tell(written)) notice = "Saved as " + path + ".";
 }

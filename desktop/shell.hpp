@@ -95,6 +95,7 @@ class Shell {
 
   /// One sentence that is shown until it is dismissed; empty for none.
   std::string notice;
+  std::string picture_wanted;  // a PNG file, to which the window writes the cover's chart after this frame; or empty
   bool keys_shown = false;
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question

@@ -10,11 +10,13 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/chart_pen.hpp"
 #include "app/cover.hpp"
 #include "app/look.hpp"
 #include "app/timeline.hpp"
 #include "app/widgets.hpp"
 #include "desktop/chart_file.hpp"
+#include "desktop/chart_picture.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/controls.hpp"
@@ -191,8 +193,8 @@ void draw(GlfwHost& host, app::App& app, const app::Chart& chart) {
   app.frame({}, host.now());  // sets the fonts and palette
   const Extent extent = host.extent();
   const app::Look& look = app.look();
-  ImDrawList* const list = ImGui::GetBackgroundDrawList();
-  app::draw_chart(list, look, {0, 0, extent.width, extent.height}, chart);
+  app::ScreenPen pen(ImGui::GetBackgroundDrawList());
+  app::draw_chart(pen, look, {0, 0, extent.width, extent.height}, chart);
   ImGui::Render();
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look->ground);
   glDisable(GL_SCISSOR_TEST);
@@ -294,6 +296,16 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
+/// Writes the chart that was asked for as a picture, as large as the window.
+void save_picture(GlfwHost& host, Shell& shell) {
+  const std::string path = std::exchange(shell.picture_wanted, {});
+  const app::Chart chart = *shell.app().cover()->picture();
+  const bool saved = take_picture(host, path, [&] { draw(host, shell.app(), chart); }) == 0;
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  shell.notice = saved ? "Saved as " + path + "." : "Not saved: the picture could not be written.";
+  shell.measured_anew = true;  // the window is drawn again
+}
+
 /// Draws if there is something to draw, and otherwise sleeps.
 void run(GlfwHost& host, Shell& shell) {
   host.on_key = [&](const std::string& key, bool shift, bool control) { answer_key(host, shell, key, shift, control); };
@@ -318,6 +330,7 @@ void run(GlfwHost& host, Shell& shell) {
     if (presented != shell.presenting) host.fill_screen(presented = shell.presenting);
     shell.app().measure(kSlice);
     const app::Cover* const cover = shell.app().cover();
+    if (cover != nullptr && !shell.picture_wanted.empty()) save_picture(host, shell);
     const auto more = [&] {
       return shell.measured_anew || shell.focus.wants_frame() || shell.app().wants_frame(host.now());
     };
@@ -398,6 +411,12 @@ int run_window(const WindowOptions& options) {
   }
   if (font_bytes("Inter-Regular").empty())
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
+  if (chart && ending_of(options.screenshot) == "svg") {
+    const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
+    const auto written =
+        write_file(options.screenshot, svg_of(*chart, width, height, theme_of_environment(), font_bytes));
+    return written ? 0 : stop(written.error().message());
+  }
   const GlfwHost::Size size{options.width, options.height, options.sized};
   auto host = GlfwHost::make(size, options.screenshot.empty());
   if (!host) return stop(host.error());

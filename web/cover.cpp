@@ -1,5 +1,15 @@
 #include "web/cover.hpp"
 
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <snug_gl.h>
+
+#include <cmath>
+#include <vector>
+
+#include "app/cover_picture.hpp"
+#include "web/canvas.hpp"
+#include "web/door.hpp"
 #include "web/values.hpp"
 
 namespace snug::web {
@@ -54,7 +64,7 @@ val cover_object(app::App& app) {
   object.set("decided", cover->decided(session));
   object.set("says", cover->status(session));
   object.set("table", table_object(table));
-  object.set("formats", array_of(cover->formats(), text));
+  object.set("formats", array_of(app::formats_of(*cover), text));
   object.set("any", !table.rows.empty());
   return object;
 }
@@ -62,8 +72,26 @@ val cover_object(app::App& app) {
 val cover_file_object(app::App& app, const std::string& format) {
   val object = val::object();
   object.set("name", app.cover()->file_name() + "." + format);
-  object.set("text", app.cover()->file(format));
+  object.set("text", format == "svg"   ? app::cover_svg(app)
+                     : format == "png" ? std::string()
+                                       : app.cover()->file(format));
   return object;
+}
+
+bool draw_cover(float width, float height, float scale) {
+  Door& d = door();
+  if (!d.graphics || d.app->cover() == nullptr || d.app->cover()->picture() == nullptr) return false;
+  begin_frame(width, height, scale, 0);
+  d.app->frame({}, d.last_frame);  // sets the fonts and palette
+  app::draw_cover_picture(*d.app, {0, 0, width, height});
+  ImGui::Render();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, static_cast<int>(std::lround(width * scale)), static_cast<int>(std::lround(height * scale)));
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(d.ground[0], d.ground[1], d.ground[2], 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  return true;
 }
 
 }  // namespace snug::web

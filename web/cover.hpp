@@ -17,7 +17,11 @@ namespace snug::web {
 /// has no cover.
 [[nodiscard]] emscripten::val cover_object(app::App& app);
 
-/// A file of what it shows: {name, text}.
+/// A file of what it shows: {name, text}. The page makes a PNG of what draw_cover draws; its text is empty.
 [[nodiscard]] emscripten::val cover_file_object(app::App& app, const std::string& format);
+
+/// Draws the cover's chart alone onto the whole canvas, whose size the page has set: page pixels, and device pixels for
+/// each. Returns false if nothing can be drawn.
+bool draw_cover(float width, float height, float scale);
 
 }  // namespace snug::web

@@ -250,6 +250,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("measuring", &web::measuring);
   function("measured", &web::measured);
   function("cover_file", &web::cover_file);
+  function("draw_cover", &web::draw_cover);
   function("playground_says", &web::playground_says);
   function("carry_points", &web::carry_points);
   function("put_down_points", &web::put_down_points);

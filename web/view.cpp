@@ -60,6 +60,8 @@ void set_figures(val& object, const lesson::Session& session) {
 
 void set_points(val& object, const app::App& app, const lesson::Session& session) {
   object.set("numbers", numbers_object(session));
+  object.set("toolsWord", text(session.subject().tools().word));
+  object.set("toolsTitle", text(session.subject().tools().title));
   object.set("size", lesson::count_of(session.subject()));
   object.set("dim", session.dim());
   object.set("edited", session.edited());

@@ -387,7 +387,9 @@ Answer model_answer(const Asked& asked, const Run& run) {
     for (const int choice : truth.choices) all |= 1 << choice;
     return {Kind::kChoice, all};
   }
-  if (asked.number) return {.kind = Kind::kNumber, .number = truth.number};
+  // A part in a million of what an answer may be off by is rounding: it is told as nothing.
+  const bool nothing = std::abs(truth.number) < 1e-6 * truth.tolerance;
+  if (asked.number) return {.kind = Kind::kNumber, .number = nothing ? 0 : truth.number};
   if (asked.ordered) return {.kind = Kind::kOrder, .list = truth.choices};
   if (!truth.choices.empty()) return {Kind::kChoice, truth.choices.front()};
   return {Kind::kPoint, truth.points.empty() ? 0 : truth.points.front()};

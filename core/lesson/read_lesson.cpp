@@ -84,8 +84,6 @@ void read_algorithms(TomlTable& table, Lesson& lesson) {
     if (is_among(lesson.algorithms, own)) table.wrong("algorithms", "names " + own + " twice");
     else if (!own.empty()) lesson.algorithms.push_back(std::move(own));
   }
-  if (is_mixed(lesson) && !lesson.subject->chart.empty() && !lesson.subject->compares)
-    table.wrong("algorithms", "must be of one volume where there is a chart");
   if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson);
   if (!table.has("reference")) return;
   lesson.reference = known_algorithm(table, "reference", table.text("reference"), lesson);
@@ -163,7 +161,8 @@ Gate read_gate(TomlTable& table, const Lesson& lesson) {
 void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   question.asks = table.text("asks");
   std::vector<std::string_view> names = general_askings(*lesson.subject);
-  const Asking* asking = general_asking(question.asks, *lesson.subject);
+  const Asking* const general = general_asking(question.asks, *lesson.subject);
+  const Asking* asking = general;
   const bool known = is_among(lesson.subject->facts(), question.gate.fact);
   for (const auto& [fact, one] : lesson.subject->askings()) {
     if (one->name == question.asks) asking = one;
@@ -173,6 +172,7 @@ void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   if (asking != nullptr) names.push_back(asking->name);  // of another fact: what it asks of is told on the run
   check_name(table, "asks", question.asks, names);
   if (asking != nullptr && asking->read != nullptr) return asking->read(table, question);
+  if (general != nullptr && general->read != nullptr) return general->read(table, question);  // decided in another way
   if (asking != nullptr) return;
   for (const std::string_view key : {"choices", "answer", "figure", "bounds", "tolerance"}) table.allow(key);
 }

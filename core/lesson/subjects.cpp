@@ -6,6 +6,7 @@
 #include "lesson/names.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/stored.hpp"
+#include "lesson/subjects/claims/claims.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/cost/criteria.hpp"
@@ -17,12 +18,13 @@
 #include "lesson/subjects/pair/volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/tree/tree.hpp"
+#include "lesson/subjects/update/update.hpp"
 
 namespace snug::lesson {
 
 std::span<const SubjectRow* const> subjects() {
-  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,  &kVolumesRow, &kFrustumRow, &kFieldRow,
-                                        &kTreeRow,  &kSceneRow, &kCostRow,    &kCriteriaRow};
+  static constexpr std::array kSubjects{&kCloudRow, &kPairRow,   &kVolumesRow, &kFrustumRow,  &kFieldRow, &kTreeRow,
+                                        &kSceneRow, &kUpdateRow, &kCostRow,    &kCriteriaRow, &kClaimsRow};
   return kSubjects;
 }
 

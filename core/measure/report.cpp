@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "io/text.hpp"
+#include "measure/trials.hpp"
 #include "trace/json.hpp"
 
 namespace snug::cost {
@@ -301,6 +302,7 @@ SNUG_INSTANTIATE(CostRow)
 SNUG_INSTANTIATE(GrowthRow)
 SNUG_INSTANTIATE(TurnRow)
 SNUG_INSTANTIATE(ClaimRow)
+SNUG_INSTANTIATE(TrialRow)
 #undef SNUG_INSTANTIATE
 
 }  // namespace snug::cost

@@ -14,7 +14,7 @@ constexpr std::size_t kMostSnapshotBytes = 80 << 20;
 std::size_t bytes_of(const physics::Moving& moving, const State& state) {
   return bytes_in(moving.bodies) + bytes_in(moving.contacts) + bytes_in(moving.impulses) + bytes_in(state.volumes) +
          bytes_in(state.pairs) + bytes_in(state.near) + bytes_in(state.visibility) + bytes_in(state.shadows) +
-         bytes_in(state.trails) + bytes_in(state.rays);
+         bytes_in(state.trails) + bytes_in(state.rays) + bytes_in(state.sweep.bodies);
 }
 
 /// The slots that velocities and contacts depend on.

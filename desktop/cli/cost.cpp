@@ -13,6 +13,7 @@
 #include "measure/cost_run.hpp"
 #include "measure/growth.hpp"
 #include "measure/sample.hpp"
+#include "measure/trials.hpp"
 #include "measure/turn_run.hpp"
 
 namespace snug::desktop {
@@ -39,6 +40,7 @@ struct CostOptions {
   int repeat = 9;
   int longest = 1000;  // ms
   bool growth = false, turn = false, claims = false;
+  std::string trials;  // a claim's name
   std::string against;
   bool json = false, csv = false;
   std::string out;
@@ -50,6 +52,13 @@ struct Subject {
   std::string kind;  // if generated; empty for a file
   AnyPointSet points;
 };
+
+/// The claims that can be tried.
+std::string trial_names() {
+  std::string list;
+  for (const cost::TrialClaim& claim : cost::trial_claims()) list.append(list.empty() ? "" : ", ").append(claim.name);
+  return list;
+}
 
 using Wrong = tl::unexpected<InputError>;
 Wrong wrong(std::string what) { return Wrong(InputError{.what = std::move(what)}); }
@@ -232,19 +241,34 @@ Measured claims(const CostOptions& options, const Subject& subject) {
   return {printed(options, provenance_of(options, subject), rows)};
 }
 
+/// One claim on all of its clouds, which are generated: no points of the student's are measured.
+tl::expected<Measured, InputError> trials(const CostOptions& options) {
+  const cost::TrialClaim* const claim = cost::find_trial(options.trials);
+  if (claim == nullptr) return wrong("there is no claim \"" + options.trials + "\" to try; known: " + trial_names());
+  if (!options.generate.empty() || !options.file.empty())
+    return wrong("--trials generates its own clouds: give no points");
+  cost::TrialRun run({claim});
+  finish(run);
+  cost::Provenance provenance = native_provenance();
+  provenance.points = std::to_string(cost::kTrialSeeds) + " clouds of each kind";
+  provenance.scalar = "double";
+  return Measured{printed(options, provenance, run.rows())};
+}
+
 std::optional<std::string> wrong_with(const CostOptions& options) {
-  if (options.growth + options.turn + options.claims > 1) return "give only one of --growth, --turn and --claims";
+  const int tables = options.growth + options.turn + options.claims + (options.trials.empty() ? 0 : 1);
+  if (tables > 1) return "give only one of --growth, --turn, --claims and --trials";
   if (options.json && options.csv) return "give only one of --json and --csv";
-  const bool other = options.growth || options.turn || options.claims;
+  const bool other = tables > 0;
   if (!options.against.empty() && other) return "--against goes with the table of costs only";
   if (!options.against.empty() && options.csv) return "--against cannot go into CSV, which has room for one table";
-  if ((options.turn || options.claims) && !options.algorithms.empty())
-    return "--algorithms goes with costs and --growth only";
+  if (other && !options.growth && !options.algorithms.empty()) return "--algorithms goes with costs and --growth only";
   return std::nullopt;
 }
 
 tl::expected<Measured, InputError> measured(const CostOptions& options) {
   if (const auto what = wrong_with(options)) return wrong(*what);
+  if (!options.trials.empty()) return trials(options);
   const auto subject = subject_of(options);
   if (!subject) return Wrong(subject.error());
   const int dim = fit::dim_of(subject->points);
@@ -322,6 +346,8 @@ constexpr const char* kCostFooter =
           there are too few points to tell, there is no power.
 --turn: how much larger than the tightest each update's volume is, over a full turn of the body; null if that is flat.
 --claims: what two lectures say about time, storage and tightness, and what is measured here.
+--trials: one claim, tried on 240 generated clouds: claim, kind, seed and points of each cloud, value (the ratio that
+          the claim is about), and whether it holds there. The same on every machine. No points are given.
 
 -o FILE: the ending says the format, .csv, .json or .txt (the table printed here). At most 2,000,000 points; a file may
 have up to 512 MiB.
@@ -361,6 +387,8 @@ void add_cost(Commands& commands) {
   command.add_flag("--growth", options->growth, "Instead: time against the number of points");
   command.add_flag("--turn", options->turn, "Instead: looseness over a full turn of the body");
   command.add_flag("--claims", options->claims, "Instead: the lectures' claims, measured");
+  command.add_option("--trials", options->trials,
+                     "Instead: one of the claims, tried on 240 clouds; one of " + trial_names());
   command.add_option("--against", options->against,
                      "Earlier result in CSV or JSON, on the same points, to compare with");
   command.add_flag("--json", options->json, "Print one JSON object");

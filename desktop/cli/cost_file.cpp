@@ -91,6 +91,7 @@ tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path) {
 template tl::expected<cost::Table<cost::CostRow>, InputError> read_table(const std::string&);
 template tl::expected<cost::Table<cost::GrowthRow>, InputError> read_table(const std::string&);
 template tl::expected<cost::Table<cost::TurnRow>, InputError> read_table(const std::string&);
+template tl::expected<cost::Table<cost::TrialRow>, InputError> read_table(const std::string&);
 
 std::optional<InputError> of_other_points(const cost::Provenance& now, const cost::Provenance& then,
                                           const std::string& path, bool any_number) {

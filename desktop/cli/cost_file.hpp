@@ -8,11 +8,12 @@
 
 #include "geometry/input_error.hpp"
 #include "measure/report.hpp"
+#include "measure/trials.hpp"
 
 namespace snug::desktop {
 
-/// Reads a table in CSV or JSON, which differ in the first character. Row: CostRow, GrowthRow or TurnRow. Errors: in
-/// CSV with the line, in JSON with the field.
+/// Reads a table in CSV or JSON, which differ in the first character. Row: CostRow, GrowthRow, TurnRow or TrialRow.
+/// Errors: in CSV with the line, in JSON with the field.
 template <class Row>
 [[nodiscard]] tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path);
 

@@ -203,4 +203,21 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Cl
   return text;
 }
 
+std::string text_of(const cost::Provenance& provenance, std::span<const cost::TrialRow> rows) {
+  std::string text = head_of(provenance);
+  for (const cost::TrialClaim& claim : cost::trial_claims()) {
+    const cost::TrialTally tally = cost::tally_trials(claim.name, rows);
+    if (tally.clouds == 0) continue;
+    text += std::string(claim.says) + "\n  " + std::string(claim.lecture) + ": " + std::string(claim.slide) + "\n  " +
+            std::string(claim.value) + "; claimed: " + std::string(claim.claimed) + "\n  " +
+            std::string(tally.verdict()) + ": holds on " + std::to_string(tally.held) + " of " +
+            std::to_string(tally.clouds) + " clouds\n";
+    if (tally.worst)
+      text += "  worst: " + said("%.4g", tally.worst->value) + ", on " + tally.worst->kind + ':' +
+              std::to_string(tally.worst->points) + " with seed " + std::to_string(tally.worst->seed) + '\n';
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace snug::desktop

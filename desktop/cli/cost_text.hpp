@@ -5,6 +5,7 @@
 #include <string>
 
 #include "measure/report.hpp"
+#include "measure/trials.hpp"
 
 namespace snug::desktop {
 
@@ -14,5 +15,6 @@ namespace snug::desktop {
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::GrowthRow> rows);
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::TurnRow> rows);
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows);
+[[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::TrialRow> rows);
 
 }  // namespace snug::desktop

@@ -59,6 +59,13 @@ std::optional<InputError> wrong_picture(const std::string& path) {
   return InputError{.what = "pictures are written as PNG: the name must end in .png, or be - for standard output",
                     .file = path};
 }
+/// The same for a chart, which can be SVG as well.
+std::optional<InputError> wrong_chart(const std::string& path) {
+  if (is_standard_output(path) || ending_of(path) == "png" || ending_of(path) == "svg") return std::nullopt;
+  return InputError{.what = "charts are written as PNG or SVG: the name must end in .png or .svg, or be - for a PNG on "
+                            "standard output",
+                    .file = path};
+}
 
 /// Parses "1280x800" as two numbers.
 std::string parse_size(const std::string& text, WindowOptions& options) {
@@ -156,20 +163,22 @@ void add_render(Commands& commands) {
 void add_chart(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost as a picture");
   command.footer(
-      "RESULT is a table of costs, growth or a turn, as snug cost writes it in CSV or JSON. The picture is a PNG. For\n"
-      "another look set SNUG_THEME to dark, contrast or projector. A chart can tell 28 series apart; a table with "
-      "more\n"
-      "is refused. Drawing needs a display; xvfb-run provides one.");
+      "RESULT is a table of costs, growth, a turn, or the trials of one claim, as snug cost writes it in CSV or JSON.\n"
+      "The picture is a PNG or an SVG, by its name's ending. An SVG has the colours for a light and for a dark ground, "
+      "and\n"
+      "needs no display; to draw a PNG, xvfb-run provides one. For another look set SNUG_THEME to dark, contrast or\n"
+      "projector. A chart can tell 28 series apart; a table with more is refused.");
   const auto options = add_command<WindowOptions>(
       commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
-        if (auto wrong = wrong_picture(chosen.screenshot)) return bad_input(std::move(*wrong));
+        if (auto wrong = wrong_chart(chosen.screenshot)) return bad_input(std::move(*wrong));
         return Printed{"", open_window(chosen)};
       });
   command.add_option("RESULT", options->chart, "Table to draw")->required();
   command.add_option("--against", options->chart_then,
                      "Earlier result of the same kind, on the same points, to draw beside it");
   add_size(command, *options);
-  command.add_option("-o,--output", options->screenshot, "PNG file to write; - is standard output")->required();
+  command.add_option("-o,--output", options->screenshot, "PNG or SVG file to write; - is a PNG on standard output")
+      ->required();
 }
 
 }  // namespace snug::desktop

@@ -223,11 +223,12 @@ test("usage errors name the help of the subcommand they are about", () => {
   refused(["render", "sphere-ritter"], /\(see `snug render --help`\)\n$/);
 });
 
-test("a picture is a PNG, whatever it is called", () => {
+test("a picture is a PNG, and a chart may be SVG as well, whatever it is called", () => {
   for (const name of ["x.jpg", "x", "x.png.txt"]) {
     const line = `${name}: pictures are written as PNG: the name must end in .png, or be - for standard output`;
     refused(["render", "sphere-ritter", "-o", name], line);
-    refused(["chart", write("some.csv", "# snug table: costs\n"), "-o", name], line);
+    const either = `${name}: charts are written as PNG or SVG: the name must end in .png or .svg, or be - for a PNG on standard output`;
+    refused(["chart", write("some.csv", "# snug table: costs\n"), "-o", name], either);
     assert.ok(!existsSync(join(folder, name)));
   }
 });

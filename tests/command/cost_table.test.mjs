@@ -199,6 +199,23 @@ test("the claims have verdicts and figures", () => {
   assert.equal(rows.find(({ claim }) => claim === "box_on_a_face").verdict, "false");
 });
 
+test("a claim is tried on the same 240 clouds everywhere, and a cloud's value is that of snug fit on it", () => {
+  const { table, rows } = JSON.parse(good(["cost", "--trials", "ritter_ten_per_cent", "--json"]));
+  assert.equal(table, "trials");
+  assert.equal(rows.length, 240);
+  assert.deepEqual([...new Set(rows.map(({ kind }) => kind))], ["cube", "ball", "sphere", "gaussian", "clusters", "stick"]);
+  assert.ok(rows.every(({ value, holds }) => holds === value <= 1.1));
+  const worst = rows.reduce((a, b) => (b.value > a.value ? b : a));
+  assert.ok(worst.value > 1.1, "there is a counter-example");
+  const text = good(["cost", "--trials", "ritter_ten_per_cent"]);
+  assert.match(text, new RegExp(`typical: holds on ${rows.filter(({ holds }) => holds).length} of 240 clouds`));
+  assert.match(text, new RegExp(`on ${worst.kind}:${worst.points} with seed ${worst.seed}`));
+  assert.equal(good(["cost", "--trials", "ritter_ten_per_cent", "--csv"]).split("\n").filter((line) => line.startsWith("ritter_ten_per_cent,")).length, 240);
+  refused(["cost", "--trials", "flat_earth"], /^snug: there is no claim "flat_earth" to try; known: four_points, /);
+  refused(["cost", "--trials", "four_points", cloud], "--trials generates its own clouds: give no points");
+  refused(["cost", "--trials", "four_points", "--claims"], "give only one of --growth, --turn, --claims and --trials");
+});
+
 test("what is asked for wrongly is said in one line, and nothing is written", () => {
   refused(["cost"], "give either --generate KIND:N or FILE");
   refused(["cost", "--generate", "cube:10", cloud], "give either --generate KIND:N or FILE");
@@ -208,7 +225,7 @@ test("what is asked for wrongly is said in one line, and nothing is written", ()
   refused(["cost", "--volume", "cone", cloud], 'there is no volume "cone"');
   refused(["cost", "--algorithms", "ritter,guess", cloud], 'there is no algorithm "guess"; `snug algorithms` lists all');
   refused(["cost", "--algorithms", "k14", square], "none of these algorithms takes 2-D points");
-  refused(["cost", "--growth", "--turn", cloud], "give only one of --growth, --turn and --claims");
+  refused(["cost", "--growth", "--turn", cloud], "give only one of --growth, --turn, --claims and --trials");
   refused(["cost", "--json", "--csv", cloud], "give only one of --json and --csv");
   refused(["cost", "--claims", square], "the claims are about 3-D: give 3-D points");
   refused(["cost", "--turn", "--volume", "hull", cloud], 'there is no update of "hull"; known: sphere, aabb, obb, kdop');

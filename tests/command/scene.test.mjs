@@ -52,12 +52,16 @@ test("a lesson that declares no scene stands still", () => {
 
 test("the funnel narrows, whichever way pairs are looked for, to the same pairs", () => {
   const frames = (algorithm) => scene("scene-broad", "--algorithm", algorithm, "--every", "--frames", "50").slice(0, 50);
-  const [sweep, tree, all] = ["sweep_and_prune", "tree", "all_pairs"].map(frames);
+  const [sweep, tree, grid, all] = ["sweep_and_prune", "tree", "grid", "all_pairs"].map(frames);
   assert.ok(all.every(({ compared }) => compared === 780));
   assert.ok(sweep.every(({ compared, after_broad }) => compared < 780 && compared >= after_broad));
-  const found = (lines) => lines.map(({ compared, ...others }) => others);
+  const found = (lines) => lines.map(({ compared, swaps, ...others }) => others);
   assert.deepEqual(found(tree), found(sweep));
+  assert.deepEqual(found(grid), found(sweep));
   assert.deepEqual(found(all), found(sweep));
+  for (const lines of [tree, grid]) assert.ok(lines.every(({ compared, after_broad, swaps }) => compared < 780 && compared >= after_broad && swaps === 0));
+  // From frame to frame little changes in the order: after the first, a few swaps at most.
+  assert.ok(sweep[0].swaps > 100 && sweep.slice(1).every(({ swaps }) => swaps < 40), sweep.map(({ swaps }) => swaps).join());
   for (const { all_pairs, after_broad, after_loose, touching } of sweep) {
     assert.equal(all_pairs, 780);
     assert.ok(after_broad <= all_pairs && after_loose <= after_broad && touching <= after_loose);

@@ -33,6 +33,21 @@ drawn "$work/all.png" 1280x800
 "$snug" chart "$work/all.csv" --size 1280x800 -o - > "$work/stdout.png"
 cmp "$work/all.png" "$work/stdout.png" || fail "- is another picture"
 
+# SVG needs no display: real words, the colours of both grounds, well-formed.
+"$snug" cost --trials four_points -o "$work/trials.csv"
+"$snug" cost --trials ritter_ten_per_cent --json -o "$work/trials.json"
+for table in costs.csv growth.csv turn.csv trials.csv trials.json; do
+    DISPLAY='' "$snug" chart "$work/$table" --size 960x600 -o "$work/$table.svg"
+    python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$work/$table.svg" || fail "$table.svg is no XML"
+    (( $(grep -c '</text>' "$work/$table.svg") > 10 )) || fail "$table.svg has no words"
+    grep -q 'prefers-color-scheme:dark' "$work/$table.svg" || fail "$table.svg is for one ground alone"
+done
+grep -q 'claimed: no larger</text>' "$work/trials.csv.svg" || fail "the claim is not written"
+DISPLAY='' SNUG_THEME=contrast "$snug" chart "$work/costs.csv" -o "$work/contrast.svg"
+grep -q 'prefers-color-scheme' "$work/contrast.svg" && fail "high contrast has colours of its own"
+"$snug" chart "$work/trials.csv" --size 1280x800 -o "$work/trials.png"
+drawn "$work/trials.png" 1280x800
+
 refused() { # words arguments...
     local said status=0
     said=$("$snug" "${@:2}" 2>&1) || status=$?
@@ -46,5 +61,9 @@ refused "the first line of such a table" chart "$work/claims.csv" -o "$work/no.p
 { cat "$work/all.csv"; grep '^sphere' "$work/all.csv" | sed 's/^sphere,/&more_/'; } > "$work/many.csv"
 refused "series, and a chart can tell 28 apart" chart "$work/many.csv" -o "$work/no.png"
 "$snug" cost --generate gaussian:200 --volume obb --repeat 1 -o "$work/other.csv"
+{ cat "$work/trials.csv"; sed -n 's/^four_points,/better_start,/p' "$work/trials.csv"; } > "$work/two.csv"
+refused "about more than one claim" chart "$work/two.csv" -o "$work/no.svg"
+refused "--against has no use for it" chart "$work/trials.csv" --against "$work/trials.csv" -o "$work/no.svg"
+refused "the name must end in .png or .svg" chart "$work/trials.csv" -o "$work/no.jpg"
 refused "only results on the same points can be compared" chart "$work/costs.csv" --against "$work/other.csv" -o "$work/no.png"
-[[ ! -e $work/no.png ]] || fail "it left half a picture"
+[[ ! -e $work/no.png && ! -e $work/no.svg ]] || fail "it left half a picture"

@@ -3,12 +3,13 @@ import { CoverTable } from "./cover_table.js";
 import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
 
 const kSlice = 4; // milliseconds: beside a frame's own work
-const kTypes = { csv: "text/csv", json: "application/json" };
+const kTypes = { csv: "text/csv", json: "application/json", svg: "image/svg+xml" };
+const kPicture = [1280, 800, 2]; // of a PNG: width, height, and device pixels for each
 
 export class CoverTools {
   #door;
   #act;
-  #request;
+  #stage;
   #timer = 0;
   #says = element("p", { class: "label", role: "status" });
   #bar = element("div", { class: "veil-bar cover-bar", role: "progressbar", "aria-label": "Measured", "aria-valuemin": 0, "aria-valuemax": 100 }, element("div", {}));
@@ -24,11 +25,11 @@ export class CoverTools {
   #now = null;
   #section;
 
-  /** request: asks for a frame of the stage. */
-  constructor(door, act, request) {
+  /** stage: function that gives the stage, which draws frames and pictures. */
+  constructor(door, act, stage) {
     this.#door = door;
     this.#act = act;
-    this.#request = request;
+    this.#stage = stage;
     this.#section = element("section", { class: "cover", "aria-label": "Measurement", hidden: true }, this.#choices,
       element("div", { class: "row" }, ...this.#work, this.#other), this.#bar,
       element("div", { class: "row cover-says" }, this.#says, this.#files), this.#told);
@@ -48,7 +49,7 @@ export class CoverTools {
     this.#timer = 0;
     this.#door.measure(kSlice);
     this.#show_progress(this.#door.measured());
-    if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#request();
+    if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#stage().request();
     if (this.#door.measuring()) this.#slice_after_frame();
     else this.#act(() => {});
   }
@@ -57,9 +58,13 @@ export class CoverTools {
     this.#timer ||= requestAnimationFrame(() => setTimeout(() => this.#slice(), 0));
   }
 
-  #save(format) {
+  async #save(format) {
     const { name, text } = this.#door.cover_file(format);
-    const url = URL.createObjectURL(new Blob([text], { type: kTypes[format] }));
+    const blob = format === "png"
+      ? await this.#stage().picture(...kPicture, (...size) => this.#door.draw_cover(...size))
+      : new Blob([text], { type: kTypes[format] });
+    if (!blob) return;
+    const url = URL.createObjectURL(blob);
     element("a", { href: url, download: name }).click();
     setTimeout(() => URL.revokeObjectURL(url), 1000);
   }

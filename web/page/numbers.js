@@ -1,5 +1,5 @@
 // The tools of what is no set of points: every number of it that can be typed, scatter and reset.
-import { button, by_id, element, other_seed, when_changed } from "./dom.js";
+import { button, by_id, element, other_seed, set_text, when_changed } from "./dom.js";
 import { answer_edit } from "./messages.js";
 
 const rounded = (number) => Number(number.toPrecision(6));
@@ -50,7 +50,6 @@ export class NumberTools {
 
   open({ tools }) {
     this.#section.hidden = tools.points;
-    this.#title.textContent = tools.points ? "" : tools.title;
   }
 
   #set(group, row, values) {
@@ -80,6 +79,7 @@ export class NumberTools {
   });
 
   update(view) {
+    set_text(this.#title, this.#section.hidden ? "" : view.toolsTitle); // a situation may have another body
     this.#show_seed(view.lesson, view.seed);
     this.#show_numbers(view.numbers);
   }

@@ -82,6 +82,16 @@ export class Stage {
     else if (Number.isFinite(seconds)) this.#alarm = setTimeout(() => this.request(), seconds * 1000);
   }
 
+  /** A PNG of what `draw` draws on the canvas, at a size of its own; the next frame draws the stage again. Null if it cannot. */
+  picture(width, height, scale, draw) {
+    [this.#canvas.width, this.#canvas.height] = [width * scale, height * scale];
+    const drawn = draw(width, height, scale);
+    const blob = drawn ? new Promise((done) => this.#canvas.toBlob(done, "image/png")) : null;
+    this.#moved = true; // its own size comes back
+    this.request();
+    return blob;
+  }
+
   #arrange() {
     this.#moved = false;
     const layout = arrange(this.#canvas);

@@ -1,5 +1,5 @@
 // Tabs that share a place, by pointer and by arrow keys.
-import { element } from "./dom.js";
+import { element, set_text } from "./dom.js";
 
 export class TabList {
   #tabs;
@@ -14,7 +14,7 @@ export class TabList {
   }
 
   set_words(at, words) {
-    this.#tabs[at].textContent = words;
+    set_text(this.#tabs[at], words);
   }
 
   mark(id) {

@@ -30,11 +30,8 @@ export class Tabs {
     new MutationObserver(() => this.#fit()).observe(document.documentElement, { attributeFilter: ["data-layout", "class"] });
   }
 
-  open(lesson) {
-    this.#tabs.set_words(1, lesson.tools.word);
-  }
-
-  update({ stored }) {
+  update({ stored, toolsWord }) {
+    this.#tabs.set_words(1, toolsWord);
     if (stored.length === 0 && document.documentElement.dataset.tab === "stored") this.choose("read");
   }
 

@@ -15,6 +15,8 @@ constexpr float kButtons = 42;              // how high the stage's own buttons 
 constexpr double kSeenAsItIs = 1e-2;        // in parts of the volume's extent: from there on, the stage itself shows it
 constexpr int kTicksOut = 4, kTicksIn = 2;  // on either side of the boundary
 constexpr double kLongestShare = 3;         // ticks that the worst point is out, at most
+constexpr float kRulerSize = 11;            // of the numbers on the ruler
+constexpr float kMostRuler = 0.35f;         // of the picture's width, that they may take
 
 /// The boundary, so far enlarged that it is a straight line, and the point beyond it.
 class UlpPicture {
@@ -39,8 +41,20 @@ class UlpPicture {
     return picture_.y + picture_.height * static_cast<float>(1 - share);
   }
   [[nodiscard]] float right() const { return picture_.x + picture_.width; }
-  [[nodiscard]] float ruler_x() const { return picture_.x + brush_.look.px(narrow() ? 26 : 44); }
-  [[nodiscard]] bool narrow() const { return picture_.width < 150; }
+  /// Beside the widest number on the ruler.
+  [[nodiscard]] float ruler_x() const {
+    float widest = 0;
+    for (int tick = 1 - kTicksIn; tick < kTicksOut; ++tick)
+      if (tick != 0) widest = std::max(widest, measure(brush_.look, Face::kMono, kRulerSize, tick_words(tick)).x);
+    return picture_.x + widest + 14;
+  }
+  /// In full where that leaves most of the picture free; "4×10⁶" else.
+  [[nodiscard]] std::string tick_words(int tick) const {
+    std::string words = lesson::plain_number(tick * tick_);
+    const float most = kMostRuler * picture_.width;
+    return measure(brush_.look, Face::kMono, kRulerSize, words).x <= most ? words
+                                                                          : lesson::number_text(tick * tick_, 1);
+  }
 
   void draw_inside() {
     brush_.list->AddRectFilled({picture_.x, y_of(0)}, {right(), picture_.y + picture_.height},
@@ -54,23 +68,26 @@ class UlpPicture {
       const float y = y_of(tick * tick_);
       line(brush_.list, {ruler_x() - 4, y}, {ruler_x() + 4, y}, Stroke::kSolid, p_.ink, 1.5f);
       if (tick == 0) continue;  // the boundary itself
-      text_right(brush_.list, brush_.look, Face::kMono, 11, {ruler_x() - 7, middle_of(y, brush_.look.px(11))}, p_.ink,
-                 lesson::plain_number(tick * tick_));
+      text_right(brush_.list, brush_.look, Face::kMono, kRulerSize,
+                 {ruler_x() - 7, middle_of(y, brush_.look.px(kRulerSize))}, p_.ink, tick_words(tick));
     }
   }
 
   void draw_point() {
-    const ImVec2 at{picture_.x + picture_.width * 0.62f, y_of(left_.ulps())};
+    const ImVec2 at{std::max(picture_.x + picture_.width * 0.62f, ruler_x() + 16), y_of(left_.ulps())};
     line(brush_.list, {at.x, y_of(0)}, at, Stroke::kDotted, p_.examined, brush_.stroke());
     disc(brush_.list, at, 4, p_.examined);
     ring(brush_.list, at, 8, p_.examined, brush_.stroke(0.8f));
-    text(brush_.list, brush_.look, Face::kSemiBold, 12, {at.x + 13, middle_of(at.y, brush_.look.px(12))},
-         p_.examined_text, brush_.session.name_of(left_.worst));
+    // Beside the point where there is room, else above it.
+    const std::string name = brush_.session.name_of(left_.worst);
+    const float size = brush_.look.px(12), room = right() - 4 - measure(brush_.look, Face::kSemiBold, 12, name).x;
+    const ImVec2 beside{at.x + 13, middle_of(at.y, size)}, above{std::min(at.x - 4, room), at.y - 12 - size};
+    text(brush_.list, brush_.look, Face::kSemiBold, 12, beside.x <= room ? beside : above, p_.examined_text, name);
   }
 
   void draw_scale() {
-    const std::string words =
-        (narrow() ? "ulps" : "1 ulp = ") + (narrow() ? "" : lesson::number_text(left_.radius_ulp, 3));
+    std::string words = "1 ulp = " + lesson::number_text(left_.radius_ulp, 3);
+    if (measure(brush_.look, Face::kMono, 11, words).x > picture_.width - 12) words = "ulps";
     text_right(brush_.list, brush_.look, Face::kMono, 11,
                {right() - 6, picture_.y + picture_.height - brush_.look.px(16)}, p_.ink, words);
   }

@@ -5,6 +5,7 @@
 
 #include "app/subjects/cost/charts.hpp"
 #include "geometry/generate.hpp"
+#include "lesson/subjects.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "measure/growth.hpp"
 #include "measure/sample.hpp"
@@ -42,7 +43,8 @@ bool same(const AnyPointSet& a, const AnyPointSet& b) {
 std::vector<const fit::Algorithm*> algorithms_of(const lesson::Session& session) {
   std::vector<const fit::Algorithm*> algorithms;
   for (const std::string& name : session.lesson().algorithms)
-    algorithms.push_back(fit::find_algorithm(session.lesson().volume, name));
+    if (const lesson::Method* method = lesson::find_method(session.lesson(), name))
+      algorithms.push_back(fit::find_algorithm(method->volume, method->name));
   return algorithms;
 }
 

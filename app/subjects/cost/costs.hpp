@@ -71,6 +71,7 @@ class Costs final : public Cover {
   [[nodiscard]] std::span<const std::string_view> formats() const override;
   [[nodiscard]] std::string file_name() const override;
   [[nodiscard]] std::string file(std::string_view format) const override;
+  [[nodiscard]] const Chart* picture() const override { return &chart_; }
   std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,
                                                          std::string_view name) override;
   /// The marks, named by algorithm; for lines, the last mark of each.

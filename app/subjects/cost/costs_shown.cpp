@@ -3,10 +3,12 @@
 #include <utility>
 
 #include "app/brush.hpp"
+#include "app/chart_pen.hpp"
 #include "app/subjects/cost/captions.hpp"
 #include "app/subjects/cost/charts.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "app/widgets.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::app {
 namespace {
@@ -82,7 +84,9 @@ bool Costs::load_algorithm(lesson::Session& session) {
                " on all points. It was measured on fewer, and is not loaded.";
     return false;
   }
-  if (!session.choose(0, row.algorithm)) return false;
+  const std::string name = lesson::is_mixed(session.lesson()) ? row.volume + '/' + row.algorithm : row.algorithm;
+  const lesson::Method* method = lesson::find_method(session.lesson(), name);
+  if (method == nullptr || !session.choose(0, lesson::name_in(session.lesson(), *method))) return false;
   session.jump(session.steps());
   shown_ = false;
   return true;
@@ -138,7 +142,8 @@ void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, b
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
   const Touch touch = pointer_area("chart", room);
   places_.clear();
-  const auto hit = draw_chart(list, look, room, chart_, focused(), &places_);
+  ScreenPen pen(list);
+  const auto hit = draw_chart(pen, look, room, chart_, focused(), &places_);
   Obstacles none;
   if (with_sentence) draw_sentence(list, look, none, rect, caption(session));
   if (!touch.clicked || !hit || chart_.series[hit->series].row < 0) return;

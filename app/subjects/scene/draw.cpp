@@ -14,6 +14,7 @@
 #include "app/subjects/scene/contacts.hpp"
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/pairs.hpp"
+#include "app/subjects/scene/search.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::app {
@@ -263,6 +264,7 @@ void draw_scene(Brush& brush) {
   draw_traces(brush, frame);
   draw_loose(brush, frame);
   draw_update(brush, frame);
+  if (const auto search = search_at(brush, frame)) draw_search(brush, frame, *search);
   draw_pairs(brush, frame);
   draw_bodies(brush, frame);
   if (frame.bodies.size() > kCrowd) draw_touching_in_crowd(brush, frame);

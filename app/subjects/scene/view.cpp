@@ -7,6 +7,7 @@
 #include "app/subjects/scene/effects.hpp"
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/panel.hpp"
+#include "app/subjects/scene/search.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 
 namespace snug::app {
@@ -29,7 +30,10 @@ class SceneView final : public SubjectView {
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
     const Rect graph = draw_graph_inset(brush, top);
     graph_on_stage_ = graph.width > 0;
-    return graph;
+    if (graph_on_stage_) return graph;
+    const SceneFrame& frame = *frame_of(brush.session);
+    const auto search = search_at(brush, frame);
+    return search ? draw_sweep_inset(brush, frame, *search, top) : Rect{};
   }
   [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
                                     const Rect& stage) const override {

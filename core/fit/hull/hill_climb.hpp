@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "geometry/hull_neighbors.hpp"
@@ -17,6 +19,14 @@ template <class Scalar>
 struct Climbed {
   Scalar value = 0;     // the greatest value of any vertex, whatever the rounding
   Index looked_at = 0;  // how many vertices were evaluated
+};
+
+/// What a walk did at a vertex: it evaluated those neighbours that it had not seen before, and best was the vertex of
+/// greatest value after that.
+struct WalkStep {
+  Index vertex = kNoIndex;
+  std::vector<Index> neighbors;
+  Index best = kNoIndex;
 };
 
 /// A convex body to be walked over, and where the last walk in each of its directions ended.
@@ -46,12 +56,12 @@ class HillClimb {
   [[nodiscard]] Index end(int direction) const { return ends_[direction]; }
 
   /// Starts where the last walk in this direction ended. value(v): a linear function, evaluated at vertex v; doubt: at
-  /// least twice its greatest error. path: receives the start and each vertex that was better than all before it.
-  template <class Value>
-  Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, std::vector<Index>* path) {
+  /// least twice its greatest error. walk: null, or a vector that receives what the walk did at each vertex.
+  template <class Value, class Walk = std::nullptr_t>
+  Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, [[maybe_unused]] Walk walk = nullptr) {
+    constexpr bool kSeen = !std::is_null_pointer_v<Walk>;
     Index& best = ends_[direction];
     Climbed<Scalar> climbed{value(best), 1};
-    if (path != nullptr) *path = {best};
     begin_walk();
     mark(best);
     open_.push_back({best, climbed.value});
@@ -59,16 +69,18 @@ class HillClimb {
       const Open from = open_.back();
       open_.pop_back();
       if (from.value < climbed.value - doubt) continue;
+      if constexpr (kSeen) walk->push_back({from.vertex, {}, best});
       for (const Index v : neighbors_.of(from.vertex)) {
         if (!mark(v)) continue;
         const Scalar here = value(v);
+        if constexpr (kSeen) walk->back().neighbors.push_back(v);
         ++climbed.looked_at;
         if (here < climbed.value - doubt) continue;
         open_.push_back({v, here});
         if (here <= climbed.value) continue;
         climbed.value = here;
         best = v;
-        if (path != nullptr) path->push_back(v);
+        if constexpr (kSeen) walk->back().best = v;
       }
     }
     return climbed;

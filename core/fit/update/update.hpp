@@ -50,6 +50,20 @@ struct ReachFound {
   static auto tie(auto& own) { return std::tie(own.point, own.distance); }
 };
 
+/// At a vertex of a climb, those of its neighbours were examined that had not been seen before. best: the vertex that
+/// reached farthest after that, where the climb goes on; if it is the vertex itself, no neighbour reaches farther.
+/// axis, greatest: as of ExtremeClimbed.
+struct NeighborsCompared {
+  static constexpr std::string_view kName = "neighbors_compared";
+  int axis = 0;
+  bool greatest = false;
+  Index vertex = kNoIndex;
+  std::vector<Index> neighbors;
+  Index best = kNoIndex;
+  static constexpr std::array<std::string_view, 5> kFields{"axis", "greatest", "vertex", "neighbors", "best"};
+  static auto tie(auto& own) { return std::tie(own.axis, own.greatest, own.vertex, own.neighbors, own.best); }
+};
+
 /// The vertex that reaches farthest along a world axis (or an axis of a k-DOP, by its index), to one side or the other,
 /// was found by climbing from the last frame's vertex. path: the vertices on the way, each higher than the one before;
 /// looked_at: how many vertices were examined, including those on plateaus.
@@ -90,7 +104,7 @@ struct AxesTurned {
 };
 
 template <class VolumeType>
-using UpdateStep =
-    Step<VolumeType, ReachFound, BoxWidened, ExtremeClimbed, BoundsRotated, CenterMoved, AxesTurned, Finished>;
+using UpdateStep = Step<VolumeType, ReachFound, BoxWidened, NeighborsCompared, ExtremeClimbed, BoundsRotated,
+                        CenterMoved, AxesTurned, Finished>;
 
 }  // namespace snug::fit

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/hull/hill_climb.hpp"
-#include "fit/update/update.hpp"
+#include "fit/update/watched_climb.hpp"
 
 namespace snug::fit {
 
@@ -40,14 +39,13 @@ Updated<Aabb<Scalar, Dim>> update_hill_climb(HillClimb<Scalar, Dim>& climb, cons
       return greatest ? along : -along;
     };
     ExtremeClimbed fact{axis, greatest, {}, 0};
-    const Climbed<Scalar> found = climb.climb(side, value, doubt, kWatched<Observer> ? &fact.path : nullptr);
+    const Climbed<Scalar> found = climb_watched(climb, side, value, doubt, box, fact, observe);
     const Scalar bound = climb.all_points() ? found.value : found.value + doubt;
     (greatest ? box.max : box.min)[axis] = (greatest ? bound : -bound) + pose.translation[axis];
     observe.count(Operation::kPointsTouched, found.looked_at);
     observe.count(Operation::kDotProducts, found.looked_at);
     observe.count(Operation::kComparisons, found.looked_at - 1);
     if constexpr (kWatched<Observer>) {
-      fact.looked_at = found.looked_at;
       support.push_back(climb.end(side));
       observe(Step{3, side + 1 == 2 * Dim, box, std::move(fact)});
     }

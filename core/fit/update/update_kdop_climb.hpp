@@ -6,8 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/hull/hill_climb.hpp"
-#include "fit/update/update.hpp"
+#include "fit/update/watched_climb.hpp"
 #include "geometry/kdop_project.hpp"
 
 namespace snug::fit {
@@ -47,14 +46,13 @@ Updated<Kdop<Scalar, Dim>> update_kdop_climb(HillClimb<Scalar, Dim>& climb, int 
     const Scalar doubt = tolerance::kClimbKdop<Scalar> * size + 16 * std::numeric_limits<Scalar>::denorm_min();
     const auto value = [&](Index v) { return project_up<Scalar, Dim>(outward, placed(pose, climb.vertex(v))); };
     ExtremeClimbed fact{static_cast<int>(slab), greatest, {}, 0};
-    const Climbed<Scalar> found = climb.climb(side, value, doubt, kWatched<Observer> ? &fact.path : nullptr);
+    const Climbed<Scalar> found = climb_watched(climb, side, value, doubt, kdop, fact, observe);
     const Scalar bound = climb.all_points() ? found.value : found.value + doubt;
     (greatest ? kdop.max : kdop.min)[slab] = greatest ? bound : 0 - bound;
     observe.count(Operation::kPointsTouched, found.looked_at);
     observe.count(Operation::kDotProducts, found.looked_at * (Dim + 1));  // placed, then projected
     observe.count(Operation::kComparisons, found.looked_at - 1);
     if constexpr (kWatched<Observer>) {
-      fact.looked_at = found.looked_at;
       support.push_back(climb.end(side));
       const bool has_volume = side + 1 >= 2 * Dim;
       if (has_volume && greatest) imply_slabs(kdop, slab + 1);

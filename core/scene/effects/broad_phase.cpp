@@ -20,9 +20,10 @@ class BroadPhase final : public Effect {
                                                                           boxes[i].max.cwiseAbs().maxCoeff());
       boxes[i].min -= V3::Constant(room), boxes[i].max += V3::Constant(room);
     }
-    PairsFound found = overlapping_pairs(boxes, search_);
+    PairsFound found = overlapping_pairs(boxes, search_, &world.state.sweep);
     world.state.pairs = std::move(found.pairs);
     world.state.funnel.compared = found.compared, world.state.funnel.axis = found.axis;
+    world.state.funnel.swaps = found.swaps;
     world.state.funnel.after_broad = static_cast<std::int64_t>(world.state.pairs.size());
     world.state.changed(Slot::kPairs);
   }

@@ -1,8 +1,12 @@
 // Traversals find just what testing all bodies finds, with far fewer tests.
 #include "hierarchy/traverse.hpp"
 
+#include <set>
+#include <utility>
+
 #include "core/hierarchy/scenes.hpp"
 #include "hierarchy/traverse_pair.hpp"
+#include "hierarchy/traverse_self.hpp"
 #include "query/aabb_overlap.hpp"
 #include "query/ray_aabb.hpp"
 
@@ -186,6 +190,29 @@ TEST_CASE("trees over oriented boxes and k-DOPs find the pairs that testing all 
   }
   check_pairs(boxes, boxes, true);
   check_pairs(kdops, kdops, true);
+}
+
+TEST_CASE("a tree against itself reports each pair once, and tests no two volumes twice") {
+  for (const auto& scene : test::hard_scenes<double, 3>(60)) {
+    INFO(scene.name);
+    const std::span<const Aabb<double, 3>> boxes(scene.boxes);
+    const auto tree = hierarchy::build_median<Aabb<double, 3>>(boxes);
+    std::set<std::pair<Index, Index>> found, wanted, tested, nodes;
+    Recorder<hierarchy::Step> recorder;
+    const auto counts = hierarchy::overlapping_pairs_within(
+        tree, boxes, [&](Index i, Index j) { CHECK(found.insert(std::minmax(i, j)).second); }, recorder);
+    for (Index i = 0; i < std::ssize(boxes); ++i)
+      for (Index j = i + 1; j < std::ssize(boxes); ++j)
+        if (query::overlaps(boxes[i], boxes[j])) wanted.insert({i, j});
+    CHECK(found == wanted);
+    for (const auto& entry : recorder.entries)
+      if (const auto* pair = std::get_if<hierarchy::PairTested>(&entry.step.fact)) {
+        CHECK(pair->a != pair->b);
+        CHECK((pair->bodies ? tested : nodes).insert(std::minmax(pair->a, pair->b)).second);
+      }
+    CHECK(counts.body_tests == std::ssize(tested));
+    CHECK(counts.node_tests == std::ssize(nodes));
+  }
 }
 
 TEST_CASE("in a spread-out scene far fewer tests are made than there are bodies") {

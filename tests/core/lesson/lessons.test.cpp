@@ -210,7 +210,8 @@ TEST_CASE("lessons/README.md names every step, algorithm and kind of points") {
 }
 
 TEST_CASE("whatever the stage is about, a lesson that reads as before stands as before") {
-  for (const char* const subject : {"cloud", "pair", "frustum", "field", "tree", "scene", "cost", "criteria"}) {
+  for (const char* const subject :
+       {"cloud", "pair", "frustum", "field", "tree", "scene", "update", "cost", "criteria", "claims"}) {
     CAPTURE(subject);
     const std::string id = std::string("examples/") + subject;
     Session before = session_of(id);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <numbers>
 #include <string_view>
 #include <tuple>
@@ -37,16 +38,26 @@ template <class Scalar, int Dim>
   return cylinder.a;
 }
 
+/// The operations that its support mapping has taken so far.
+struct CylinderWork {
+  std::int64_t dot_products = 0, square_roots = 0;
+};
+inline CylinderWork cylinder_work;
+
 /// A point of a rim. Across the axis twice: where the direction is nearly along it, once leaves mostly rounding.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<double, Dim> core_support(const Cylinder<Scalar, Dim>& cylinder, const Vector<Scalar, Dim>& origin,
                                                const Vector<double, Dim>& direction) {
   const Vector<double, Dim> axis = difference(cylinder.b, cylinder.a).normalized();
-  const Vector<double, Dim> end = difference(direction.dot(axis) > 0 ? cylinder.b : cylinder.a, origin);
-  Vector<double, Dim> across = direction - axis * direction.dot(axis);
-  if (!(across.norm() > 0)) return end;
-  across.normalize();
+  const double along = direction.dot(axis);
+  const Vector<double, Dim> end = difference(along > 0 ? cylinder.b : cylinder.a, origin);
+  Vector<double, Dim> across = direction - axis * along;
+  const double length = across.norm();
+  cylinder_work.dot_products += 3, cylinder_work.square_roots += 2;
+  if (!(length > 0)) return end;
+  across /= length;
   across -= axis * across.dot(axis);
+  cylinder_work.dot_products += 1;
   return end + static_cast<double>(cylinder.radius) * across;
 }
 

@@ -20,12 +20,7 @@ constexpr std::array kCostAskings{
 
 const SubjectRow& cloud_row() { return *subject_named("cloud"); }
 
-/// The volumes that are fitted to points and that have an exact algorithm.
-std::vector<std::string_view> charted_volumes() {
-  std::vector<std::string_view> names = cloud_row().volumes();
-  std::erase_if(names, [](std::string_view volume) { return fit::exact_algorithm(volume) == nullptr; });
-  return names;
-}
+std::vector<std::string_view> charted_volumes() { return cloud_row().volumes(); }
 
 /// Those of the catalogue: the cloud's last methods are by hand, and cannot be timed.
 std::span<const Method> charted_methods(std::string_view volume) {
@@ -108,7 +103,7 @@ Grade CostSubject::grade(const Lesson& lesson, const Task& task, const View& vie
   const bool is_own = !origin_.edited && origin_.seed == lesson.seed && origin_.source != "task";
   if (is_own) grade.says = "This is the lesson's own shape: scatter another, or open a file of your own.";
   else if (costs() == nullptr) grade.says = "Measure this shape.";
-  else return grade_costs(task, *costs(), view.slots[0].method->name);
+  else return grade_costs(task, *costs(), name_in(lesson, *view.slots[0].method));
   return grade;
 }
 

@@ -2,6 +2,7 @@
 // each method, decides the answers.
 #pragma once
 
+#include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cost/on_cloud.hpp"
 #include "measure/rows.hpp"
@@ -44,10 +45,11 @@ class CostSubject final : public OnCloud {
 /// Null if there is no chart, or if its points have not been measured.
 [[nodiscard]] const std::vector<cost::CostRow>* costs_of(const Session& session);
 
-/// chosen: the method shown on the stage. rows: those measured on the task's points.
+/// chosen: the method shown on the stage, "k8", or "kdop/k8" where the rows are of several volumes. rows: those
+/// measured on the task's points.
 [[nodiscard]] Grade grade_costs(const Task& task, Costs rows, std::string_view chosen);
-/// The fastest algorithm whose volume is smaller by as much as the task asks; empty if there is none.
-[[nodiscard]] std::string_view cheapest_of(const Task& task, Costs rows);
+/// The name of the fastest algorithm whose volume is smaller by as much as the task asks; empty if there is none.
+[[nodiscard]] std::string cheapest_of(const Task& task, Costs rows);
 
 /// Rows with operations instead of nanoseconds, and no repeats, for checks of the lesson without a clock. All
 /// algorithms run on all points. Answers and grades that are based on them mention operations.

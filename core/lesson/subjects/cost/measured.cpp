@@ -7,6 +7,8 @@
 #include <numeric>
 
 #include "fit/catalogue.hpp"
+#include "lesson/say.hpp"
+#include "lesson/subjects.hpp"
 #include "lesson/subjects/cost/asks.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "measure/cost_run.hpp"
@@ -21,6 +23,11 @@ constexpr std::array<std::string_view, 4> kTimesChoices{"up to 10 times", "10 to
 std::string title_of(const cost::CostRow& row) {
   const fit::Algorithm* algorithm = fit::find_algorithm(row.volume, row.algorithm);
   return std::string(algorithm != nullptr ? algorithm->title : std::string_view(row.algorithm));
+}
+/// The same as the question's choices have it: with the volume, where the lesson has several.
+std::string title_of(const Lesson& lesson, const cost::CostRow& row) {
+  const Method* method = find_method(lesson, row.volume + '/' + row.algorithm);
+  return method != nullptr ? title_in(lesson, *method) : title_of(row);
 }
 
 /// The time of one run on all points, measured or extrapolated.
@@ -67,10 +74,11 @@ const cost::CostRow* fastest_of(Costs rows) {
 }
 double times_slower(Costs rows) { return whole_time(*slowest_of(rows)) / whole_time(*fastest_of(rows)); }
 
-std::string slower_sentence(Costs rows) {
+std::string slower_sentence(const Lesson& lesson, Costs rows) {
   const cost::CostRow &most = *slowest_of(rows), &least = *fastest_of(rows);
-  return title_of(most) + " takes " + (most.whole_ns ? "about " : "") + times_text(times_slower(rows)) + " times as " +
-         (is_counted(most) ? "many operations as " : "long as ") + title_of(least) + "." + foretold(most);
+  return title_of(lesson, most) + " takes " + (most.whole_ns ? "about " : "") + times_text(times_slower(rows)) +
+         " times as " + (is_counted(most) ? "many operations as " : "long as ") + title_of(lesson, least) + "." +
+         foretold(most);
 }
 
 /// A badly measured row that could change the front; null if there is none. The slowest is slowest by far, but the
@@ -83,10 +91,27 @@ const cost::CostRow* doubtful_row(Costs rows) {
 
 bool of_same_points(const cost::CostRow& a, const cost::CostRow& b) { return a.points == b.points; }
 
+bool are_mixed(Costs rows) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const cost::CostRow& row) { return row.volume != rows.front().volume; });
+}
+
+/// algorithm: "k8", of the first row's volume; or "kdop/k8".
 const cost::CostRow* find_row(Costs rows, std::string_view algorithm) {
-  const auto found =
-      std::find_if(rows.begin(), rows.end(), [&](const cost::CostRow& row) { return row.algorithm == algorithm; });
+  const std::size_t slash = algorithm.find('/');
+  const bool whole = slash != std::string_view::npos;
+  if (rows.empty()) return nullptr;
+  const std::string_view volume = whole ? algorithm.substr(0, slash) : std::string_view(rows.front().volume);
+  const std::string_view name = whole ? algorithm.substr(slash + 1) : algorithm;
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const cost::CostRow& row) {
+    return row.algorithm == name && row.volume == volume;
+  });
   return found == rows.end() ? nullptr : &*found;
+}
+
+/// How large a row's volume is, to be compared with another's: a sphere has a radius only beside other spheres.
+double size_beside(const cost::CostRow& row, const cost::CostRow& other) {
+  return row.volume == other.volume ? row.size : row.measure;
 }
 
 /// "12 % smaller than", "the same size as", "3.1 % larger than"
@@ -100,7 +125,7 @@ std::string smaller_text(double size, double than) {
 
 const char* offer_methods(Asked& asked, const Run&) {
   for (const Method* method : static_cast<const CostSubject&>(*asked.subject).methods())
-    asked.add_choice(std::string(method->title));
+    asked.add_choice(title_in(*asked.lesson, *method));
   return nullptr;
 }
 
@@ -118,7 +143,8 @@ Truth front_truth(const Asked& asked, const Run&) {
   const Costs rows = rows_of(asked);
   if (rows.size() != asked.choices.size()) return unknown();
   if (const cost::CostRow* row = doubtful_row(rows))
-    return unknown(" " + title_of(*row) + " was measured badly, so the front is not decided: measure again.");
+    return unknown(" " + title_of(*asked.lesson, *row) +
+                   " was measured badly, so the front is not decided: measure again.");
   Truth truth;
   const auto front = cost::pareto_front(rows);
   for (const std::size_t i : front) {
@@ -128,7 +154,8 @@ Truth front_truth(const Asked& asked, const Run&) {
   truth.sentence = "On the front: " + truth.happened + ".";
   for (const cost::CostRow& row : rows)
     if (row.whole_ns)
-      truth.sentence += " " + title_of(row) + " was too slow here to measure on all points, and is left out.";
+      truth.sentence +=
+          " " + title_of(*asked.lesson, row) + " was too slow here to measure on all points, and is left out.";
   return truth;
 }
 
@@ -136,7 +163,10 @@ Truth slowest_truth(const Asked& asked, const Run&) {
   const Costs rows = rows_of(asked);
   if (rows.size() != asked.choices.size()) return unknown();
   const cost::CostRow* slowest = slowest_of(rows);
-  return {{static_cast<int>(slowest - rows.data())}, {}, title_of(*slowest), slower_sentence(rows)};
+  return {{static_cast<int>(slowest - rows.data())},
+          {},
+          title_of(*asked.lesson, *slowest),
+          slower_sentence(*asked.lesson, rows)};
 }
 
 Truth times_truth(const Asked& asked, const Run&) {
@@ -144,7 +174,7 @@ Truth times_truth(const Asked& asked, const Run&) {
   if (rows.size() != static_cast<const CostSubject&>(*asked.subject).methods().size()) return unknown();
   const double ratio = times_slower(rows);
   const auto range = std::lower_bound(kTimes.begin(), kTimes.end(), ratio) - kTimes.begin();
-  return {{static_cast<int>(range)}, {}, times_text(ratio) + " times", slower_sentence(rows)};
+  return {{static_cast<int>(range)}, {}, times_text(ratio) + " times", slower_sentence(*asked.lesson, rows)};
 }
 
 Truth measured_choice_truth(const Asked& asked, const Run& run) {
@@ -154,16 +184,18 @@ Truth measured_choice_truth(const Asked& asked, const Run& run) {
 /// The fraction by which the volume must be smaller.
 double tighter_by_of(const Task& task) { return task.conditions.empty() ? 0 : task.conditions.front().at_least / 100; }
 
-std::string_view cheapest_of(const Task& task, Costs rows) {
+std::string cheapest_of(const Task& task, Costs rows) {
   const double tighter_by = tighter_by_of(task);
   const cost::CostRow* const than = find_row(rows, task.algorithm);
   const bool known = than != nullptr && !than->is_flat();  // the sizes of a flat shape are only rounding
   const cost::CostRow* best = nullptr;
   for (const cost::CostRow& row : rows) {
-    const bool smaller = known && of_same_points(row, *than) && row.size <= (1 - tighter_by) * than->size;
+    const bool smaller =
+        known && of_same_points(row, *than) && size_beside(row, *than) <= (1 - tighter_by) * size_beside(*than, row);
     if (smaller && (best == nullptr || row.time.median < best->time.median)) best = &row;
   }
-  return best != nullptr ? std::string_view(best->algorithm) : std::string_view();
+  if (best == nullptr) return {};
+  return are_mixed(rows) ? best->volume + '/' + best->algorithm : best->algorithm;
 }
 
 Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
@@ -174,7 +206,7 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
   grade.points = static_cast<int>(own->of);
   const std::string name = title_of(*than);
   const std::string asked_for = without_plus(percent_text(tighter_by));
-  const std::string_view cheapest = cheapest_of(task, rows);
+  const std::string cheapest = cheapest_of(task, rows);
   if (cheapest.empty()) {
     grade.says = "On this shape nothing is " + asked_for + " smaller than " + name + ": take another shape.";
     return grade;
@@ -188,18 +220,20 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
     grade.says = title_of(*own) + " was measured on fewer points: the two cannot be compared.";
     return grade;
   }
-  if (chosen != cheapest && (measured_badly(*own) || measured_badly(*find_row(rows, cheapest)))) {
+  const bool is_cheapest = own == find_row(rows, cheapest);
+  if (!is_cheapest && (measured_badly(*own) || measured_badly(*find_row(rows, cheapest)))) {
     grade.says = "The times of " + title_of(*own) + " and " + title_of(*find_row(rows, cheapest)) +
                  " cannot be compared, because one of them was measured badly: measure again.";
     return grade;
   }
-  grade.excess = own->size / than->size - 1;
-  grade.done = chosen == cheapest;
-  grade.says = title_of(*own) + ": " + smaller_text(own->size, than->size) + " " + name + ", in " +
+  const double own_size = size_beside(*own, *than), than_size = size_beside(*than, *own);
+  grade.excess = own_size / than_size - 1;
+  grade.done = is_cheapest;
+  grade.says = title_of(*own) + ": " + smaller_text(own_size, than_size) + " " + name + ", in " +
                times_text(own->time.median / than->time.median) + " times the " +
                (is_counted(*own) ? "operations." : "time.");
   if (grade.done) grade.says += " Done.";
-  else if (own->size <= (1 - tighter_by) * than->size)
+  else if (own_size <= (1 - tighter_by) * than_size)
     grade.says += is_counted(*own) ? " Another does it in fewer." : " Another does it in less.";
   else grade.says += " It should be at least " + asked_for + " smaller.";
   return grade;
@@ -209,7 +243,8 @@ std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet
   std::vector<cost::CostRow> rows;
   const int dim = fit::dim_of(points);
   for (const std::string& name : lesson.algorithms) {
-    const fit::Algorithm& algorithm = *fit::find_algorithm(lesson.volume, name);
+    const Method& method = *find_method(lesson, name);
+    const fit::Algorithm& algorithm = *fit::find_algorithm(method.volume, method.name);
     if (fit::size_of(points) > algorithm.max_points) continue;
     const fit::Watched run = algorithm.watch(points, {.seed = lesson.seed}, {});
     cost::CostRow row;

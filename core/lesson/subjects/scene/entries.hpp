@@ -12,10 +12,15 @@ Truth range_truth(const Asked& asked, const Run& run);
 const char* offer_effects(Asked& asked, const Run& run);
 Truth skipped_truth(const Asked& asked, const Run& run);
 
+/// "most_compared": which body the search compares with the most others; answered on the stage.
+const char* offer_bodies(Asked& asked, const Run& run);
+Truth most_compared_truth(const Asked& asked, const Run& run);
+
 template <>
 struct Entry<FrameTaken> : EntryDefaults {
   static constexpr std::array kAskings{
       Asking{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_ranges},
+      Asking{.name = "most_compared", .offer = &offer_bodies, .truth = &most_compared_truth},
       Asking{.name = "skipped", .offer = &offer_effects, .truth = &skipped_truth}};
   static std::string sentence(const FrameTaken& fact, const SceneRun::Where& where);
 };

@@ -11,6 +11,7 @@
 #include "lesson/subjects/scene/entries.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
 #include "measure/timing.hpp"
+#include "scene/pairs.hpp"
 
 namespace snug::lesson {
 
@@ -92,6 +93,11 @@ std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
   words += "the volume is ";
   if (fact.slack >= kShown) words += looser_words(fact.slack, "the tightest of its kind") + ", and ";
   return words + scene_figure_text(kOverHull, over) + " the hull’s.";
+}
+
+/// Whether a method searches for pairs by sorting.
+bool sorts(const Method& method) {
+  return method.name == scene::kPairSearchNames[static_cast<std::size_t>(scene::PairSearch::kSweepAndPrune)];
 }
 
 std::string count_of_pairs(double n) { return count_text(static_cast<std::int64_t>(n)); }
@@ -199,7 +205,7 @@ std::string SceneSubject::opening(const Method& method) const {
 
 std::vector<Figure> SceneSubject::figures(const View& view) const {
   if (view.step == 0) return {};
-  return scene_figures(scene_run(view.run()).trace()[view.step - 1].step, *points());
+  return scene_figures(scene_run(view.run()).trace()[view.step - 1].step, *points(), sorts(view.method()));
 }
 
 /// None: its figures are counts.

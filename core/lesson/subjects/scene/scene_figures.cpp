@@ -19,12 +19,13 @@ std::string fixed_text(double value, int digits) {
   return text.data();
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kTitles{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kTitles{
     {{"all_pairs", "All pairs"},
      {"compared", "AABBs compared"},
      {"after_broad", "AABBs overlap"},
      {"after_loose", "Bounding spheres overlap"},
      {"touching", "Touching"},
+     {"swaps", "Swaps while sorting"},
      {"slack", "Looseness"},
      {kOverHull, "Volume over the hull’s"},
      {"cost", "Points examined"},
@@ -33,6 +34,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kTitles{
 /// What a figure counts; "" if it is not a count.
 std::string counted_thing(std::string_view figure, bool one) {
   if (figure == "slack" || figure == kOverHull || figure == "energy") return {};
+  if (figure == "swaps") return one ? "swap" : "swaps";
   return figure == "cost" ? (one ? "point" : "points") : (one ? "pair" : "pairs");
 }
 
@@ -40,7 +42,7 @@ std::string counted_thing(std::string_view figure, bool one) {
 std::string_view unit_of(std::string_view figure) {
   if (figure == "slack") return "%";
   if (figure == kOverHull) return "times";
-  return figure == "energy" ? "kg units²/s²" : figure == "cost" ? "points" : "pairs";
+  return figure == "energy" ? "kg units²/s²" : figure == "cost" ? "points" : figure == "swaps" ? "swaps" : "pairs";
 }
 
 }  // namespace
@@ -98,12 +100,13 @@ Figure scene_figure(std::string_view key, double value) {
           std::isfinite(value)};
 }
 
-std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points) {
+std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points, bool sorts) {
   const auto* frame = std::get_if<FrameTaken>(&step.fact);
   std::vector<Figure> figures{{"Frame", "frame", std::to_string(frame->frame), static_cast<double>(frame->frame), ""}};
   const auto add = [&](std::string_view key) { figures.push_back(scene_figure(key, value_of(step, key, points))); };
   if (frame->all_pairs > 0) {
     for (const std::string_view key : {"all_pairs", "compared", "after_broad", "after_loose", "touching"}) add(key);
+    if (sorts) add("swaps");
   } else if (step.has_volume) {
     add("slack");
     add(kOverHull);

@@ -12,9 +12,9 @@
 
 namespace snug::lesson {
 
-/// Keys: frame all_pairs compared after_broad after_loose touching slack over_hull cost energy.
-/// points: those of the body.
-[[nodiscard]] std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points);
+/// Keys: frame all_pairs compared after_broad after_loose touching swaps slack over_hull cost energy.
+/// points: those of the body. sorts: whether the search for pairs sorts the AABBs.
+[[nodiscard]] std::vector<Figure> scene_figures(const FrameStep& step, const AnyPointSet& points, bool sorts);
 
 /// The key of the volume divided by the hull's: the same yardstick for every kind of volume.
 inline constexpr std::string_view kOverHull = "over_hull";

@@ -15,13 +15,14 @@ std::size_t bytes_of(const SceneFrame& frame) {
   return sizeof frame + scene::bytes_in(frame.bodies) + scene::bytes_in(frame.volumes) + scene::bytes_in(frame.pairs) +
          scene::bytes_in(frame.near) + scene::bytes_in(frame.touching) + scene::bytes_in(frame.shadows) +
          scene::bytes_in(frame.trails) + scene::bytes_in(frame.rays) + scene::bytes_in(frame.asleep) +
-         scene::bytes_in(frame.visibility);
+         scene::bytes_in(frame.visibility) + scene::bytes_in(frame.swept);
 }
 
 SceneFrame seen(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
   SceneFrame frame{{},         state.volumes,     state.pairs, state.near,      {}, state.shadows, state.trails,
                    state.rays, state.funnel.axis, {},          state.visibility};
+  if (frame.swept_along >= 0) frame.swept = state.sweep.bodies;
   frame.bodies.reserve(scene.world().bodies.size());
   for (const scene::Motion& body : scene.world().bodies) {
     frame.bodies.push_back({body.position, body.orientation});

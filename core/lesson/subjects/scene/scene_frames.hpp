@@ -26,6 +26,7 @@ struct SceneFrame {
   int swept_along = -1;                  // the axis that AABBs were sorted along; -1: none
   std::vector<std::uint8_t> asleep;      // by body
   std::vector<std::uint8_t> visibility;  // by body, query::Culling; empty if nothing culls
+  std::vector<Index> swept;              // the bodies in the order along that axis
 };
 
 // Enough for 2,000 bodies in 125 frames, each body overlapping six others.

@@ -22,8 +22,8 @@ Method scene_method(std::string_view name, std::string_view title, std::span<con
           .max_points = kMostBodies};
 }
 
-constexpr std::array<std::string_view, 8> kFigures{"all_pairs", "compared", "after_broad", "after_loose",
-                                                   "touching",  "slack",    "cost",        "energy"};
+constexpr std::array<std::string_view, 9> kFigures{"all_pairs", "compared", "after_broad", "after_loose", "touching",
+                                                   "swaps",     "slack",    "cost",        "energy"};
 
 /// The name of an update in lessons: with the volume, if that is not an AABB. A k-DOP climbs where nothing is said.
 std::string name_of(const fit::UpdateStrategy& strategy) {
@@ -35,7 +35,8 @@ std::string name_of(const fit::UpdateStrategy& strategy) {
 std::vector<Method> methods_of_scenes() {
   std::vector<Method> all{scene_method("sweep_and_prune", "Sort and sweep", scene::kSweepAndPrunePseudocode),
                           scene_method("tree", "Tree (BVH)", scene::kTreePairsPseudocode),
-                          scene_method("all_pairs", "All pairs", scene::kAllPairsPseudocode)};
+                          scene_method("all_pairs", "All pairs", scene::kAllPairsPseudocode),
+                          scene_method("grid", "Uniform grid", scene::kGridPairsPseudocode)};
   static std::vector<std::string> names;  // the rows only refer to them
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) names.push_back(name_of(strategy));
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -186,6 +187,7 @@ FrameTaken frame_of(const scene::Scene& scene) {
           .after_broad = static_cast<double>(state.funnel.after_broad),
           .after_loose = static_cast<double>(state.funnel.after_loose),
           .touching = static_cast<double>(state.funnel.touching),
+          .swaps = static_cast<double>(state.funnel.swaps),
           .slack = state.refitted.slack,
           .cost = state.refitted.cost,
           .energy = scene.world().energy(),
@@ -195,8 +197,8 @@ FrameTaken frame_of(const scene::Scene& scene) {
 }
 
 double figure_of(const FrameTaken& frame, std::string_view figure) {
-  const double values[] = {frame.all_pairs, frame.compared,    frame.after_broad, frame.after_loose,
-                           frame.touching,  100 * frame.slack, frame.cost,        frame.energy};
+  const double values[] = {frame.all_pairs, frame.compared,    frame.after_broad, frame.after_loose, frame.touching,
+                           frame.swaps,     100 * frame.slack, frame.cost,        frame.energy};
   const auto found = std::find(kFigures.begin(), kFigures.end(), figure);
   return found == kFigures.end() ? 0 : values[found - kFigures.begin()];
 }

@@ -88,7 +88,7 @@ inline bool SceneSet::is_too_long(std::int64_t points) const {
 /// The scene's declaration with the current points.
 [[nodiscard]] scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed);
 
-/// "all_pairs", "compared", "after_broad", "after_loose", "touching", "slack" (in per cent), "cost", "energy".
+/// "all_pairs", "compared", "after_broad", "after_loose", "touching", "swaps", "slack" (in per cent), "cost", "energy".
 [[nodiscard]] std::span<const std::string_view> scene_figure_names();
 
 }  // namespace snug::lesson

@@ -208,6 +208,49 @@ TEST_CASE_TEMPLATE("hill climbing gives the rectangle that rebuilding gives, bit
   }
 }
 
+TEST_CASE("a climb that is watched shows the walk vertex by vertex, and is the climb that is timed") {
+  int steps = 0;
+  for (const char* kind : {"sphere", "lattice", "ball"}) {
+    const Body<double, 3> body(test::generated<double, 3>(kind, 200, 5));
+    auto watched = body.climb(6), timed = body.climb(6);
+    for (int frame = 0; frame < 30; ++frame) {
+      const auto pose = pose_at<double, 3>(0.4 * frame, {1, 2, 3}, {0, 0, 0});
+      std::vector<Index> before;
+      for (int side = 0; side < 6; ++side) before.push_back(watched.end(side));
+      Recorder<fit::UpdateStep<Aabb<double, 3>>> recorder;
+      const auto box = fit::update_hill_climb(watched, pose, recorder).volume;
+      CHECK(same_box(fit::update_hill_climb(timed, pose).volume, box));
+      Index at = kNoIndex, looked_at = 0;  // of the climb at hand: where it goes next, how many vertices it examined
+      int climbs = 0;
+      for (const auto& entry : recorder.entries) {
+        if (const auto* walk = std::get_if<fit::NeighborsCompared>(&entry.step.fact)) {
+          ++steps;
+          if (at == kNoIndex) {
+            CHECK(walk->vertex == before[static_cast<std::size_t>(climbs)]);
+            looked_at = 1;
+          }
+          const auto around = body.neighbors.of(walk->vertex);
+          for (const Index neighbor : walk->neighbors)
+            CHECK(std::find(around.begin(), around.end(), neighbor) != around.end());
+          const bool goes = walk->best != walk->vertex && walk->best != at;
+          if (goes)
+            CHECK(std::find(walk->neighbors.begin(), walk->neighbors.end(), walk->best) != walk->neighbors.end());
+          looked_at += static_cast<Index>(walk->neighbors.size());
+          at = walk->best;
+        } else if (const auto* climbed = std::get_if<fit::ExtremeClimbed>(&entry.step.fact)) {
+          CHECK(climbed->path.front() == before[static_cast<std::size_t>(climbs)]);
+          CHECK(climbed->path.back() == at);
+          CHECK(climbed->path.back() == watched.end(climbs));
+          CHECK(climbed->looked_at == looked_at);
+          ++climbs, at = kNoIndex;
+        }
+      }
+      CHECK(climbs == 6);
+    }
+  }
+  CHECK(steps > 1000);
+}
+
 TEST_CASE("plateaus do not stop a walk: a chain of equal vertices, and hilltops that only rounding makes") {
   // Three places along a line, the first one twelve times over, and only its last copy knows the way on.
   test::Cloud<double, 2> vertices(12, {0, 0});

@@ -113,7 +113,6 @@ TEST_CASE("what a lesson of several volumes says wrongly is told") {
   CHECK(refusal(mixed_with("\"kdop/k8\", \"obb", "\"kdop/k9\", \"obb")).find("k9") != std::string::npos);
   CHECK(refusal(mixed_with("reference = \"hull/quickhull\"", "reference = \"hull/quick\""))
             .find(":6:13: \"reference\"") != std::string::npos);
-  CHECK(refusal(mixed_with("meshes", "chart = \"cost\"\nmeshes")).find("of one volume") != std::string::npos);
   CHECK(refusal(mixed_with("[\"aabb/min_max\", \"kdop/k8\"", "[\"kdop/k14\", \"aabb/min_max\", \"kdop/k8\""))
             .find("14-DOP is for points in space") != std::string::npos);
   const Draft draft = read_draft(mixed_with("\"obb/exact\"]", "\"obb/exact\", \"kdop/k14\"]"), "mixed.toml");

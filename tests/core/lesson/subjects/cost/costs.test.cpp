@@ -100,6 +100,20 @@ TEST_CASE("a lesson with the chart is read, and its model answers are sound by o
   CHECK(played->algorithms.front().outcomes.size() == 3);
 }
 
+TEST_CASE("a chart can be asked a choice of one's own, which waits for the measurement as well") {
+  const std::string text = with("[[question]]\nid = \"front\"\nasks = \"on_front\"",
+                                "[[question]]\nid = \"own\"\nasks = \"choice\"\nchoices = [\"Yes\", \"No\"]\n"
+                                "answer = \"No\"\nholds = \"always\"");
+  auto lesson = read_lesson(text, "chart.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  REQUIRE(session->answer({Answer::Kind::kChoice, 1}));
+  CHECK(session->outcomes()[0].pending);
+  measured(*session, rows());
+  CHECK(session->outcomes()[0].right);
+}
+
 TEST_CASE("what is decided by counted operations speaks of them, and what is measured of time") {
   Session session = opened();
   const auto played = play(session);

@@ -1,5 +1,5 @@
 // What the lesson on swept spheres says of cylinders: how many simplices GJK takes for two of them, and for two
-// capsules on the same axes.
+// capsules on the same axes, and how many operations their support mappings take on the way.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -38,8 +38,18 @@ int simplices(const Axes& axes) {
   return query::gjk(Kind<double, 3>{a, b, axes.radii[0]}, Kind<double, 3>{c, d, axes.radii[1]})->turns;
 }
 
+/// The dot products of the support mappings: GJK reports one for each end that a capsule's core has to compare.
+std::int64_t dot_products(const Axes& axes) {
+  const auto& [a, b, c, d] = axes.ends;
+  Counter counter;
+  const auto found =
+      query::gjk(Capsule<double, 3>{a, b, axes.radii[0]}, Capsule<double, 3>{c, d, axes.radii[1]}, false, counter);
+  REQUIRE(found.has_value());
+  return counter.counts[static_cast<std::size_t>(Operation::kDotProducts)];
+}
+
 /// The mean of that sum with one decimal, as the prose has it.
-std::string mean_text(int sum) {
+std::string mean_text(std::int64_t sum) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.1f", static_cast<double>(sum) / kPairs);
   return text.data();
@@ -49,10 +59,12 @@ std::string mean_text(int sum) {
 
 TEST_CASE("GJK takes as many simplices for two cylinders and for two capsules as the lesson says") {
   Random random(1);
-  int cylinders = 0, capsules = 0;
+  std::int64_t cylinders = 0, capsules = 0, capsule_dots = 0;
+  cylinder_work = {};
   for (int i = 0; i < kPairs; ++i) {
     const Axes axes = any_axes(random);
     cylinders += simplices<Cylinder>(axes), capsules += simplices<Capsule>(axes);
+    capsule_dots += dot_products(axes);
   }
   CHECK(cylinders > 2 * capsules);
   std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/swept-volumes.toml", std::ios::binary);
@@ -61,4 +73,12 @@ TEST_CASE("GJK takes as many simplices for two cylinders and for two capsules as
   CAPTURE(mean_text(capsules));
   CHECK(lesson.find(mean_text(cylinders) + " for two cylinders") != std::string::npos);
   CHECK(lesson.find(mean_text(capsules) + " simplices for two capsules") != std::string::npos);
+  const std::string roots = mean_text(cylinder_work.square_roots), dots = mean_text(cylinder_work.dot_products);
+  CAPTURE(roots);
+  CAPTURE(dots);
+  CAPTURE(mean_text(capsule_dots));
+  CHECK(lesson.find("| capsules | " + mean_text(capsules) + " | " + mean_text(capsule_dots) + " | 0 |") !=
+        std::string::npos);
+  CHECK(lesson.find("| cylinders | " + mean_text(cylinders) + " | " + dots + " | " + roots + " |") !=
+        std::string::npos);
 }

@@ -1,0 +1,16 @@
+// A chart as an SVG file: the same layout as on the screen, and words that are words, which can be searched, selected
+// and read aloud.
+#pragma once
+
+#include <string>
+
+#include "app/chart.hpp"
+
+namespace snug::app {
+
+/// look: of the fonts, sizes and palette. A light or dark palette makes a picture that is readable on either ground: it
+/// has the colours of both, and whatever shows it selects. Each word's width is stated, so that another font in the
+/// place of Inter leaves the layout as it is. width, height: of the picture, pixels.
+[[nodiscard]] std::string chart_svg(const Look& look, float width, float height, const Chart& chart);
+
+}  // namespace snug::app

@@ -1,0 +1,108 @@
+// The intervals of a sweep, sorted by where they begin, and the active list when it comes to a body.
+#include <algorithm>
+#include <string>
+
+#include "app/marks.hpp"
+#include "app/subjects/scene/owner.hpp"
+#include "app/subjects/scene/search.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::SceneFrame;
+
+constexpr float kSweepPad = 10, kSweepHead = 26, kSweepFoot = 22, kSweepWords = 12;
+constexpr float kSweepStage = 560, kMostRow = 9, kLeastRow = 3;
+
+/// "P3", or the name that the scene gives to a body of another kind.
+std::string name_of_body(const lesson::Session& session, Index body) {
+  const Owner owner = owner_of(lesson::set_of(session));
+  const Index handle = body - static_cast<Index>(owner.body);
+  if (owner.at_points && handle >= 0 && handle < session.size()) return session.name_of(handle);
+  const std::string& name = lesson::members_of(session)[static_cast<std::size_t>(body)].name;
+  return name.empty() ? "a body" : name;
+}
+
+struct SweepPicture {
+  Brush& brush;
+  const SceneFrame& frame;
+  const SearchShown& shown;
+  Rect panel, plot;
+  double least = 0, greatest = 1;
+
+  [[nodiscard]] const Aabb<double, 3>& box(Index body) const { return frame.volumes[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] float x(double at) const {
+    return plot.x + plot.width * static_cast<float>((at - least) / (greatest - least));
+  }
+  [[nodiscard]] static bool has(const std::vector<Index>& list, Index body) {
+    return std::find(list.begin(), list.end(), body) != list.end();
+  }
+
+  void bars() const {
+    const Palette& p = brush.p;
+    const int axis = frame.swept_along;
+    const float row = plot.height / static_cast<float>(frame.swept.size());
+    for (std::size_t i = 0; i < frame.swept.size(); ++i) {
+      const Index body = frame.swept[i];
+      const float y = plot.y + (static_cast<float>(i) + 0.5f) * row, from = x(box(body).min[axis]),
+                  to = std::max(from + 2, x(box(body).max[axis]));
+      const bool own = body == shown.body, active = has(shown.active, body), later = !active && has(shown.others, body);
+      const Color color = own ? p.support : active || later ? p.examined : with_alpha(p.muted, 0.55f);
+      line(brush.list, {from, y}, {to, y}, later ? Stroke::kDotted : Stroke::kSolid, color,
+           std::max(1.5f, row * (own ? 0.75f : 0.5f)));
+      if (own) diamond(brush.list, {from, y}, 4 * p.mark, p.support, p.panel);
+    }
+  }
+
+  /// The line of the sweep, where the body begins.
+  void sweep() const {
+    const float at = x(box(shown.body).min[frame.swept_along]);
+    line(brush.list, {at, plot.y - 3}, {at, plot.y + plot.height + 3}, Stroke::kDashed, brush.p.ink, 1);
+  }
+
+  void words() const {
+    const Palette& p = brush.p;
+    const Look& look = brush.look;
+    text(brush.list, look, Face::kSemiBold, kSweepWords, {panel.x + kSweepPad, panel.y + look.px(6)}, p.muted,
+         std::string("Sorted along ") + "xyz"[frame.swept_along] + ", as the sweep comes to " +
+             name_of_body(brush.session, shown.body));
+    text(brush.list, look, Face::kRegular, kSweepWords,
+         {panel.x + kSweepPad, panel.y + panel.height - look.px(kSweepFoot - 2)}, p.examined_text,
+         std::to_string(shown.active.size()) + " in the active list, " +
+             std::to_string(shown.others.size() - shown.active.size()) + " begin later (dotted)");
+  }
+};
+
+}  // namespace
+
+Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& shown, float top) {
+  if (shown.search != scene::PairSearch::kSweepAndPrune || brush.rect.width < kSweepStage || frame.swept.empty())
+    return {};
+  const Look& look = brush.look;
+  const auto count = static_cast<float>(frame.swept.size());
+  const float row = std::clamp(look.px(220) / count, kLeastRow, kMostRow);
+  const Rect panel{brush.rect.x + 12, top, look.px(300), look.px(kSweepHead + kSweepFoot) + row * count + 6};
+  if (panel.y + panel.height > brush.canvas.camera.free_bottom() || panel.width > brush.rect.width / 2) return {};
+  SweepPicture picture{brush,
+                       frame,
+                       shown,
+                       panel,
+                       {panel.x + kSweepPad, panel.y + look.px(kSweepHead), panel.width - 2 * kSweepPad, row * count}};
+  const int axis = frame.swept_along;
+  picture.least = frame.volumes.front().min[axis], picture.greatest = frame.volumes.front().max[axis];
+  for (const Aabb<double, 3>& box : frame.volumes) {
+    picture.least = std::min(picture.least, box.min[axis]);
+    picture.greatest = std::max(picture.greatest, box.max[axis]);
+  }
+  if (!(picture.greatest > picture.least)) picture.greatest = picture.least + 1;
+  const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
+  brush.list->AddRectFilled(low, high, brush.p.panel, 8);
+  brush.list->AddRect(low, high, brush.p.line, 8, 0, 1);
+  picture.bars();
+  picture.sweep();
+  picture.words();
+  return panel;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,122 @@
+#include "lesson/subjects/claims/claims.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "lesson/figures.hpp"
+#include "lesson/names.hpp"
+#include "lesson/point_subject.hpp"
+
+namespace snug::lesson {
+namespace {
+
+constexpr std::array<std::string_view, 3> kVerdicts{"holds", "typical", "false"};
+constexpr std::array<std::string_view, 3> kVerdictChoices{
+    "It holds on every cloud", "It holds typically, on more than half of them", "It is false on half of them or more"};
+
+const char* offer_verdicts(Asked& asked, const Run&) {
+  for (const std::string_view choice : kVerdictChoices) asked.add_choice(std::string(choice));
+  return nullptr;
+}
+
+Truth verdict_truth(const Asked& asked, const Run&) {
+  const auto& trials = static_cast<const ClaimsSubject&>(*asked.subject).trials();
+  const cost::TrialTally tally = cost::tally_trials(asked.question->figure, trials);
+  const auto* const found = std::find(kVerdicts.begin(), kVerdicts.end(), tally.verdict());
+  Truth truth{.pending = found == kVerdicts.end()};
+  if (truth.pending) return truth;
+  const auto verdict = static_cast<std::size_t>(found - kVerdicts.begin());
+  truth.choices.push_back(static_cast<int>(verdict));
+  truth.happened = kVerdictChoices[verdict];
+  truth.sentence = "It holds on " + tally_text(tally) + ".";
+  return truth;
+}
+
+void read_verdict(TomlTable& table, Question& question) {
+  std::vector<std::string_view> names;
+  for (const cost::TrialClaim& claim : cost::trial_claims()) names.push_back(claim.name);
+  question.figure = table.text("claim");
+  check_name(table, "claim", question.figure, names);
+}
+
+const char* offer_own(Asked& asked, const Run&) {
+  for (const std::string& choice : asked.question->choices) asked.add_choice(choice);
+  return nullptr;
+}
+Truth own_truth(const Asked& asked, const Run& run) {
+  const bool tried = !static_cast<const ClaimsSubject&>(*asked.subject).trials().empty();
+  return tried ? choice_truth(asked, run) : Truth{.pending = true};
+}
+
+constexpr std::array kClaimsAskings{
+    Asking{.name = "choice", .offer = &offer_own, .truth = &own_truth},
+    Asking{.name = "verdict", .offer = &offer_verdicts, .truth = &verdict_truth, .read = &read_verdict}};
+
+const SubjectRow& points_row() { return *subject_named("cloud"); }
+
+std::vector<std::string_view> claim_volumes() { return points_row().volumes(); }
+std::span<const Method> claim_methods(std::string_view volume) { return points_row().methods(volume); }
+std::vector<std::string_view> no_claim_facts() { return {}; }
+std::vector<AskingOf> claims_askings() {
+  std::vector<AskingOf> all;
+  for (const Asking& asking : kClaimsAskings) all.push_back({"", &asking});
+  return all;
+}
+
+void read_claims(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+  points_row().read(table, lesson, complaints);
+}
+
+/// Checks that each counter-example can be shown.
+void check_claims(const Lesson& lesson, const Subject&, Complaints& complaints) {
+  for (const cost::TrialClaim& claim : cost::trial_claims())
+    if (!is_among(lesson.algorithms, shown_by(lesson, claim)))
+      complaints.add(FilePlace(1), "\"algorithms\" lacks " + std::string(claim.volume) + '/' +
+                                       std::string(claim.algorithm) + ", which shows the claim " +
+                                       std::string(claim.name));
+}
+
+tl::expected<std::unique_ptr<Subject>, InputError> open_claims(const Lesson& lesson, std::optional<io::PointFile> mesh,
+                                                               Clock clock) {
+  auto cloud = points_row().open(lesson, std::move(mesh), clock);
+  if (!cloud) return tl::unexpected(std::move(cloud.error()));
+  return std::make_unique<ClaimsSubject>(*std::move(cloud));
+}
+
+void try_all(Session& session) {
+  session.inform<ClaimsSubject>([](ClaimsSubject& claims) { claims.tried(cost::all_trials()); });
+}
+
+}  // namespace
+
+const SubjectRow kClaimsRow{.name = "claims",
+                            .table = "points",
+                            .volumes = &claim_volumes,
+                            .chart = "claims",
+                            .methods = &claim_methods,
+                            .facts = &no_claim_facts,
+                            .askings = &claims_askings,
+                            .asks_of_steps = false,
+                            .read = &read_claims,
+                            .read_model = &read_point_model,
+                            .check_first = &check_claims,
+                            .open = &open_claims,
+                            .before_play = &try_all};
+
+void ClaimsSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
+  cloud().begin_task(lesson, task, own.shape());
+  static_cast<void>(edited({}));
+}
+
+std::string shown_by(const Lesson& lesson, const cost::TrialClaim& claim) {
+  const Method* method = find_method(lesson, std::string(claim.volume) + '/' + std::string(claim.algorithm));
+  return method != nullptr ? name_in(lesson, *method) : std::string();
+}
+
+std::string tally_text(const cost::TrialTally& tally) {
+  const std::string all = count_text(tally.clouds);
+  if (tally.held == tally.clouds) return "all " + all + " clouds";
+  return (tally.held == 0 ? "none" : count_text(tally.held)) + " of " + all + " clouds";
+}
+
+}  // namespace snug::lesson

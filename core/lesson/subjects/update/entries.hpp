@@ -1,0 +1,74 @@
+// The entries of an update's facts.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "lesson/subjects/update/update_run.hpp"
+
+namespace snug::lesson {
+
+using UpdateWhere = UpdateRun::Where;
+
+/// "extreme": whether a vertex of a climb is the extreme, where the climb ends.
+Truth extreme_truth(const Asked& asked, const Run& run);
+
+template <>
+struct Entry<fit::ReachFound> : EntryDefaults {
+  static std::string sentence(const fit::ReachFound& fact, const UpdateWhere& where);
+  static std::vector<Index> handles(const fit::ReachFound& fact, const UpdateWhere&) { return {fact.point}; }
+  static std::string predicate(const fit::ReachFound&, const UpdateWhere&, bool) {
+    return "is farthest from the pivot";
+  }
+};
+
+template <>
+struct Entry<PointPlaced> : EntryDefaults {
+  static std::string sentence(const PointPlaced& fact, const UpdateWhere& where);
+  static std::vector<Index> handles(const PointPlaced& fact, const UpdateWhere&) { return {fact.point}; }
+  static std::string predicate(const PointPlaced&, const UpdateWhere&, bool) { return "lies outside the AABB so far"; }
+};
+
+template <>
+struct Entry<fit::NeighborsCompared> : EntryDefaults {
+  static constexpr std::array kAskings{Asking{.name = "extreme", .offer = &offer_yes_no, .truth = &extreme_truth}};
+  static std::string sentence(const fit::NeighborsCompared& fact, const UpdateWhere& where);
+  static std::vector<Index> handles(const fit::NeighborsCompared& fact, const UpdateWhere&) { return {fact.best}; }
+  static std::string predicate(const fit::NeighborsCompared& fact, const UpdateWhere& where, bool);
+};
+
+template <>
+struct Entry<fit::ExtremeClimbed> : EntryDefaults {
+  static std::string sentence(const fit::ExtremeClimbed& fact, const UpdateWhere& where);
+  static std::vector<Index> handles(const fit::ExtremeClimbed& fact, const UpdateWhere&) { return {fact.path.back()}; }
+  static std::string predicate(const fit::ExtremeClimbed& fact, const UpdateWhere& where, bool);
+  static std::optional<Mark::Kind> mark(const fit::ExtremeClimbed&, const UpdateWhere&) { return Mark::Kind::kBest; }
+};
+
+template <>
+struct Entry<fit::BoundsRotated> : EntryDefaults {
+  static std::string sentence(const fit::BoundsRotated& fact, const UpdateWhere& where);
+  static std::optional<Mark::Kind> mark(const fit::BoundsRotated&, const UpdateWhere&) { return Mark::Kind::kBest; }
+};
+
+template <>
+struct Entry<fit::CenterMoved> : EntryDefaults {
+  static std::string sentence(const fit::CenterMoved& fact, const UpdateWhere& where);
+};
+
+template <>
+struct Entry<fit::AxesTurned> : EntryDefaults {
+  static std::string sentence(const fit::AxesTurned& fact, const UpdateWhere& where);
+};
+
+template <>
+struct Entry<VolumeUpdated> : EntryDefaults {
+  static std::string sentence(const VolumeUpdated& fact, const UpdateWhere& where);
+  static std::vector<Index> handles(const VolumeUpdated& fact, const UpdateWhere&) { return fact.support; }
+  static std::string predicate(const VolumeUpdated&, const UpdateWhere& where, bool plural) {
+    return (plural ? "support the " : "supports the ") + where.volume();
+  }
+  static std::optional<Mark::Kind> mark(const VolumeUpdated&, const UpdateWhere&) { return Mark::Kind::kReplaced; }
+};
+
+}  // namespace snug::lesson

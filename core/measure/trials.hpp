@@ -1,0 +1,84 @@
+// A claim of the lectures, tried on hundreds of clouds: a number for each cloud, and whether the claim holds there. All
+// numbers are sizes or counted operations, so that they are the same on every machine.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fit/catalogue.hpp"
+#include "measure/rows.hpp"
+
+namespace snug::cost {
+
+/// One cloud of a claim.
+struct TrialRow {
+  static constexpr std::string_view kTable = "trials";
+  std::string claim, kind;  // the claim's name; of generator_kinds()
+  std::int64_t seed = 1;    // of the cloud
+  Index points = 0;
+  double value = 0;    // the ratio that the claim is about, on this cloud
+  bool holds = false;  // whether it holds there
+  static void fields(auto& own, auto&& see) {
+    see("claim", own.claim), see("kind", own.kind), see("seed", own.seed), see("points", own.points);
+    see("value", own.value), see("holds", own.holds);
+  }
+};
+
+struct TrialClaim {
+  std::string_view name, lecture, slide;
+  std::string_view says;               // in our words
+  std::string_view title;              // two or three words
+  std::string_view value;              // what is measured on each cloud: a ratio
+  std::string_view claimed;            // the limit in words: "at most 10 % larger"
+  double limit = 0;                    // it holds on a cloud if the value is no greater
+  std::string_view volume, algorithm;  // what shows a counter-example
+  Index points = 0;                    // in each cloud
+  double (*measure)(const AnyPointSet& points, std::uint64_t seed) = nullptr;
+};
+
+/// Nine claims.
+[[nodiscard]] std::span<const TrialClaim> trial_claims();
+/// The same, by address.
+[[nodiscard]] std::vector<const TrialClaim*> every_trial();
+/// Null if there is none of that name.
+[[nodiscard]] const TrialClaim* find_trial(std::string_view name);
+
+/// How many clouds of each kind a claim is tried on, with the seeds from 1, and the kinds.
+inline constexpr int kTrialSeeds = 40;
+[[nodiscard]] std::span<const std::string_view> trial_kinds();
+[[nodiscard]] AnyPointSet trial_cloud(std::string_view kind, Index points, std::int64_t seed);
+
+/// What came of a claim's clouds.
+struct TrialTally {
+  int clouds = 0, held = 0;
+  std::optional<TrialRow> worst;  // that of the greatest value, if the claim does not hold there
+  /// "holds": on every cloud; "typical": on more than half; "false"; "unknown" if there are no clouds.
+  [[nodiscard]] std::string_view verdict() const;
+};
+[[nodiscard]] TrialTally tally_trials(std::string_view claim, std::span<const TrialRow> rows);
+
+/// All of the claims on all of their clouds: computed once, when first needed, in about a second.
+[[nodiscard]] const std::vector<TrialRow>& all_trials();
+
+/// Tries claims on all clouds, one cloud after the other (see cost::advance).
+class TrialRun {
+ public:
+  explicit TrialRun(std::vector<const TrialClaim*> claims) : claims_(std::move(claims)) {}
+
+  void step();
+  [[nodiscard]] bool done() const { return at_ == claims_.size(); }
+  [[nodiscard]] double progress() const;
+  void stop() { at_ = claims_.size(); }
+  [[nodiscard]] const std::vector<TrialRow>& rows() const { return rows_; }
+
+ private:
+  std::vector<const TrialClaim*> claims_;
+  std::size_t at_ = 0;  // of claims_
+  int cloud_ = 0;
+  std::vector<TrialRow> rows_;
+};
+
+}  // namespace snug::cost

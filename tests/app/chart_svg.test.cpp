@@ -1,0 +1,125 @@
+// A chart as SVG: the same words as on the screen, colours for both grounds, well-formed.
+#include "app/chart_svg.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "app/chart_pen.hpp"
+#include "app/subjects/claims/trial_chart.hpp"
+#include "app/subjects/cost/charts.hpp"
+#include "bench.hpp"
+#include "viewed_lessons.hpp"
+
+namespace snug::app {
+namespace {
+
+cost::Table<cost::GrowthRow> growth_table() {
+  cost::Table<cost::GrowthRow> table{{.processor = "<a & b>", .points = "cube:1000"}, {}};
+  for (const Index n : {10, 100, 1000})
+    table.rows.push_back({.volume = "sphere",
+                          .algorithm = "ritter",
+                          .points = n,
+                          .time = {.median = 20.0 * n, .min = 20.0 * n, .spread = 0.1, .repeats = 9, .trusted = true},
+                          .in_fit = true,
+                          .exponent = 1.02,
+                          .theory_exponent = 1,
+                          .tight = true});
+  table.provenance.platform = "native";
+  return table;
+}
+
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+std::string escaped_words(std::string words) {
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}})
+    for (std::size_t at = words.find(from); at != std::string::npos; at = words.find(from, at + to.size()))
+      words.replace(at, from.size(), to);
+  return words;
+}
+
+/// The words that the screen's pen draws.
+std::vector<std::string> words_on_screen(Bench& bench, const Chart& chart) {
+  std::vector<DrawnWords> drawn;
+  ImGui::NewFrame();
+  Look look = bench.app.look();
+  look.drawn = &drawn;
+  ScreenPen pen(ImGui::GetBackgroundDrawList());
+  ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+  draw_chart(pen, look, {0, 0, 960, 600}, chart);
+  ImGui::EndFrame();
+  std::vector<std::string> words;
+  for (const DrawnWords& one : drawn) words.push_back(one.words);
+  return words;
+}
+
+std::string svg_in_frame(Bench& bench, const Look& look, const Chart& chart) {
+  static_cast<void>(bench);
+  ImGui::NewFrame();
+  std::string svg = chart_svg(look, 960, 600, chart);
+  ImGui::EndFrame();
+  return svg;
+}
+
+}  // namespace
+
+TEST_CASE("an SVG has every word of the screen's chart, as text") {
+  Bench bench(test::flat_kdop());
+  for (const Chart& chart :
+       {growth_chart(growth_table()), trial_chart(*cost::find_trial("four_points"), cost::all_trials())}) {
+    const std::string svg = svg_in_frame(bench, bench.app.look(), chart);
+    const auto words = words_on_screen(bench, chart);
+    CHECK(words.size() > 12);
+    for (const std::string& one : words)
+      CHECK_MESSAGE(svg.find('>' + escaped_words(one) + "</text>") != std::string::npos, one);
+    CHECK(svg.find("<title id=\"title\">" + escaped_words(chart.title) + "</title>") != std::string::npos);
+    CHECK(svg.find("nan") == std::string::npos);
+    CHECK(svg.find("inf") == std::string::npos);
+    CHECK(count(svg, "<text ") == count(svg, "</text>"));
+    CHECK(count(svg, "textLength=\"") == count(svg, "<text "));
+  }
+}
+
+TEST_CASE("an SVG has the colours of both grounds, one of high contrast its own alone") {
+  Bench bench(test::flat_kdop());
+  const Chart chart = growth_chart(growth_table());
+  Look look = bench.app.look();
+  look.palette = &kLight;
+  const std::string light = svg_in_frame(bench, look, chart);
+  look.palette = &kDark;
+  CHECK(svg_in_frame(bench, look, chart) == light);
+  CHECK(light.find("fill=\"#faf8f3\"") != std::string::npos);
+  const std::size_t dark = light.find("@media (prefers-color-scheme:dark){");
+  REQUIRE(dark != std::string::npos);
+  for (const char* const color : {"#10141b", "#6fb1ff", "#e9edf4"}) CHECK(light.find(color, dark) != std::string::npos);
+  look.palette = &kHighContrast;
+  const std::string contrast = svg_in_frame(bench, look, chart);
+  CHECK(contrast.find("@media") == std::string::npos);
+  CHECK(contrast.find("#000000") != std::string::npos);
+}
+
+TEST_CASE("a claim's chart has a line for each kind of cloud, and each mark is the cloud that its row names") {
+  const cost::TrialClaim& claim = *cost::find_trial("hull_helps");
+  const Chart chart = trial_chart(claim, cost::all_trials());
+  REQUIRE(chart.series.size() == cost::trial_kinds().size());
+  REQUIRE(chart.limit.has_value());
+  CHECK(*chart.limit == claim.limit);
+  for (const ChartSeries& series : chart.series) {
+    const auto rows = trials_of_line(claim, cost::all_trials(), series.row);
+    REQUIRE(rows.size() == series.points.size());
+    CHECK(series.names.size() == series.points.size());
+    int held = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      CHECK(series.points[i].y == rows[i]->value);
+      if (i > 0) CHECK(series.points[i].y >= series.points[i - 1].y);
+      held += rows[i]->holds ? 1 : 0;
+    }
+    CHECK(series.figure == std::to_string(held) + " of 40");
+  }
+  CHECK(trial_chart(claim, {}).series.empty());
+}
+
+}  // namespace snug::app

@@ -1,0 +1,113 @@
+// The charts of the lectures' claims: predicted, tried while the page stays alive, a counter-example on the stage; saved as
+// files and as pictures.
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { assert, cut_off, handles, kPhone, start, state, still, stop, until, until_within, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const kLesson = "?lesson=lecture-claims";
+const kQuestions = 5;
+const button = (page, name) => page.getByRole("button", { name, exact: true });
+
+async function skip_all(page) {
+  for (let i = 0; i < kQuestions; ++i) {
+    await button(page, "Skip").click();
+    await until(page, (now, before) => now.outcomes.length > before, i);
+  }
+}
+
+async function measure(page) {
+  await button(page, "Measure").click();
+  await until_within(120_000, page, (now) => now.cover.decided && !now.cover.running);
+  await still(page);
+  return state(page);
+}
+
+/** Presses a button that saves, and gives the file. */
+async function saved(page, name) {
+  const [file] = await Promise.all([page.waitForEvent("download"), button(page, name).click()]);
+  return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
+}
+
+test("each claim is answered before it is tried, and decided by its clouds", async (t) => {
+  const page = await visit(t, kLesson);
+  const { asked, cover } = await until(page, (now) => now.asked);
+  assert.equal(asked.choices.length, 3);
+  assert.equal(cover.choices.length, 9);
+  assert.deepEqual(await cut_off(page), [], "all choices are in sight");
+  assert.ok(await button(page, "Measure").isDisabled());
+  assert.ok(await button(page, "Save as SVG").isDisabled());
+  await button(page, asked.choices[2].words ?? asked.choices[2]).click();
+  await button(page, "Answer").click();
+  await until(page, (now) => now.outcomes.length === 1 && now.outcomes[0].pending);
+  for (let i = 1; i < kQuestions; ++i) {
+    await button(page, "Skip").click();
+    await until(page, (now, before) => now.outcomes.length > before, i);
+  }
+  const done = await measure(page);
+  assert.equal(done.cover.table.rows.length, 9);
+  assert.ok(done.outcomes[0].right, "the first claim is false on most clouds");
+  assert.match(done.outcomes[0].says, /^It holds on 91 of 240 clouds\.$/);
+  assert.equal(await page.locator(".cover tbody tr").count(), 9);
+});
+
+test("a click on a mark puts its cloud on the stage, and so does Enter on the worst one", async (t) => {
+  const page = await visit(t, kLesson);
+  await skip_all(page);
+  await measure(page);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Enter");
+  const worst = await until(page, (now) => !now.cover.shown);
+  assert.equal(worst.source, "stick");
+  assert.equal(worst.size, 12);
+  assert.equal(worst.algorithm, "brute_force_slide");
+  assert.equal(worst.step, worst.steps);
+  await button(page, "Chart").click();
+  await until(page, (now) => now.cover.shown);
+  await still(page);
+  const mark = (await handles(page)).find(({ id }) => id === "cube");
+  await page.mouse.move(mark.x, mark.y);
+  await page.mouse.down();
+  await page.mouse.up();
+  const loaded = await until(page, (now) => !now.cover.shown);
+  assert.equal(loaded.source, "cube");
+  assert.equal(loaded.outcomes.length, kQuestions, "no answer is lost");
+});
+
+test("a chart is saved as SVG with real words, as PNG at its own size, and as a table", async (t) => {
+  const page = await visit(t, kLesson);
+  await skip_all(page);
+  await measure(page);
+  const before = await page.evaluate(() => { const { width, height } = document.getElementById("canvas"); return [width, height]; });
+  const svg = await saved(page, "Save as SVG");
+  assert.equal(svg.name, "snug-claims.svg");
+  assert.match(svg.bytes.toString(), /claimed: no larger<\/text>/);
+  assert.match(svg.bytes.toString(), /prefers-color-scheme:dark/);
+  const words = await page.evaluate((text) => {
+    const read = new DOMParser().parseFromString(text, "image/svg+xml");
+    return read.querySelector("parsererror") ? -1 : read.querySelectorAll("text").length;
+  }, svg.bytes.toString());
+  assert.ok(words > 15, `${words} words`);
+  const png = await saved(page, "Save as PNG");
+  assert.equal(png.name, "snug-claims.png");
+  assert.equal(png.bytes.toString("latin1", 1, 4), "PNG");
+  assert.deepEqual([png.bytes.readUInt32BE(16), png.bytes.readUInt32BE(20)], [2560, 1600]);
+  assert.ok(png.bytes.length > 20_000, `${png.bytes.length} bytes: something is drawn`);
+  await still(page);
+  assert.deepEqual(await page.evaluate(() => { const { width, height } = document.getElementById("canvas"); return [width, height]; }), before);
+  const csv = await saved(page, "Save as CSV");
+  assert.ok(csv.bytes.toString().startsWith("# snug table: trials\n"));
+  assert.equal(csv.bytes.toString().trim().split("\n").filter((line) => /^\w+,/.test(line)).length, 1 + 9 * 240);
+});
+
+test("on a phone every claim can be chosen, and nothing is cut off", async (t) => {
+  const page = await visit(t, kLesson, kPhone);
+  await skip_all(page);
+  await measure(page);
+  await page.locator(".segments label", { hasText: "14-DOP" }).click();
+  const { cover } = await until(page, (now) => now.cover.choices.find(({ chosen }) => chosen).words === "14-DOP");
+  assert.ok(cover.shown);
+  assert.deepEqual(await cut_off(page), []);
+});
