@@ -17,7 +17,7 @@ done
 # The rooms, without the subjects' folders and lists.
 everywhere='core app desktop web :!*/subjects/* :!*/subjects.cpp'
 complain 'What a lesson is about is tested outside the subjects:' \
-    "$(git grep -nE '\bas<[A-Z][A-Za-z]*Subject>|subject(->|\.)name *[!=]=|\bk(Cloud|Pair|Frustum|Field|Tree|Scene|Update|Cost|Criteria)Row\b' \
+    "$(git grep -nE '\bas<[A-Z][A-Za-z]*Subject>|subject(->|\.)name *[!=]=|\bk(Cloud|Pair|Frustum|Field|Tree|Scene|Update|Cost|Criteria|Claims)Row\b' \
         -- $everywhere || true)"
 # `snug scene` and `snug chart` are each of one subject.
 complain 'A subject is included outside the subjects:' \

@@ -59,9 +59,9 @@ void add_lesson_new(Commands& commands, CLI::App& group) {
       "already is left alone. lessons/README.md says what each key means.");
   const auto options = add_command<NewOptions>(commands, start, run_new);
   start
-      .add_option(
-          "--subject", options->subject,
-          "What its stage is about: cloud, pair, volumes, frustum, field, tree, scene, update, cost or criteria")
+      .add_option("--subject", options->subject,
+                  "What its stage is about: cloud, pair, volumes, frustum, field, tree, scene, update, cost, criteria "
+                  "or claims")
       ->capture_default_str();
   start.add_option("--lessons", options->folder, "The folder to write to")->capture_default_str();
   start.add_option("ID", options->id, "The lesson's id, its file's name without .toml")->required();
