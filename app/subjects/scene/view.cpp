@@ -30,7 +30,7 @@ class SceneView final : public SubjectView {
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
     const Rect graph = draw_graph_inset(brush, top);
     graph_on_stage_ = graph.width > 0;
-    if (graph_on_stage_) return graph;
+    if (lesson::set_of(brush.session).graph) return graph;  // such a lesson is not about the search
     const SceneFrame& frame = *frame_of(brush.session);
     const auto search = search_at(brush, frame);
     return search ? draw_sweep_inset(brush, frame, *search, top) : Rect{};
