@@ -33,7 +33,7 @@ Json course_state(Shell& shell) {
       {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found(shell)},
       {"kept", shell.kept().works()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
-    const auto& [path, lesson, chapter, slides, is_case] = shell.lessons()[i];
+    const auto& [path, lesson, chapter, slides, is_case, is_playground] = shell.lessons()[i];
     if (is_case) {
       state["cases"].push_back(lesson.id);
       continue;
