@@ -34,7 +34,7 @@ CommandResult run_list(const LessonOptions& options) {
   const auto lessons = read_lessons(options.folder);
   if (!lessons) return bad_input(lessons.error());
   Printed printed;
-  for (const auto& [path, lesson, chapter, slides, is_case] : *lessons)
+  for (const auto& [path, lesson, chapter, slides, is_case, is_playground] : *lessons)
     printed.text += line_of({{"lesson", lesson.id},
                              {"group", chapter},
                              {"title", lesson.title},
