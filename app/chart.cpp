@@ -365,7 +365,8 @@ struct Plot {
         std::max(measure(look, Face::kSemiBold, kSize, name).x, measure(look, Face::kMono, kSize, words).x) + 24;
     const float height = 2 * look.px(kSize) + 24;
     const float left = std::clamp(place.x + 12, frame.x, std::max(frame.x, frame.x + frame.width - width));
-    const float top = std::clamp(place.y - height - 12, frame.y, std::max(frame.y, frame.y + frame.height - height));
+    const bool above = place.y - height - 12 >= frame.y;  // below it where there is no room: it must not cover the mark
+    const float top = above ? place.y - height - 12 : std::min(place.y + 16, frame.y + frame.height - height);
     pen.box({left, top, width, height}, look->panel, look->line);
     pen.words(look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, name);
     pen.words(look, Face::kMono, kSize, {left + 12, top + 14 + look.px(kSize)}, look->ink, words);

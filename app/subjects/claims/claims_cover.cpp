@@ -187,10 +187,10 @@ std::string ClaimsCover::caption(const lesson::Session& session) const {
   if (running()) return "Measuring: " + std::to_string(static_cast<int>(100 * progress())) + " % of the clouds.";
   if (tally.clouds == 0 && predictions_wait(session)) return "Your predictions are in: now press Measure.";
   if (tally.clouds == 0) return "Nothing has been measured yet: press Measure.";
-  std::string says =
-      std::string(claim().says) + ": " + claim_verdict(tally) + ", on " + lesson::tally_text(tally) + ".";
-  if (const cost::TrialRow* row = focused())
-    says += " Marked: " + cloud_words(*row) + ". Press Enter, or click a mark, to look at its cloud.";
+  // At most two lines: the legend stands above them.
+  std::string says = "The claim " + claim_verdict(tally) + ", on " + lesson::tally_text(tally) + ".";
+  if (tally.verdict() == "false") says = "The claim holds on " + lesson::tally_text(tally) + ".";
+  if (const cost::TrialRow* row = focused()) says += " Marked: " + cloud_words(*row) + ". Enter or a click shows it.";
   return says;
 }
 
