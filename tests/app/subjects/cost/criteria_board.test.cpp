@@ -4,13 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace snug::app {
 namespace {
 
 double ticking() {
-  static double ns = 0;
-  return ns += 1000;
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 constexpr std::string_view kLesson = R"(version = 2
