@@ -130,8 +130,8 @@ class SvgPen final : public ChartPen {
     add("text", color, halo, std::move(rest), escaped(words));
   }
   static std::string place_of(const Rect& rect) {
-    return " x=\"" + px_text(rect.x) + "\" y=\"" + px_text(rect.y) + "\" width=\"" + px_text(rect.width) + "\" height=\"" +
-           px_text(rect.height) + '"';
+    return " x=\"" + px_text(rect.x) + "\" y=\"" + px_text(rect.y) + "\" width=\"" + px_text(rect.width) +
+           "\" height=\"" + px_text(rect.height) + '"';
   }
   static std::string way(std::span<const ImVec2> points) {
     std::string text;

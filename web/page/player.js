@@ -45,7 +45,7 @@ export class Player {
     this.#names = names;
     this.#says = names.map(() => element("span", {}));
     this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`, this.#says[i])));
-    this.#switches[names.indexOf(held)]?.focus(); // in another order they are other boxes
+    this.#switches[names.indexOf(held)]?.focus(); // an element each, in whatever order
   });
 
   #show_step = when_changed((step, steps, word) => {

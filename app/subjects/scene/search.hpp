@@ -23,6 +23,9 @@ struct SearchShown {
 
 void draw_search(Brush& brush, const lesson::SceneFrame& frame, const SearchShown& shown);
 
+/// How much of the stage's height the picture of a sweep takes; 0 if it would leave too little for the bodies, for
+/// another search, or for more bodies than it can show.
+[[nodiscard]] float sweep_room(const Look& look, const lesson::Session& session, const Rect& stage);
 /// Draws the sorted intervals of a sweep in the stage's corner, below a height. Returns the room that they take; empty
 /// for another search, or where the stage is too small.
 Rect draw_sweep_inset(Brush& brush, const lesson::SceneFrame& frame, const SearchShown& shown, float top);

@@ -13,7 +13,16 @@ namespace {
 using lesson::SceneFrame;
 
 constexpr float kSweepPad = 10, kSweepHead = 26, kSweepFoot = 22, kSweepWords = 12;
-constexpr float kSweepStage = 560, kMostRow = 9, kLeastRow = 3;
+constexpr float kSweepStage = 560, kMostRow = 9, kLeastRow = 2, kSweepRows = 84;
+constexpr float kMostOfSweep = 640, kBesideSweep = 84;  // its greatest width, and what it leaves free beside it
+constexpr std::size_t kMostSwept = 60;                  // more intervals cannot be told apart
+constexpr float kLeastUnderSweep = 300;                 // height for the bodies
+
+/// The height of the picture of so many intervals.
+float sweep_height(const Look& look, std::size_t intervals) {
+  const float row = std::clamp(look.px(kSweepRows) / static_cast<float>(intervals), kLeastRow, kMostRow);
+  return look.px(kSweepHead + kSweepFoot) + row * static_cast<float>(intervals) + 6;
+}
 
 /// "P3", or the name that the scene gives to a body of another kind.
 std::string name_of_body(const lesson::Session& session, Index body) {
@@ -76,19 +85,27 @@ struct SweepPicture {
 
 }  // namespace
 
+float sweep_room(const Look& look, const lesson::Session& session, const Rect& stage) {
+  const std::size_t bodies = lesson::members_of(session).size();
+  const auto search = lesson::search_shown(lesson::set_of(session), session.method(0)->name);
+  if (search != scene::PairSearch::kSweepAndPrune || lesson::set_of(session).graph || stage.width < kSweepStage ||
+      bodies == 0 || bodies > kMostSwept)
+    return 0;
+  const float room = sweep_height(look, bodies) + 8;
+  return stage.height - look.foot - room < look.px(kLeastUnderSweep) ? 0 : room;
+}
+
 Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& shown, float top) {
-  if (shown.search != scene::PairSearch::kSweepAndPrune || brush.rect.width < kSweepStage || frame.swept.empty())
-    return {};
   const Look& look = brush.look;
-  const auto count = static_cast<float>(frame.swept.size());
-  const float row = std::clamp(look.px(220) / count, kLeastRow, kMostRow);
-  const Rect panel{brush.rect.x + 12, top, look.px(300), look.px(kSweepHead + kSweepFoot) + row * count + 6};
-  if (panel.y + panel.height > brush.canvas.camera.free_bottom() || panel.width > brush.rect.width / 2) return {};
+  if (frame.swept.empty() || sweep_room(look, brush.session, brush.rect) == 0) return {};
+  const Rect panel{brush.rect.x + 12, top, std::min(look.px(kMostOfSweep), brush.rect.width - kBesideSweep),
+                   sweep_height(look, frame.swept.size())};
   SweepPicture picture{brush,
                        frame,
                        shown,
                        panel,
-                       {panel.x + kSweepPad, panel.y + look.px(kSweepHead), panel.width - 2 * kSweepPad, row * count}};
+                       {panel.x + kSweepPad, panel.y + look.px(kSweepHead), panel.width - 2 * kSweepPad,
+                        panel.height - look.px(kSweepHead + kSweepFoot) - 6}};
   const int axis = frame.swept_along;
   picture.least = frame.volumes.front().min[axis], picture.greatest = frame.volumes.front().max[axis];
   for (const Aabb<double, 3>& box : frame.volumes) {

@@ -37,7 +37,8 @@ class SceneView final : public SubjectView {
   }
   [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
                                     const Rect& stage) const override {
-    return graph_room(look, session, stage);
+    const float graph = graph_room(look, session, stage);
+    return graph > 0 ? graph : sweep_room(look, session, stage);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override;
   /// No: volumes jump with the bodies that they enclose.
