@@ -298,7 +298,7 @@ test("lessons are listed in their order, and each is sound", () => {
 
 test("a course says which lessons come in which order, and is checked with them", () => {
   const course = readFileSync(join(lessons, "course.toml"), "utf8");
-  const named = [...course.matchAll(/"([a-z0-9-]+)"/g)].map(([, id]) => id);
+  const named = [...course.slice(course.indexOf("[[chapter]]")).matchAll(/"([a-z0-9-]+)"/g)].map(([, id]) => id);
   const list = json_lines(good(["lesson", "list"]));
   assert.deepEqual(list.map(({ lesson }) => lesson), named);
   assert.deepEqual([...new Set(list.map(({ group }) => group))], [...course.matchAll(/^title = "(.*)"$/gm)].map(([, title]) => title));

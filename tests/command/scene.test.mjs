@@ -143,7 +143,7 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad("bounds = [20, 120, 400]", "bounds = [20, nan, 400]", "bounds = [20, nan", '"bounds" must be numbers that rise');
   broad("bounds = [20, 120, 400]", "bounds = [20, inf]", "bounds = [20, inf", '"bounds" must be numbers that rise');
   broad("bounds = [20, 120, 400]", "bounds = [[20], [120]]", "bounds = [[20", '"bounds" must be a number or numbers');
-  broad('"tree", "all_pairs"]', '"tree", "all_pairs", "tree"]', "algorithms = ", '"algorithms" names tree twice');
+  broad('"all_pairs"]', '"all_pairs", "tree"]', "algorithms = ", '"algorithms" names tree twice');
   for (const half of ["[0, 0, 0]", "[0.3, 0, 0.1]", "[0.3, -1, 0.1]", "[0.3, nan, 0.1]", "[0.3, inf, 0.1]"])
     broad("half_extents = [0.30, 0.07, 0.12]", `half_extents = ${half}`, "half_extents", '"half_extents" must be above 0 and at most 1000000000');
   const box = 'shape = "box"\nhalf_extents = [0.30, 0.07, 0.12]';
