@@ -16,19 +16,36 @@ constexpr float kTravelled = 3;                                // pixels, from w
 constexpr Index kMostDots = 400;
 constexpr float kPictureName = 13, kPictureFigure = 12;
 
+/// The widths of the words under a picture.
+struct PictureWords {
+  float mark, name, gap, figure;
+  PictureWords(const Look& look, const SmallPicture& picture)
+      : mark(picture.chosen || picture.best ? look.px(16) : 0),
+        name(measure(look, Face::kSemiBold, kPictureName, picture.name).x), gap(look.px(6)),
+        figure(measure(look, Face::kMono, kPictureFigure, picture.figure).x) {}
+  [[nodiscard]] float in_one_line() const { return mark + name + gap + figure; }
+};
+
 /// How the pictures stand: in as many columns as make them largest.
 struct Grid {
   int columns = 1;
   float width = 0, height = 0;  // of a cell
+  float words = 0;              // the height of the words in it
+  bool folded = false;          // whether the figure stands below the name, because a cell is too narrow for both
 };
 
-Grid grid_of(const Look& look, const Rect& room, int count) {
+Grid grid_of(const Look& look, const Rect& room, const std::vector<SmallPicture>& pictures) {
+  const int count = static_cast<int>(pictures.size());
+  float widest = 0;
+  for (const SmallPicture& picture : pictures) widest = std::max(widest, PictureWords(look, picture).in_one_line());
   Grid best;
   float largest = 0;
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
-    const Grid grid{columns, room.width / static_cast<float>(columns), room.height / static_cast<float>(rows)};
-    const float picture = std::min(grid.width, grid.height - look.px(kPictureName + 8));
+    Grid grid{columns, room.width / static_cast<float>(columns), room.height / static_cast<float>(rows)};
+    grid.folded = widest > grid.width - 8;
+    grid.words = look.px(kPictureName + 8) + (grid.folded ? look.px(kPictureFigure + 4) : 0);
+    const float picture = std::min(grid.width, grid.height - grid.words);
     if (picture > largest) largest = picture, best = grid;
   }
   return best;
@@ -57,26 +74,26 @@ void fill_sphere(const Canvas& canvas, const fit::Sphere3& sphere, const VolumeS
   canvas.list->AddCircleFilled(canvas.at(sphere.center), radius, with_alpha(style.color, style.fill));
 }
 
-void draw_words(ImDrawList* list, const Look& look, const Rect& cell, const SmallPicture& picture) {
-  const float y = cell.y + cell.height - look.px(kPictureName + 6);
-  const float name = measure(look, Face::kSemiBold, kPictureName, picture.name).x;
-  const float figure = measure(look, Face::kMono, kPictureFigure, picture.figure).x;
-  const float mark = picture.chosen || picture.best ? look.px(16) : 0, gap = look.px(6);
-  float x = cell.x + std::max(2.0f, (cell.width - mark - name - gap - figure) / 2);
+void draw_words(ImDrawList* list, const Look& look, const Rect& cell, const Grid& grid, const SmallPicture& picture) {
+  const PictureWords words(look, picture);
+  const float y = cell.y + cell.height - grid.words + 2;
+  const auto centered = [&](float width) { return cell.x + std::max(2.0f, (cell.width - width) / 2); };
+  float x = centered(grid.folded ? words.mark + words.name : words.in_one_line());
   const ImVec2 middle{x + look.px(5), y + look.px(kPictureName) / 2 + 1};
   if (picture.best) tick(list, middle, look.px(5), look->optimum, 2);
   else if (picture.chosen) diamond(list, middle, look.px(5), look->support, look->ground);
-  x += mark;
+  x += words.mark;
   text(list, look, Face::kSemiBold, kPictureName, {x, y}, picture.chosen ? look->support_text : look->ink,
        picture.name);
-  text(list, look, Face::kMono, kPictureFigure, {x + name + gap, y + look.px(kPictureName - kPictureFigure)},
-       look->muted, picture.figure);
+  const ImVec2 beside{x + words.name + words.gap, y + look.px(kPictureName - kPictureFigure)};
+  const ImVec2 below{centered(words.figure), y + look.px(kPictureName + 4)};
+  text(list, look, Face::kMono, kPictureFigure, grid.folded ? below : beside, look->muted, picture.figure);
 }
 
-void draw_picture(ImDrawList* list, const Look& look, const Rect& cell, const AnyPointSet& points,
+void draw_picture(ImDrawList* list, const Look& look, const Rect& cell, float words, const AnyPointSet& points,
                   const fit::Sphere3& ball, const SmallPicture& picture, const Gaze& gaze) {
   Camera camera(fit::dim_of(points), gaze.yaw, gaze.pitch);
-  camera.set_stage(cell, 4, 4, look.px(kPictureName + 10));
+  camera.set_stage(cell, 4, 4, words + 2);
   camera.frame(ball, true);
   const Frame frame;
   GlScene unseen;
@@ -99,7 +116,7 @@ PictureHands draw_small_pictures(ImDrawList* list, const Look& look, const Rect&
   places.clear();
   if (pictures.empty() || room.width < 40 || room.height < 40) return hands;
   const int count = static_cast<int>(pictures.size());
-  const Grid grid = grid_of(look, room, count);
+  const Grid grid = grid_of(look, room, pictures);
   const fit::Sphere3 ball = ball_around_all(pictures, fit::dim_of(points));
   for (int i = 0; i < count; ++i) {
     const int row = i / grid.columns, in_row = std::min(grid.columns, count - row * grid.columns);
@@ -113,8 +130,8 @@ PictureHands draw_small_pictures(ImDrawList* list, const Look& look, const Rect&
       hands.turned_x = ImGui::GetIO().MouseDelta.x, hands.turned_y = ImGui::GetIO().MouseDelta.y;
     const ImVec2 gone = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0);
     if (touch.clicked && std::hypot(gone.x, gone.y) < kTravelled) hands.clicked = i;
-    draw_picture(list, look, cell, points, ball, picture, gaze);
-    draw_words(list, look, cell, picture);
+    draw_picture(list, look, cell, grid.words, points, ball, picture, gaze);
+    draw_words(list, look, cell, grid, picture);
     const ImVec2 low{cell.x + 2, cell.y + 2}, high{cell.x + cell.width - 2, cell.y + cell.height - 1};
     if (picture.chosen) list->AddRect(low, high, look->support, 8, 0, 1.5f);
     else if (touch.hovered) list->AddRect(low, high, look->line, 8, 0, 1.5f);

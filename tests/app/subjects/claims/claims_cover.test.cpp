@@ -10,7 +10,7 @@ using namespace snug::app;
 
 namespace {
 
-constexpr std::string_view kLesson = R"(version = 2
+constexpr std::string_view kClaimsLesson = R"(version = 2
 title = "Claims"
 summary = "Claims for tests."
 minutes = 1
@@ -34,7 +34,7 @@ because = "So."
 )";
 
 lesson::Session opened() {
-  auto lesson = lesson::read_lesson(kLesson, "claims.toml");
+  auto lesson = lesson::read_lesson(kClaimsLesson, "claims.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = lesson::Session::open(*std::move(lesson));
   REQUIRE(session.has_value());

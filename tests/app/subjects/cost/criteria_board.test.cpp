@@ -13,7 +13,7 @@ double ticking() {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-constexpr std::string_view kLesson = R"(version = 2
+constexpr std::string_view kCriteriaLesson = R"(version = 2
 title = "Criteria"
 summary = "For tests."
 minutes = 1
@@ -47,7 +47,7 @@ because = "So."
 )";
 
 lesson::Session opened_board() {
-  auto lesson = lesson::read_lesson(kLesson, "criteria.toml");
+  auto lesson = lesson::read_lesson(kCriteriaLesson, "criteria.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   return *lesson::Session::open(*std::move(lesson));
 }
