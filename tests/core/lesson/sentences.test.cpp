@@ -15,6 +15,7 @@
 #include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/tree/tree.hpp"
+#include "lesson/subjects/update/update.hpp"
 
 namespace snug {
 namespace {
@@ -206,6 +207,26 @@ std::vector<lesson::Session> field_sessions() {
   return sessions;
 }
 
+/// Every update of a body that has rotated, a little and by half a turn.
+std::vector<lesson::Session> update_sessions() {
+  std::vector<lesson::Session> sessions;
+  for (const int dim : {2, 3})
+    for (const char* turn : {"8", "180"})
+      for (const lesson::Method& method : lesson::kUpdateRow.methods("update")) {
+        if (!(dim == 2 ? method.plane : method.space)) continue;
+        const std::string text = "version = 2\ntitle = \"t\"\nsummary = \"s\"\nminutes = 3\nvolume = \"update\"\n" +
+                                 ("seed = 5\nalgorithms = [\"" + std::string(method.name)) +
+                                 "\"]\n[points]\ngenerate = \"ball\"\ncount = 20\ndim = " + std::to_string(dim) +
+                                 "\n[body]\nturn = " + turn + "\n[[section]]\ntitle = \"First\"\ntext = \"A.\"\n";
+        auto lesson = lesson::read_lesson(text, "update.toml");
+        REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+        auto session = lesson::Session::open(*std::move(lesson));
+        REQUIRE(session.has_value());
+        sessions.push_back(*std::move(session));
+      }
+  return sessions;
+}
+
 /// Scenes of pairs, of a volume that follows a body, and of one that comes to rest.
 std::vector<lesson::Session> scene_sessions() {
   std::vector<lesson::Session> sessions;
@@ -268,8 +289,8 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
   }
   check_fit(*fit::find_algorithm("sphere", "welzl_recursive"), set_of(*generate("gaussian", 1100, 3, 7), 3));
   check_fit(*fit::find_algorithm("sphere", "welzl_naive"), small_grid(200));
-  for (const auto& sessions :
-       {box_sessions, volume_sessions, frustum_sessions, field_sessions, tree_sessions, scene_sessions})
+  for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, field_sessions, tree_sessions,
+                               scene_sessions, update_sessions})
     for (const lesson::Session& session : sessions()) check(session.run(0), session.dim(), true);
   for (const lesson::SubjectRow* subject : lesson::subjects())
     for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+
 namespace snug::app {
 namespace {
 

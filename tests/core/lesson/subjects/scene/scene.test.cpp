@@ -115,7 +115,7 @@ TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
   CHECK(frame(session).after_loose < frame(session).after_broad);
   CHECK(static_cast<double>(recorded_scene(session, 0)->frames[30].pairs.size()) == frame(session).after_broad);
   const auto figures = session.figures(0);
-  CHECK(figures.size() == 6);
+  CHECK(figures.size() == 7);
   CHECK(figures[0].value == 30);
   session.back();
   CHECK(frame(session).frame == 29);
@@ -341,7 +341,7 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
 
 TEST_CASE("a task on a scene is graded by its last frame") {
   lesson::Session session = opened("scene-broad");
-  session.start_task();
+  session.start_task(1);
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);

@@ -204,7 +204,7 @@ because = "No neighbour reaches farther."
   const auto& walk = *std::get_if<fit::NeighborsCompared>(&run_of(session).trace()[0].step.fact);
   const lesson::Answer right = lesson::model_answer(*session.asked(), session.run(0));
   CHECK(lesson::names_handle(right, walk.best));
-  const auto& next = *std::get_if<fit::NeighborsCompared>(&run_of(session).trace()[1].step.fact);
+  const auto& next = *std::get_if<fit::NeighborsCompared>(&run_of(session).trace()[2].step.fact);
   for (const lesson::Asked& asked : session.questions())
     if (asked.question->id == "extreme")
       CHECK(lesson::model_answer(asked, session.run(0)).value == (next.best == next.vertex ? 0 : 1));
