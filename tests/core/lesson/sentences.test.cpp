@@ -217,7 +217,8 @@ std::vector<lesson::Session> update_sessions() {
         const std::string text = "version = 2\ntitle = \"t\"\nsummary = \"s\"\nminutes = 3\nvolume = \"update\"\n" +
                                  ("seed = 5\nalgorithms = [\"" + std::string(method.name)) +
                                  "\"]\n[points]\ngenerate = \"ball\"\ncount = 20\ndim = " + std::to_string(dim) +
-                                 "\n[body]\nturn = " + turn + "\n[[section]]\ntitle = \"First\"\ntext = \"A.\"\n";
+                                 "\n[body]\nturn = " + (dim == 2 ? turn : std::string("[0, ") + turn + ", 0]") +
+                                 "\n[[section]]\ntitle = \"First\"\ntext = \"A.\"\n";
         auto lesson = lesson::read_lesson(text, "update.toml");
         REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
         auto session = lesson::Session::open(*std::move(lesson));
