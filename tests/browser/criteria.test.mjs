@@ -6,7 +6,7 @@ before(start);
 after(stop);
 
 const kLesson = "?lesson=which-volume";
-const kVolumes = ["sphere/welzl", "aabb/min_max", "obb/dito", "kdop/k14", "capsule/pca", "lozenge/pca", "hull/quickhull"];
+const kVolumes = ["welzl", "aabb/min_max", "obb/dito", "kdop/k14", "capsule/pca", "lozenge/pca", "hull/quickhull"];
 const button = (page, name) => page.getByRole("button", { name, exact: true });
 const table = (page) => page.locator(".cover-table");
 const column = (page, i) => table(page).locator("tbody tr").evaluateAll((rows, at) => rows.map((row) => row.children[at].textContent), i);
