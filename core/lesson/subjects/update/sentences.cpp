@@ -4,6 +4,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/subjects/update/entries.hpp"
 #include "lesson/subjects/update/update_figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -73,7 +74,8 @@ std::string Entry<fit::ExtremeClimbed>::predicate(const fit::ExtremeClimbed& fac
 std::string Entry<fit::BoundsRotated>::sentence(const fit::BoundsRotated& fact, const UpdateWhere& where) {
   const std::string bounds = bound_words(where.axis(fact.axis), fact.min) + " to " + number_text(fact.max);
   const std::string_view name = where.run.strategy().name;
-  const std::string what = name.ends_with("loose")     ? "the sphere about the pivot"
+  const std::string what = name.ends_with("loose")
+                               ? std::string("the ") + ball_word(where.run.dim()) + " about the pivot"
                            : name.ends_with("rebuild") ? "all points"
                                                        : "the rotated local " + where.volume();
   return "The bounds of " + what + ": " + bounds + ".";
