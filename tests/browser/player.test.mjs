@@ -6,7 +6,7 @@ before(start);
 after(stop);
 
 test("every lesson is stepped to its end by keyboard alone, each prediction answered", async (t) => {
-  const charts = ["cost-chart", "cost-volumes", "lecture-claims"]; // cost_chart.test.mjs and claims.test.mjs have those
+  const charts = ["cost-chart", "cost-volumes", "lecture-claims", "which-volume"]; // cost_chart, claims and criteria have those
   const stepped = (await lessons()).filter(({ id }) => !charts.includes(id));
   for (const { id } of stepped) {
     const page = await visit(t, `?lesson=${id}`);
