@@ -27,7 +27,7 @@ until_state 's.focus === ""'
 xdotool key slash
 until_state 's.focus === "Search the lessons"'
 sleep 0.3
-xdotool type --delay 60 "frustum six"
+xdotool type --delay 60 "frustum space: six"
 until_state 's.found.length === 1'
 xdotool key Return # to what was found
 until_state 's.course[s.chosen]?.id === "frustum-3d"'

@@ -62,6 +62,10 @@ fi
 until_state 's.outcome !== null && s.focus === "Continue"'
 xdotool key Return
 until_state 's.outcome === null'
+xdotool key s # the next question is skipped
+until_state 's.outcome !== null'
+xdotool key Return
+until_state 's.outcome === null && s.asked === null'
 
 # The settings' sizes and themes, and the step by its button.
 tab_to Settings

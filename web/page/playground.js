@@ -46,6 +46,6 @@ export class Playground {
   update() {
     const there = this.#open === this.#id;
     set_hidden(this.#node, !this.#id || (there && !this.#from));
-    if (!this.#node.hidden) set_text(this.#button, there ? `Back to ${this.#from.title}` : this.#door.playground_says());
+    set_text(this.#button, this.#node.hidden ? "" : there ? `Back to ${this.#from.title}` : this.#door.playground_says());
   }
 }
