@@ -31,7 +31,7 @@ test("three invitations, one at a time, each followed by a real hand", async (t)
   await page.keyboard.press("ArrowRight");
   await until(page, (now) => now.step === 1);
   for (let i = 0, now = await state(page); i < 8 && (now.asked || now.outcome); ++i, now = await state(page)) await page.keyboard.press(now.asked ? "s" : "Enter");
-  assert.match(await invitation(page), /^Press Play/);
+  await page.locator(".invitation", { hasText: /^Press Play/ }).waitFor();
   await page.keyboard.press("Space");
   await page.waitForTimeout(300);
   assert.equal(await invitation(page), null);

@@ -3,10 +3,9 @@ import { button, by_id, element, set_hidden, set_text, when_changed } from "./do
 
 export class CoverTable {
   #command;
-  #title = element("caption", { class: "unseen" });
   #head = element("tr", {});
   #body = element("tbody", {});
-  #node = element("table", { class: "cover-table", hidden: true }, this.#title, element("thead", {}, this.#head), this.#body);
+  #node = element("table", { class: "cover-table", hidden: true }, element("thead", {}, this.#head), this.#body);
   #now = null;
 
   constructor(command) {
@@ -43,7 +42,7 @@ export class CoverTable {
   #show = when_changed((table) => {
     const { title, head, rows, best, sorted, picked } = this.#now = table;
     this.#lay_out(head, rows.length);
-    set_text(this.#title, title);
+    this.#node.setAttribute("aria-label", title);
     this.#show_head(head, sorted);
     for (const [i, words] of rows.entries()) this.#show_row(this.#body.children[i], words, best[i], i === picked);
   });
