@@ -26,7 +26,7 @@ class ChartPen {
   /// A convex one. fill, color: of its inside and its outline.
   virtual void polygon(std::span<const ImVec2> corners, Color fill, Color color, float width) = 0;
   virtual void disc(ImVec2 center, float radius, Color fill, Color color, float width) = 0;
-  /// With rounded corners and a line one pixel wide.
+  /// Its corners are rounded, and its line is one pixel wide.
   virtual void box(const Rect& rect, Color fill, Color color) = 0;
   /// at: as in app::text.
   virtual void words(const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) = 0;

@@ -26,7 +26,7 @@ struct CoverButton {
 struct WordTable {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;  // the first word of each row names it
-  // Of a table that everyone sees:
+  // The table that everyone sees:
   std::string title = {};
   std::vector<std::string> sorts = {};       // of each column, the command that sorts by it
   int sorted = -1;                           // the column that it is sorted by

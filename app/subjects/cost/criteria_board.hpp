@@ -50,7 +50,7 @@ class CriteriaBoard final : public Cover {
   std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,
                                                          std::string_view name) override;
 
-  /// Of a large file it takes a part, which every volume can be fitted to between two frames.
+  /// Takes a sample of a large file, so that every volume can be fitted between two frames.
   tl::expected<void, InputError> load(lesson::Session& session, const io::PointFile& file,
                                       std::string_view name) override;
   void work(lesson::Session& session, double budget) override;

@@ -13,7 +13,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kGraphPad = 10, kLeastStage = 560, kHalfOfSleep = 3.5f, kMostWidth = 400;
-// Of the stage's height, with its buttons and the sentence. If less is left, the graph is in the panel.
+// The stage's least height beside the graph, buttons and sentence included. If less is left, the panel has the graph.
 constexpr float kLeastForBodies = 520;
 
 /// The camera's frustum, dashed. Its vertices differ in one bit along each edge.

@@ -45,11 +45,11 @@ class CriteriaSubject final : public OnCloud {
   /// The load as the sliders stand, and as the situation opens with it: predictions are judged by that.
   [[nodiscard]] const Load& load_now() const { return load_; }
   [[nodiscard]] const Load& own_load() const { return own_load_; }
-  /// By a criterion; of the load given. None for what is not measured, or flat.
+  /// The value of a criterion under a load; none if it is not measured, or the volume is flat.
   [[nodiscard]] std::optional<double> value(std::size_t volume, Criterion criterion, const Load& load) const;
   [[nodiscard]] std::optional<TotalCost> total(std::size_t volume, const Load& load) const;
-  /// Of each volume its rank among all, 0 for the best; those that measuring cannot tell apart share one. Empty while
-  /// a value is unknown.
+  /// Each volume's rank among all, 0 for the best; volumes that measuring cannot tell apart share one. Empty while a
+  /// value is unknown.
   [[nodiscard]] std::vector<int> ranks(Criterion criterion, const Load& load) const;
 
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
