@@ -42,7 +42,7 @@ export class NumberTools {
       event.preventDefault();
       act(() => door.scatter(other_seed(this.#seed, this.#seed_now)));
     };
-    this.#section = element("div", { class: "numbers", hidden: true }, this.#title, this.#groups,
+    this.#section = element("div", { class: "number-tools", hidden: true }, this.#title, this.#groups,
       element("form", { class: "fields", onsubmit: scatter }, element("label", {}, element("span", {}, "Seed"), this.#seed),
         element("button", { type: "submit", class: "button" }, "Scatter"), button("Reset", () => act(() => door.command("reset_points")))));
     by_id("points").append(this.#section);
