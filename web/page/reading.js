@@ -35,6 +35,7 @@ export class Reading {
   #words_of = []; // {mark, node}: the words that light up when their handle on the stage is pointed at
   #read_at = -Infinity;
   #pointed = false; // whether the mouse is over the prose
+  #opened = false; // whether the lesson is not shown yet
   #was_open = false; // whether the task was not done when it was last graded in this lesson
 
   /** start_task: lays out the points that the task begins with. texts: what makes HTML of them (words.js).
@@ -62,6 +63,7 @@ export class Reading {
     by_id("prose").replaceChildren(...this.#sections);
     by_id("read").scrollTop = 0;
     this.#read_at = -Infinity;
+    this.#opened = true;
     this.#was_open = false;
     const box = by_id("task");
     set_hidden(box, lesson.tasks.length === 0);
@@ -95,6 +97,8 @@ export class Reading {
   update(view) {
     this.#show_grades(view.lesson, view.tasks, view.task);
     this.#show_section(view.lesson, view.section);
+    if (this.#opened && view.step === 0) by_id("read").scrollTop = 0; // who begins a lesson reads it from its top
+    this.#opened = false;
     this.#show_lit(view.lesson, view.lit);
     for (const { name, node } of this.#shows) node.setAttribute("aria-pressed", name === view.situation);
   }
