@@ -2,10 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
+#include "core/lesson/lesson_files.hpp"
 #include "fit/catalogue.hpp"
 #include "lesson/course.hpp"
 #include "lesson/session.hpp"
@@ -21,27 +20,11 @@ using namespace snug::lesson;
 
 namespace {
 
-const std::string kFolder = std::string(SNUG_SOURCE_DIR) + "/lessons/cases/";
-
-std::string text_of(const std::string& name) {
-  std::ifstream file(kFolder + name, std::ios::binary);
-  REQUIRE_MESSAGE(file.good(), name);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder))
+  for (const auto& entry : std::filesystem::directory_iterator(test::lessons_folder() + "cases"))
     if (entry.path().filename() != "course.toml") all.push_back(entry.path().stem().string());
   return all;
-}
-
-Session session_of(const std::string& name) {
-  auto lesson = read_lesson(text_of(name + ".toml"), name + ".toml");
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  auto session = Session::open(*std::move(lesson));
-  REQUIRE(session.has_value());
-  return *std::move(session);
 }
 
 /// Whether a naive method is wrong on what stands on the stage; none if the method is a careful one.
@@ -64,12 +47,12 @@ std::optional<bool> is_wrong_there(const Session& session, const Method& method)
 }  // namespace
 
 TEST_CASE("the cases are listed once each, and each reads as a lesson") {
-  const auto course = read_course(text_of("course.toml"), "course.toml", names());
+  const auto course = read_course(test::lessons_file("cases/course.toml"), "course.toml", names());
   REQUIRE_MESSAGE(course.has_value(), (course ? "" : course.error().message()));
   int sources = 0;
   for (const std::string& name : names()) {
     CAPTURE(name);
-    const Session session = session_of(name);
+    const Session session = test::session_of("cases/" + name);
     sources += session.lesson().source.empty() ? 0 : 1;
     CHECK(session.lesson().questions.empty());
   }
@@ -80,7 +63,7 @@ TEST_CASE("on every case each careful fit contains all points, exactly, and is t
   int fits = 0;
   for (const std::string& name : names()) {
     CAPTURE(name);
-    const Session session = session_of(name);
+    const Session session = test::session_of("cases/" + name);
     const AnyPointSet* points = session.subject().points();
     if (points == nullptr) continue;
     for (const std::string& own : session.lesson().algorithms) {
@@ -106,7 +89,7 @@ TEST_CASE("where a case begins with a naive method, that method is wrong on it")
   int shown = 0;
   for (const std::string& name : names()) {
     CAPTURE(name);
-    const Session session = session_of(name);
+    const Session session = test::session_of("cases/" + name);
     const auto wrong = is_wrong_there(session, *find_method(session.lesson(), session.lesson().algorithms.front()));
     if (!wrong) continue;
     CHECK(*wrong);

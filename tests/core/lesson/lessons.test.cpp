@@ -1,10 +1,9 @@
 // Every lesson of the house, played to its end without a window.
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <set>
 
+#include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "geometry/generate.hpp"
 #include "lesson/place.hpp"
@@ -15,26 +14,12 @@
 
 using namespace snug;
 using namespace snug::lesson;
+using snug::test::lesson_of;
+using snug::test::session_of;
 
 namespace {
 
 constexpr std::array kLessons{"sphere-ritter", "sphere-pca", "sphere-welzl", "sphere-iterative"};
-
-Lesson lesson_of(const std::string& id) {
-  const std::string path = std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml";
-  std::ifstream file(path, std::ios::binary);
-  REQUIRE_MESSAGE(file.good(), path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  auto lesson = read_lesson(text, path);
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  return *std::move(lesson);
-}
-
-Session session_of(const std::string& id) {
-  auto session = Session::open(lesson_of(id));
-  REQUIRE(session.has_value());
-  return *std::move(session);
-}
 
 int words(const Paragraph& paragraph) {
   int count = 0;
@@ -184,8 +169,7 @@ TEST_CASE("a lesson holds its questions on a mesh as well") {
 }
 
 TEST_CASE("the example that lessons/README.md gives is a sound lesson") {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/README.md", std::ios::binary);
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string readme = test::lessons_file("README.md");
   const auto begin = readme.find("```toml\nversion");
   REQUIRE(begin != std::string::npos);
   const auto end = readme.find("```\n", begin + 8);
@@ -197,8 +181,7 @@ TEST_CASE("the example that lessons/README.md gives is a sound lesson") {
 }
 
 TEST_CASE("lessons/README.md names every step, algorithm and kind of points") {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/README.md", std::ios::binary);
-  const std::string readme{std::istreambuf_iterator<char>(file), {}};
+  const std::string readme = test::lessons_file("README.md");
   const auto says = [&](std::string_view name) {
     return readme.find('`' + std::string(name) + '`') != std::string::npos;
   };

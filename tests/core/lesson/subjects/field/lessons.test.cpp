@@ -2,9 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "core/lesson/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects/field/field.hpp"
 
@@ -15,17 +14,12 @@ namespace {
 
 constexpr std::array kFieldLessons{"frustum-field", "examples/field"};
 
-std::string field_text(const std::string& id) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
 TEST_CASE("the lessons on a field play to their ends, with their tasks solved by the model alone") {
   for (const char* id : kFieldLessons) {
     CAPTURE(id);
-    auto lesson = read_lesson(field_text(id), std::string(id) + ".toml");
+    auto lesson = read_lesson(test::lessons_file(std::string(id) + ".toml"), std::string(id) + ".toml");
     REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
     auto session = Session::open(*std::move(lesson));
     REQUIRE(session.has_value());
@@ -49,7 +43,7 @@ TEST_CASE("each mistake about a field is told with its line") {
   struct Broken {
     std::string_view from, to, marker, says;
   };
-  const std::string good = field_text("examples/field");
+  const std::string good = test::lessons_file("examples/field.toml");
   for (const Broken& broken : std::initializer_list<Broken>{
            {"[field]", "[things]", "# A lesson", "the lesson lacks [field]"},
            {"objects = 1000", "objects = 3", "objects = 3", "8"},

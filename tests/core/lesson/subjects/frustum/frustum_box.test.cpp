@@ -3,33 +3,21 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
 #include <set>
 
+#include "core/lesson/lesson_files.hpp"
 #include "geometry/frustum_corners.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
+using snug::test::session_of;
 using query::Culling;
 using V3 = Vector<double, 3>;
 using Kind = BoxHandle::Kind;
 
 namespace {
-
-std::string text_of(const std::string& id) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-Session session_of(const std::string& id) {
-  auto lesson = read_lesson(text_of(id), id + ".toml");
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  auto session = Session::open(*std::move(lesson));
-  REQUIRE(session.has_value());
-  return *std::move(session);
-}
 
 /// A frustum that looks along +x from the origin, 90 degrees wide, from 1 to 4; and a box.
 BoxPair plain(int dim, const V3& center, const V3& half) {
@@ -368,7 +356,7 @@ TEST_CASE("each mistake about a frustum is told with its line") {
       {"[0.2, 1.7]", "[0.2, 0.17]", "[task.model]", "does not solve the task: The wrong test"},
       {"asks = \"n_vertex\"", "asks = \"nearest_vertex\"", "nearest_vertex", "none of point"},
   };
-  const std::string good = text_of("frustum-2d");
+  const std::string good = test::lessons_file("frustum-2d.toml");
   for (const Broken& broken : kBroken) {
     CAPTURE(broken.to);
     std::string text = good;

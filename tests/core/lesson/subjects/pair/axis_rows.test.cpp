@@ -2,10 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 
+#include "core/lesson/lesson_files.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
@@ -36,11 +35,6 @@ double value(const std::string& formula, const Numbers& numbers, bool radius) {
     product *= radius ? std::abs(one) : one;
   }
   return radius ? sum + sign * product : std::abs(sum + sign * product);
-}
-
-std::string lesson_text(const std::string& id) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml");
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -85,7 +79,7 @@ TEST_CASE("the entries of a row are those in its formulas") {
 }
 
 TEST_CASE("the lesson on the fifteen axes prints each row's formulas") {
-  const std::string text = lesson_text("obb-axes");
+  const std::string text = test::lessons_file("obb-axes.toml");
   for (int row = 0; row < 15; ++row) {
     const std::string name = lesson::axis_names(3)[static_cast<std::size_t>(row)].text;
     const lesson::RowFormulas formulas = lesson::row_formulas(3, row);

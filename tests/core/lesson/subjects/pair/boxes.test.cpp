@@ -4,29 +4,20 @@
 
 #include <Eigen/LU>
 
-#include <fstream>
 #include <numbers>
 
+#include "core/lesson/lesson_files.hpp"
 #include "geometry/convert.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
+using snug::test::session_of;
 using V3 = Vector<double, 3>;
 using Kind = BoxHandle::Kind;
 
 namespace {
-
-Session session_of(const std::string& id) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
-  const std::string toml{std::istreambuf_iterator<char>(file), {}};
-  auto lesson = read_lesson(toml, id + ".toml");
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  auto session = Session::open(*std::move(lesson));
-  REQUIRE(session.has_value());
-  return *std::move(session);
-}
 
 const Obb<double, 3>& box(const Session& session, int i) { return boxes_of(session.subject()).boxes[i]; }
 

@@ -4,10 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 
+#include "core/lesson/lesson_files.hpp"
 #include "core/query/cylinder.hpp"
 #include "geometry/capsule.hpp"
 #include "geometry/random.hpp"
@@ -67,8 +66,7 @@ TEST_CASE("GJK takes as many simplices for two cylinders and for two capsules as
     capsule_dots += dot_products(axes);
   }
   CHECK(cylinders > 2 * capsules);
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/swept-volumes.toml", std::ios::binary);
-  const std::string lesson{std::istreambuf_iterator<char>(file), {}};
+  const std::string lesson = test::lessons_file("swept-volumes.toml");
   CAPTURE(mean_text(cylinders));
   CAPTURE(mean_text(capsules));
   CHECK(lesson.find(mean_text(cylinders) + " for two cylinders") != std::string::npos);

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <utility>
 
+#include "core/lesson/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
@@ -16,25 +15,8 @@ using namespace snug;
 
 namespace {
 
-std::string text_of(const std::string& id) {
-  const std::string path = std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  REQUIRE(file);
-  std::string text;
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) text.append(buffer, n);
-  return text;
-}
-
-lesson::Lesson read(const std::string& id) {
-  auto read = lesson::read_lesson(text_of(id), id + ".toml");
-  INFO((read ? "" : read.error().message()));
-  REQUIRE(read.has_value());
-  return *std::move(read);
-}
-
 lesson::Session opened(const std::string& id, scene::Clock clock = nullptr) {
-  auto session = lesson::Session::open(read(id), {}, clock);
+  auto session = lesson::Session::open(test::lesson_of(id), {}, clock);
   REQUIRE(session.has_value());
   return *std::move(session);
 }
@@ -157,7 +139,7 @@ TEST_CASE("no frame of a scene is marked, but for questions") {
 TEST_CASE("a lesson that declares no scene constructs no effect and draws one frame") {
   for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
-    const lesson::Lesson own = read(id);
+    const lesson::Lesson own = test::lesson_of(id);
     auto scene = scene::Scene::open(lesson::still_scene(lesson::Session::open(own)->subject()));
     REQUIRE(scene.has_value());
     CHECK(scene->tallies().empty());
@@ -289,7 +271,7 @@ namespace {
 
 /// scene-updates, whose body is a mesh; more: effects after its own.
 std::string with_mesh(const std::string& more, const std::string& points = "mesh = \"bunny\"") {
-  std::string text = text_of("scene-updates");
+  std::string text = test::lessons_file("scene-updates.toml");
   const auto replace = [&](const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     REQUIRE(at != std::string::npos);

@@ -2,31 +2,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "core/lesson/lesson_files.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects/tree/tree.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
+using snug::test::session_of;
 
 namespace {
 
 constexpr std::array kLessons{"bvh-build", "bvh-traverse", "bvh-merge", "examples/tree"};
-
-std::string text_of(const std::string& id) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-Session session_of(const std::string& id) {
-  auto lesson = read_lesson(text_of(id), id + ".toml");
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  auto session = Session::open(*std::move(lesson));
-  REQUIRE(session.has_value());
-  return *std::move(session);
-}
 
 struct Broken {
   std::string_view from, to, marker, says;
@@ -81,7 +68,7 @@ TEST_CASE("scattered anew, the lessons on trees still play, and every model answ
 }
 
 TEST_CASE("each mistake about boxes under a tree is told with its line") {
-  const std::string build = text_of("examples/tree");
+  const std::string build = test::lessons_file("examples/tree.toml");
   for (const Broken& broken : std::initializer_list<Broken>{
            {"[objects]", "[things]", "# A lesson", "the lesson lacks [objects]"},
            {"half_extents = [[0.25, 0.2]]\n\n[[section]]", "\n[[section]]", "[objects]", "half_extents"},
