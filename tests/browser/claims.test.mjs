@@ -25,6 +25,17 @@ async function measure(page) {
   return state(page);
 }
 
+let laptop; // it stays measured, for the tests of a file run one after the other
+
+/** The page with all questions decided and all claims tried. */
+async function measured(t) {
+  if (laptop) return laptop;
+  laptop = await visit(t, kLesson);
+  await skip_all(laptop);
+  await measure(laptop);
+  return laptop;
+}
+
 /** Presses a button that saves, and gives the file. */
 async function saved(page, name) {
   const [file] = await Promise.all([page.waitForEvent("download"), button(page, name).click()]);
@@ -46,40 +57,15 @@ test("each claim is answered before it is tried, and decided by its clouds", asy
     await button(page, "Skip").click();
     await until(page, (now, before) => now.outcomes.length > before, i);
   }
-  const done = await measure(page);
+  const done = await measure(laptop = page);
   assert.equal(done.cover.table.rows.length, 9);
   assert.ok(done.outcomes[0].right, "the first claim is false on most clouds");
   assert.match(done.outcomes[0].says, /^It holds on 91 of 240 clouds\.$/);
   assert.equal(await page.locator(".cover tbody tr").count(), 9);
 });
 
-test("a click on a mark puts its cloud on the stage, and so does Enter on the worst one", async (t) => {
-  const page = await visit(t, kLesson);
-  await skip_all(page);
-  await measure(page);
-  await page.locator("#canvas").focus();
-  await page.keyboard.press("Enter");
-  const worst = await until(page, (now) => !now.cover.shown);
-  assert.equal(worst.source, "stick");
-  assert.equal(worst.size, 12);
-  assert.equal(worst.algorithm, "brute_force_slide");
-  assert.equal(worst.step, worst.steps);
-  await button(page, "Chart").click();
-  await until(page, (now) => now.cover.shown);
-  await still(page);
-  const mark = (await handles(page)).find(({ id }) => id === "cube");
-  await page.mouse.move(mark.x, mark.y);
-  await page.mouse.down();
-  await page.mouse.up();
-  const loaded = await until(page, (now) => !now.cover.shown);
-  assert.equal(loaded.source, "cube");
-  assert.equal(loaded.outcomes.length, kQuestions, "no answer is lost");
-});
-
 test("a chart is saved as SVG with real words, as PNG at its own size, and as a table", async (t) => {
-  const page = await visit(t, kLesson);
-  await skip_all(page);
-  await measure(page);
+  const page = await measured(t);
   const before = await page.evaluate(() => { const { width, height } = document.getElementById("canvas"); return [width, height]; });
   const svg = await saved(page, "Save as SVG");
   assert.equal(svg.name, "snug-claims.svg");
@@ -102,6 +88,27 @@ test("a chart is saved as SVG with real words, as PNG at its own size, and as a 
   const csv = await saved(page, "Save as CSV");
   assert.ok(csv.bytes.toString().startsWith("# snug table: trials\n"));
   assert.equal(csv.bytes.toString().trim().split("\n").filter((line) => /^\w+,/.test(line)).length, 1 + 9 * 240);
+});
+
+test("a click on a mark puts its cloud on the stage, and so does Enter on the worst one", async (t) => {
+  const page = await measured(t);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Enter");
+  const worst = await until(page, (now) => !now.cover.shown);
+  assert.equal(worst.source, "stick");
+  assert.equal(worst.size, 12);
+  assert.equal(worst.algorithm, "brute_force_slide");
+  assert.equal(worst.step, worst.steps);
+  await button(page, "Chart").click();
+  await until(page, (now) => now.cover.shown);
+  await still(page);
+  const mark = (await handles(page)).find(({ id }) => id === "cube");
+  await page.mouse.move(mark.x, mark.y);
+  await page.mouse.down();
+  await page.mouse.up();
+  const loaded = await until(page, (now) => !now.cover.shown);
+  assert.equal(loaded.source, "cube");
+  assert.equal(loaded.outcomes.length, kQuestions, "no answer is lost");
 });
 
 test("on a phone every claim can be chosen, and nothing is cut off", async (t) => {

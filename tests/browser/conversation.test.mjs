@@ -1,7 +1,7 @@
 // A question is a conversation: on the stage's foot it is asked, tried again, played to where it is decided, told, and
 // acknowledged; and a lesson ends with a summary.
 import { after, before, test } from "node:test";
-import { answer, assert, go_on, handles, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, go_on, handles, kinds, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -123,7 +123,7 @@ test("a choice that was wrong, and the right answer once it is shown, move nothi
 });
 
 test("while a question stands, what the run comes to is told nowhere", async (t) => {
-  for (const { id } of await lessons()) {
+  for (const { id } of await kinds()) {
     const page = await visit(t, `?lesson=${id}&step=0`);
     await page.keyboard.press("End");
     const { asked, rivals, outcome, lit, cover } = await until(page, (now) => now.asked);

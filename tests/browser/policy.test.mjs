@@ -1,6 +1,6 @@
 // The page's content-security policy: nothing but its own files, no inline script or style, no evaluated text.
 import { after, before, test } from "node:test";
-import { kFirst, assert, lessons, load, start, state, stop, until } from "./support.mjs";
+import { kFirst, assert, kinds, load, start, state, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -23,9 +23,9 @@ test("the policy allows the page's own files and WebAssembly, and no more", asyn
   assert.doesNotMatch(html, /<script(?![^>]*\ssrc=)|<style|\s(style|on\w+)=/, "nothing is inline");
 });
 
-test("no lesson runs against the policy, stepped and saved", async (t) => {
+test("no kind of lesson runs against the policy, stepped and saved", async (t) => {
   const page = await load(t, kFirst, { init: watch });
-  for (const { id } of await lessons()) {
+  for (const { id } of await kinds()) {
     await page.evaluate((query) => window.snug.restart(query), `?lesson=${id}`);
     for (const key of ["Home", "PageDown", "PageDown", "PageDown", "End"]) await page.keyboard.press(key);
     await page.locator("#theme").click();

@@ -172,7 +172,7 @@ test("back takes a scene to the very frame that was there", async (t) => {
 
 test("a body is placed where it begins, and nowhere else", async (t) => {
   const page = await visit(t, "?lesson=scene-broad");
-  await page.getByRole("button", { name: "Start with 6 bodies" }).click();
+  await page.getByRole("button", { name: "Start with 6 bodies" }).first().click(); // each task has its own
   const begun = await until(page, (now) => now.size === 6 && now.step === 0);
   assert.equal(begun.grade.done, false);
   const [first] = await handles(page);

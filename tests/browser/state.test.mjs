@@ -1,7 +1,7 @@
 // What window.snug.state() tells is what web/README.md says: key for key, at rest, asked, tried, told and at the end.
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { answer, assert, go_on, lessons, start, state, stop, until, visit } from "./support.mjs";
+import { answer, assert, go_on, kinds, start, state, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -15,9 +15,9 @@ const kState = rows("key | what it is").flatMap(([keys]) => names(keys));
 const kParts = Object.fromEntries(rows("in | keys").map(([part, keys]) => [names(part)[0], names(keys)]));
 const same = (object, keys, what) => assert.deepEqual(Object.keys(object).sort(), [...keys].sort(), what);
 
-test("every lesson's state has the keys that its table lists, and no other", async (t) => {
+test("the state of every kind of lesson has the keys that its table lists, and no other", async (t) => {
   const covered = ["cost-chart", "cost-volumes", "lecture-claims", "which-volume"]; // by charts, or by small pictures
-  for (const { id } of await lessons()) {
+  for (const { id } of await kinds()) {
     const now = await state(await visit(t, `?lesson=${id}&step=0`));
     same(now, kState, id);
     assert.equal(Boolean(now.cover), covered.includes(id), id);

@@ -153,8 +153,25 @@ export async function ready(page) {
 
 export const state = (page) => page.evaluate(() => window.snug.state());
 export const handles = (page) => page.evaluate(() => window.snug.handles());
-export const course = async () => (await fetch(`${site.url}course.json`)).json();
-export const lessons = async () => (await course()).chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
+export const course = async (of = site) => (await fetch(`${of.url}course.json`)).json();
+export const lessons = async (of = site) => (await course(of)).chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
+
+/** The text of a lesson's file. */
+export const text_of = async (id, of = site) => (await fetch(`${of.url}lessons/${id}.toml`)).text();
+
+/** One lesson of each kind: the first of those whose files name the same volume and the same chart. What the page makes
+ *  of a kind is tested on it alone; what depends on a lesson's own words is tested on every lesson. With
+ *  SNUG_EVERY_LESSON=1 all lessons are returned, which takes three times as long. */
+export async function kinds(of = site) {
+  if (process.env.SNUG_EVERY_LESSON) return lessons(of);
+  const first = new Map();
+  for (const lesson of await lessons(of)) {
+    const text = await text_of(lesson.id, of);
+    const kind = ["volume", "chart"].map((key) => new RegExp(`^${key} = .*`, "m").exec(text)?.[0]).join();
+    if (!first.has(kind)) first.set(kind, lesson);
+  }
+  return [...first.values()];
+}
 
 /** Until no frame is drawn any more. */
 export async function still(page) {
@@ -205,10 +222,7 @@ export async function drag_by_finger(page, id, dx, dy) {
 
 /** The first lesson that says yes to test(its file's text). */
 export async function lesson_with(test) {
-  for (const { id } of await lessons()) {
-    const text = await (await fetch(`${site.url}lessons/${id}.toml`)).text();
-    if (test(text)) return id;
-  }
+  for (const { id } of await lessons()) if (test(await text_of(id))) return id;
   throw new Error("no lesson is like that");
 }
 

@@ -1,6 +1,6 @@
 // One update of an AABB: the body is rotated by its knob, and the climb's next vertex is named by pointing at it.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, handles, moved, start, state, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, handles, moved, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -13,6 +13,7 @@ test("the body is rotated by hand, and its AABB follows", async (t) => {
     else await page.keyboard.press("ArrowRight");
     await moved(page, view);
   }
+  await still(page); // the view eases after the last step
   const turned = await state(page);
   const places = Object.fromEntries((await handles(page)).map(({ id, x, y }) => [id, { x, y }]));
   const knob = places["Body turn"], pivot = places.Body;

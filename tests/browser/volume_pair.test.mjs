@@ -69,7 +69,6 @@ for (const [dim, volumes] of kEach) {
       assert.equal(now.edited, true, volume);
       await page.keyboard.press("Control+z");
       await until(page, (it) => it.readout.gap === gap);
-      await page.close();
     }
   });
 }
@@ -85,7 +84,6 @@ test("the address brings volumes that were dragged back, to the last digit", asy
     await ready(page);
     const again = await state(page);
     assert.equal(again.trace, edited.trace, volume);
-    await page.close();
   }
 });
 
