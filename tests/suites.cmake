@@ -48,12 +48,12 @@ foreach(room IN LISTS rooms)
   endif()
 endforeach()
 
-# Half a minute each, two at a time; for longer, and led by what the code does: fuzz/fuzz.sh.
+# A quarter of a minute each, two at a time; for longer, and led by what the code does: fuzz/fuzz.sh.
 if(kind STREQUAL sanitize)
   file(GLOB files CONFIGURE_DEPENDS fuzz/*.cpp)
   foreach(file IN LISTS files)
     get_filename_component(name ${file} NAME_WE)
-    snug_suite(fuzz.${name} LABELS fuzz COMMAND tests/fuzz/fuzz.sh ${name} 30 sanitize)
+    snug_suite(fuzz.${name} LABELS fuzz COMMAND tests/fuzz/fuzz.sh ${name} 15 sanitize)
   endforeach()
 endif()
 
