@@ -26,7 +26,7 @@ add_suite() { # log-name status-in-CTest's-words
 suites() { # preset: CTest writes a line for each as it ends
     local results=$PWD/build/logs/ctest-$1.xml suite
     rm -f "$results"
-    ctest --test-dir "build/$1" -j2 --output-junit "$results" 2>&1 | grep -aE '^ *[0-9]+/[0-9]+ Test' || true
+    ctest --test-dir "build/$1" -j3 --output-junit "$results" 2>&1 | grep -aE '^ *[0-9]+/[0-9]+ Test' || true
     [[ -s $results ]] || { failed=$((failed + 1)); return; }
     while read -r suite; do add_suite "$1-${suite% *}" "${suite##* }"; done < <(
         grep -oP '<testcase name="\K[^"]+"[^>]* status="[a-z]+' "$results" | sed 's/".*"/ /')

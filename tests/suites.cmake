@@ -1,4 +1,4 @@
-# What CTest runs: `ctest -j2 --test-dir build/release`, or one of them with -R core.fit, those of a label with -L desktop.
+# What CTest runs: `ctest -j3 --test-dir build/release`, or one of them with -R core.fit, those of a label with -L desktop.
 # Labels: native, wasm or sanitize, and command, desktop, browser.
 if(EMSCRIPTEN)
   set(kind wasm)
@@ -10,19 +10,19 @@ endif()
 get_filename_component(preset ${PROJECT_BINARY_DIR} NAME)
 
 # snug_suite(NAME COMMAND words... [LABELS label...] [BOTH_CORES]): its log is build/logs/PRESET-NAME.log. One that hangs
-# is ended after forty minutes and fails alone; one that times itself or draws has both cores.
+# is ended after forty minutes and fails alone; one that measures time has both cores.
 function(snug_suite name)
   cmake_parse_arguments(PARSE_ARGV 1 suite "BOTH_CORES" "" "COMMAND;LABELS")
   add_test(NAME ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMAND ${PROJECT_SOURCE_DIR}/tests/suite.sh ${preset}-${name} ${suite_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${kind};${suite_LABELS}" TIMEOUT 2400)
   if(suite_BOTH_CORES)
-    set_tests_properties(${name} PROPERTIES PROCESSORS 2)
+    set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
   endif()
 endfunction()
 
 # snug_suites(PREFIX LABEL MEASURING names... FILES files... LAUNCHER words...): each file is a suite, run by what launches
-# it. Two share the cores, for each waits much of the time; those that measure are alone.
+# it. Three share two cores, for each waits nearly half of the time; those that measure are alone.
 function(snug_suites prefix label)
   cmake_parse_arguments(PARSE_ARGV 2 suites "" "" "MEASURING;FILES;LAUNCHER")
   foreach(file IN LISTS suites_FILES)
