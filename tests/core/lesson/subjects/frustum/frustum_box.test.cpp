@@ -12,8 +12,8 @@
 
 using namespace snug;
 using namespace snug::lesson;
-using snug::test::session_of;
 using query::Culling;
+using snug::test::session_of;
 using V3 = Vector<double, 3>;
 using Kind = BoxHandle::Kind;
 
