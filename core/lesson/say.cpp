@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "fit/catalogue.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 
@@ -31,17 +32,28 @@ std::string_view volume_title(std::string_view volume) {
   return {};
 }
 
+/// A title that says its volume as well. source: where the method is published.
+std::string with_volume(std::string_view of, std::string title, std::string_view source) {
+  const std::string volume(volume_title(of));
+  if (volume.empty()) return title;
+  const auto is_capital = [&](std::size_t i) { return i < title.size() && title[i] >= 'A' && title[i] <= 'Z'; };
+  const std::string first = title.substr(0, title.find_first_of(" ,"));
+  const bool author = source.find(". " + first) != std::string_view::npos;  // "E. Welzl, ..."
+  if (is_capital(0) && !is_capital(1) && !author) title[0] = static_cast<char>(title[0] - 'A' + 'a');  // PCA stays PCA
+  return volume + ": " + title;
+}
+
 }  // namespace
 
 std::string title_in(const Lesson& lesson, const Method& method) {
   std::string title(method.title);
-  const std::string volume(is_mixed(lesson) ? volume_title(method.volume) : std::string_view());
-  if (volume.empty()) return title;
-  const auto is_capital = [&](std::size_t i) { return i < title.size() && title[i] >= 'A' && title[i] <= 'Z'; };
-  const std::string first = title.substr(0, title.find_first_of(" ,"));
-  const bool author = method.source.find(". " + first) != std::string_view::npos;  // "E. Welzl, ..."
-  if (is_capital(0) && !is_capital(1) && !author) title[0] = static_cast<char>(title[0] - 'A' + 'a');  // PCA stays PCA
-  return volume + ": " + title;
+  return is_mixed(lesson) ? with_volume(method.volume, std::move(title), method.source) : title;
+}
+
+std::string title_among_volumes(std::string_view volume, std::string_view algorithm) {
+  const fit::Algorithm* found = fit::find_algorithm(volume, algorithm);
+  if (found == nullptr) return std::string(volume) + " " + std::string(algorithm);
+  return with_volume(volume, std::string(found->title), found->source);
 }
 
 std::string_view verdict_text(const Outcome& outcome) {

@@ -41,6 +41,8 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 
 /// What a method is called in a lesson: "Exact minimum"; where there are several volumes, "OBB: exact minimum".
 [[nodiscard]] std::string title_in(const Lesson& lesson, const Method& method);
+/// What an algorithm is called beside those of other volumes: "OBB: exact minimum"; the names given if it is unknown.
+[[nodiscard]] std::string title_among_volumes(std::string_view volume, std::string_view algorithm);
 
 /// "Correct", "Correct on the second try", "Not quite", "Skipped", or "Not decided" before the chart is measured.
 [[nodiscard]] std::string_view verdict_text(const Outcome& outcome);

@@ -126,9 +126,9 @@ TEST_CASE("growth and turns are a line each") {
        {.volume = "obb", .algorithm = "pca", .points = 10, .time = {.median = 7}}}};
   const Chart lines = growth_chart(growth);
   REQUIRE(lines.series.size() == 2);
-  CHECK(full_name(lines.series[0]) == "sphere ritter: n^1.04, theory 1.00");
+  CHECK(full_name(lines.series[0]) == "Sphere: Ritter: n^1.04, theory 1.00");
   CHECK(lines.series[0].slope == 1);
-  CHECK(full_name(lines.series[1]) == "obb pca");  // not yet measured to its end
+  CHECK(full_name(lines.series[1]) == "OBB: PCA of the points");  // not yet measured to its end
   const cost::Table<cost::GrowthRow> few{
       {}, {{.volume = "obb", .algorithm = "pca", .points = 10, .time = {.median = 7}, .in_fit = true}}};
   CHECK(growth_chart(few).series.at(0).figure == "too few points to tell");

@@ -212,7 +212,7 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
   const page = await visit(t, kLesson);
   await skip_all(page);
   const { cover, caption, outcomes } = await measure_chart(page, "Growth", "growth");
-  assert.match(cover.says, /^6 measured, on cube\./);
+  assert.match(cover.says, /^6 measured\. Points: cube\./);
   assert.equal(cover.table.rows.length, kAll);
   assert.ok(!cover.decided && outcomes.every(({ pending }) => pending), "the questions are of the other chart");
   t.diagnostic(cover.table.rows.map((row) => row.join(", ")).join("; "));

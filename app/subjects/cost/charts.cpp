@@ -9,6 +9,7 @@
 
 #include "fit/catalogue.hpp"
 #include "fit/update/updates.hpp"
+#include "lesson/say.hpp"
 #include "measure/growth.hpp"
 
 namespace snug::app {
@@ -79,8 +80,7 @@ struct CostLook {
     return against == Against::kSmallest ? row.tightness : row.over_hull;
   }
   [[nodiscard]] std::string name(const cost::CostRow& row) const {
-    if (!one) return row.volume + " " + row.algorithm;
-    return algorithm_title(row.volume, row.algorithm);
+    return one ? algorithm_title(row.volume, row.algorithm) : lesson::title_among_volumes(row.volume, row.algorithm);
   }
 };
 
@@ -165,7 +165,8 @@ void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, const st
       if (row.time.median > 0) series.points.push_back({n, row.time.median, n, n});
     }
     if (!then) {
-      series.name = one ? algorithm_title(first.volume, first.algorithm) : first.volume + " " + first.algorithm;
+      series.name = one ? algorithm_title(first.volume, first.algorithm)
+                        : lesson::title_among_volumes(first.volume, first.algorithm);
       if (first.exponent) series.figure = one_number("n^%.2f", *first.exponent);
       else if (is_fitted(lines[i])) series.figure = cost::kTooFewToTell;
       series.beside = theory_words(first);
@@ -238,7 +239,8 @@ Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::
                            now.provenance),
               .note = note_of(now.provenance),
               .x = {"time of one fit", ChartUnit::kTime, true},
-              .y = {kAgainst[static_cast<std::size_t>(look.against)], ChartUnit::kRatio, true}};
+              .y = {now.rows.empty() ? "relative size" : kAgainst[static_cast<std::size_t>(look.against)],
+                    ChartUnit::kRatio, true}};
   if (then != nullptr) add_costs(chart, then->rows, look, now.rows, true);
   add_costs(chart, now.rows, look, now.rows, false);
   return chart;

@@ -31,6 +31,7 @@ class FieldView final : public SubjectView {
     costs_.measure(session);
     return draw_field_panel(look, session, costs_, at, width);
   }
+  [[nodiscard]] bool fills_column(const lesson::Session&) const override { return true; }
   [[nodiscard]] bool working() const override { return costs_.working(); }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "the end", .best = "objects decided"};
