@@ -15,6 +15,7 @@ struct Label {
   Face face = Face::kSemiBold;
   float size = 14;
   Color color = 0;
+  bool plate = false;  // on a plate of the ground's colour, where a halo is too little
 };
 
 /// What the user is doing on the stage.
@@ -52,7 +53,8 @@ struct Brush {
                       std::move(words),
                       face,
                       size,
-                      color});
+                      color,
+                      false});
   }
 };
 

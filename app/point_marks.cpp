@@ -51,4 +51,10 @@ void PointNames::plain(Index i) {
   name(i, brush.session.name_of(i), brush.p.support_text, Face::kSemiBold, 11 * brush.p.mark);
 }
 
+void PointNames::on_plate(Index i) {
+  if (i == kNoIndex || named_[i]) return;
+  name(i, brush.session.name_of(i), brush.p.ink, Face::kSemiBold, 11 * brush.p.mark, 13);
+  brush.labels.back().plate = true;
+}
+
 }  // namespace snug::app

@@ -20,6 +20,11 @@ void draw_leader(ImDrawList* list, float width, const Label& label, const Rect& 
   list->AddLine(from, {from.x + dx * share, from.y + dy * share}, with_alpha(label.color, 0.6f), width);
 }
 
+void draw_plate(Brush& brush, const Rect& place) {
+  brush.list->AddRectFilled({place.x, place.y}, {place.x + place.width, place.y + place.height},
+                            with_alpha(brush.p.ground, 0.92f), 4);
+}
+
 }  // namespace
 
 void Stage::draw_labels(Brush& brush) {
@@ -32,6 +37,7 @@ void Stage::draw_labels(Brush& brush) {
     const Label& label = brush.labels[i];
     const ImVec2 at{places[i]->x + 3, places[i]->y + 1};
     draw_leader(brush.list, brush.p.mark, label, *places[i]);
+    if (label.plate) draw_plate(brush, *places[i]);
     // A name that is shown only if it is clear of everything needs no halo.
     if (is_of_signs(label.words) || (label.request.optional && brush.dim() == 2))
       text(brush.list, brush.look, label.face, label.size, at, label.color, label.words);

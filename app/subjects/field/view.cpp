@@ -18,6 +18,9 @@ class FieldView final : public SubjectView {
     marks_.show(brush);
     draw_field(brush);
   }
+  void name_marks(PointNames& names) const override {
+    for (Index i = 0; i < names.brush.session.size(); ++i) names.on_plate(i);
+  }
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_camera_image(brush, top); }
 
   /// The field, and the camera if it is outside.
