@@ -16,7 +16,7 @@ constexpr float kSweepPad = 10, kSweepHead = 26, kSweepFoot = 22, kSweepWords = 
 constexpr float kSweepStage = 340, kMostRow = 9, kLeastRow = 2, kSweepRows = 84;
 constexpr float kMostOfSweep = 640, kBesideSweep = 84;  // its greatest width, and what it leaves free beside it
 constexpr std::size_t kMostSwept = 60;                  // more intervals cannot be told apart
-constexpr float kLeastUnderSweep = 170;                 // height for the bodies
+constexpr float kLeastUnderSweep = 150;                 // height for the bodies
 
 /// The height of the picture of so many intervals.
 float sweep_height(const Look& look, std::size_t intervals) {
