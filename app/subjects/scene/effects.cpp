@@ -1,6 +1,7 @@
 #include "app/subjects/scene/effects.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "app/marks.hpp"
 #include "app/subjects/scene/graph.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr float kGraphPad = 10, kLeastStage = 560, kHalfOfSleep = 3.5f, kMostWidth = 400;
 // The stage's least height beside the graph, buttons and sentence included. If less is left, the panel has the graph.
-constexpr float kLeastForBodies = 520;
+constexpr float kLeastForBodies = 420;
 
 /// The camera's frustum, dashed. Its vertices differ in one bit along each edge.
 void draw_view_of_camera(Brush& brush, const Frustum<double, 3>& camera) {
@@ -28,9 +29,23 @@ void draw_view_of_camera(Brush& brush, const Frustum<double, 3>& camera) {
              brush.stroke(0.5f));
 }
 
-/// A z in the middle of a body. It is drawn as a mark: words must not stand over others, and bodies may.
+/// Whether another body that sleeps lies on a body: one z stands for the whole pile.
+bool bears_sleeper(const Brush& brush, const lesson::SceneFrame& frame, std::size_t i) {
+  const Seen body = body_in(brush, frame, i);
+  for (std::size_t j = 0; j < frame.bodies.size(); ++j) {
+    const Seen other = body_in(brush, frame, j);
+    const Point3 way = other.at.position - body.at.position;
+    if (j != i && frame.asleep[j] != 0 && way[1] > std::hypot(way[0], way[2]) &&
+        way[1] < body.shape.reach + other.shape.reach)
+      return true;
+  }
+  return false;
+}
+
+/// A z above a body, clear of the mark in its middle. It is drawn as a mark: words must not stand over others, and
+/// bodies may.
 void draw_asleep(Brush& brush, const Seen& body) {
-  const ImVec2 at = brush.at(body.at.position);
+  const ImVec2 at = brush.at(body.at.position + Point3(0, body.shape.reach, 0));
   const float half = kHalfOfSleep * brush.p.mark;
   const std::array<ImVec2, 4> z{ImVec2{at.x - half, at.y - half},
                                 {at.x + half, at.y - half},
@@ -38,6 +53,7 @@ void draw_asleep(Brush& brush, const Seen& body) {
                                 {at.x + half, at.y + half}};
   path(brush.list, z, false, Stroke::kSolid, brush.p.ground, 4);
   path(brush.list, z, false, Stroke::kSolid, brush.p.ink, 1.5f);
+  brush.canvas.obstacles.discs.push_back({at.x, at.y, 2 * half});
 }
 
 }  // namespace
@@ -51,7 +67,7 @@ void draw_effects(Brush& brush, const lesson::SceneFrame& frame) {
     const bool culled =
         i < frame.visibility.size() && frame.visibility[i] == static_cast<std::uint8_t>(query::Culling::kOutside);
     if (culled) cross(brush.list, brush.at(body.at.position), 7 * brush.p.mark, brush.p.wrong, brush.stroke());
-    if (frame.asleep[i] != 0) draw_asleep(brush, body);
+    if (frame.asleep[i] != 0 && !bears_sleeper(brush, frame, i)) draw_asleep(brush, body);
   }
 }
 

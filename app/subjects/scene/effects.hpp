@@ -6,7 +6,7 @@
 
 namespace snug::app {
 
-/// Marks the bodies that sleep, crosses out those that the camera does not see, and draws the camera's frustum.
+/// Marks the piles that sleep, crosses out those that the camera does not see, and draws the camera's frustum.
 void draw_effects(Brush& brush, const lesson::SceneFrame& frame);
 
 /// How much of the stage's height the graph of the effects takes; 0 if it would leave too little for the bodies, or if

@@ -15,7 +15,7 @@ namespace {
 
 using Did = scene::Deed::Kind;
 
-constexpr float kNodeHeight = 20, kNodeRow = 25, kEffectName = 12, kRailPitch = 15, kLeastPitch = 7, kNodePad = 6,
+constexpr float kNodeHeight = 18, kNodeRow = 22, kEffectName = 12, kRailPitch = 15, kLeastPitch = 7, kNodePad = 6,
                 kNodeMark = 18;
 constexpr float kHeadRow = 18, kKeyRow = 22, kKeyWidth = 230;
 
@@ -64,7 +64,7 @@ class Graph {
   [[nodiscard]] float y_of(int place) const {
     return at_.y + look_.px(place < 0 ? kHeadRow / 2 : kHeadRow + kNodeRow * (static_cast<float>(place) + 0.5f));
   }
-  /// The name of a rail stands right of where it begins; of several that begin there, after the last.
+  /// Of several rails that begin at the same place, the names stand after the last.
   [[nodiscard]] bool names_more(std::size_t rail) const {
     return rail + 1 < rails_.size() && rails_[rail + 1].begin() == rails_[rail].begin();
   }
@@ -76,8 +76,16 @@ class Graph {
       words.append(i > first ? ", " : "").append(scene::kSlotNames[static_cast<std::size_t>(rails_[i].slot)]);
     return words;
   }
+  /// Where the name of a rail begins: right of every rail that passes its row, so that none strikes through it.
+  [[nodiscard]] float name_offset(std::size_t rail) const {
+    const int row = rails_[rail].begin();
+    std::size_t last = rail;
+    for (std::size_t i = rail + 1; i < rails_.size(); ++i)
+      if (rails_[i].first() <= row && row <= rails_[i].last()) last = i;
+    return offset(last) + 9;
+  }
   [[nodiscard]] float end_of_name(std::size_t rail) const {
-    return names_more(rail) ? 0 : offset(rail) + 9 + measure(look_, Face::kRegular, kEffectName, name_of(rail)).x;
+    return names_more(rail) ? 0 : name_offset(rail) + measure(look_, Face::kRegular, kEffectName, name_of(rail)).x;
   }
 
   [[nodiscard]] float end_of_names() const {
@@ -123,11 +131,8 @@ class Graph {
 
   void draw_name(std::size_t i) {
     if (names_more(i)) return;
-    const std::string words = name_of(i);
-    const ImVec2 extent = measure(look_, Face::kRegular, kEffectName, words);
-    const ImVec2 at{x_of(i) + 9, middle_of(y_of(rails_[i].begin()), look_.px(kEffectName))};
-    list_->AddRectFilled({at.x - 2, at.y}, {at.x + extent.x + 2, at.y + extent.y}, p_.panel);
-    text(list_, look_, Face::kRegular, kEffectName, at, changed(rails_[i]) ? p_.current_text : p_.muted, words);
+    const ImVec2 at{at_.x + name_offset(i), middle_of(y_of(rails_[i].begin()), look_.px(kEffectName))};
+    text(list_, look_, Face::kRegular, kEffectName, at, changed(rails_[i]) ? p_.current_text : p_.muted, name_of(i));
   }
 
   void draw_node(std::size_t i) {

@@ -19,6 +19,7 @@ namespace {
 constexpr float kText = 14, kSmall = 13, kTiny = 12;
 constexpr double kLeastSlack = 0.01;  // the smallest end of the scale: less is mostly rounding
 constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
+constexpr float kReason = 11, kReasonToFinger = 18;  // what an effect's reason adds to its row
 
 const lesson::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
   if (step == 0) return nullptr;
@@ -142,16 +143,16 @@ class ScenePanel {
       ImGui::PushID(row++);
       const std::string name = lesson::effect_words(one.name);
       const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
-      const std::size_t says = one.says.empty() ? 0 : 1;
-      const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1 + says));
+      const float reason = one.says.empty() ? 0 : look_.fingers ? kReasonToFinger : kReason;
+      const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1) + reason);
       const bool enabled = session.can_toggle(one);
       const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, name, enabled);
       ImGui::PopID();
       if (touch.clicked) turned = &one;
       if (touch.hovered) list_->AddRectFilled({x_ - 6, y_}, {x_ + width_ + 6, y_ + height - 1}, look_->raised, 4);
       effect(one, lines);
-      if (says > 0)
-        text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_ + height - look_.px(kLeading + 4)}, look_->muted,
+      if (!one.says.empty())
+        text(list_, look_, Face::kRegular, kTiny, {x_ + kIndent, y_ + height - look_.px(kLeading)}, look_->muted,
              shortened(look_, Face::kRegular, kTiny, one.says, width_ - kIndent));
       y_ += height;
       rule(list_, x_, y_ - 1, width_, look_->line);
