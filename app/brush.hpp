@@ -53,8 +53,7 @@ struct Brush {
                       std::move(words),
                       face,
                       size,
-                      color,
-                      false});
+                      color});
   }
 };
 

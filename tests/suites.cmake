@@ -9,16 +9,13 @@ else()
 endif()
 get_filename_component(preset ${PROJECT_BINARY_DIR} NAME)
 
-# snug_suite(NAME COMMAND words... [LABELS label...] [BOTH_CORES]): its log is build/logs/PRESET-NAME.log. One that hangs
-# is ended after forty minutes and fails alone; one that measures time has both cores.
+# snug_suite(NAME COMMAND words... [LABELS label...]): its log is build/logs/PRESET-NAME.log. One that hangs is ended after
+# forty minutes and fails alone.
 function(snug_suite name)
-  cmake_parse_arguments(PARSE_ARGV 1 suite "BOTH_CORES" "" "COMMAND;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 suite "" "" "COMMAND;LABELS")
   add_test(NAME ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMAND ${PROJECT_SOURCE_DIR}/tests/suite.sh ${preset}-${name} ${suite_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${kind};${suite_LABELS}" TIMEOUT 2400)
-  if(suite_BOTH_CORES)
-    set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
-  endif()
 endfunction()
 
 # snug_suites(PREFIX LABEL MEASURING names... FILES files... LAUNCHER words...): each file is a suite, run by what launches
@@ -27,11 +24,10 @@ function(snug_suites prefix label)
   cmake_parse_arguments(PARSE_ARGV 2 suites "" "" "MEASURING;FILES;LAUNCHER")
   foreach(file IN LISTS suites_FILES)
     get_filename_component(name ${file} NAME_WE)
-    set(cores)
+    snug_suite(${prefix}.${name} LABELS ${label} COMMAND ${suites_LAUNCHER} ${file})
     if(name IN_LIST suites_MEASURING)
-      set(cores BOTH_CORES)
+      set_tests_properties(${prefix}.${name} PROPERTIES RUN_SERIAL ON)
     endif()
-    snug_suite(${prefix}.${name} ${cores} LABELS ${label} COMMAND ${suites_LAUNCHER} ${file})
   endforeach()
 endfunction()
 
@@ -48,7 +44,7 @@ foreach(room IN LISTS rooms)
   endif()
 endforeach()
 
-# A quarter of a minute each, two at a time; for longer, and led by what the code does: fuzz/fuzz.sh.
+# A quarter of a minute each; for longer, and led by what the code does: fuzz/fuzz.sh.
 if(kind STREQUAL sanitize)
   file(GLOB files CONFIGURE_DEPENDS fuzz/*.cpp)
   foreach(file IN LISTS files)
@@ -57,7 +53,6 @@ if(kind STREQUAL sanitize)
   endforeach()
 endif()
 
-# A screen's settings stay when no window is left, and there is room for a window at two pixels to one.
 set(screen ${CMAKE_CURRENT_SOURCE_DIR}/screen.sh)
 set(node_test ${SNUG_NODE} --test --test-reporter=tap)
 if(kind STREQUAL native)

@@ -112,6 +112,12 @@ export async function load(t, query = kFirst, { init, wait = true, may_complain 
   return page;
 }
 
+/** The test fails if the page complains of anything from now on. */
+function expect_silence(t, complaints) {
+  complaints.length = 0;
+  t.after(() => assert.deepEqual(complaints, []));
+}
+
 const kept = new Map(); // by their kind of screen: pages that the tests of a file share
 
 /** A page on an address of the site, to one who has answered nothing yet. It may be one that earlier tests have used,
@@ -123,8 +129,7 @@ export async function visit(t, query = kFirst, { viewport = kWide.viewport, redu
   let own = kept.get(kind);
   if (!own || own.page.isClosed()) kept.set(kind, own = await open_page({ viewport, reducedMotion, ...screen }));
   const { page, complaints } = own;
-  complaints.length = 0;
-  t.after(() => assert.deepEqual(complaints, []));
+  expect_silence(t, complaints);
   await page.setViewportSize(viewport);
   await page.emulateMedia({ reducedMotion });
   if (page.url() === "about:blank") {
@@ -140,6 +145,12 @@ export async function visit(t, query = kFirst, { viewport = kWide.viewport, redu
     scrollTo(0, 0);
   }, query);
   await still(page);
+  return page;
+}
+
+/** A page that an earlier test of the file has visited, as that test left it. */
+export function revisit(t, page) {
+  expect_silence(t, [...kept.values()].find((own) => own.page === page).complaints);
   return page;
 }
 

@@ -49,8 +49,15 @@ std::string note_of(const cost::Provenance& p) {
          (p.processor.empty() ? "" : ", " + p.processor);
 }
 
-bool of_one_volume(const std::vector<cost::CostRow>& rows) {
-  return std::all_of(rows.begin(), rows.end(), [&](const cost::CostRow& row) { return row.volume == rows[0].volume; });
+template <class Row>
+bool of_one_volume(const std::vector<Row>& rows) {
+  return std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return row.volume == rows[0].volume; });
+}
+
+/// one: whether the chart has one volume, which need not be named then.
+template <class Row>
+std::string series_name(bool one, const Row& row) {
+  return one ? algorithm_title(row.volume, row.algorithm) : lesson::title_among_volumes(row.volume, row.algorithm);
 }
 
 /// "OBB", "Sphere"
@@ -79,9 +86,6 @@ struct CostLook {
     if (against == Against::kFound) return row.is_flat() ? std::nullopt : std::optional(row.measure / found);
     return against == Against::kSmallest ? row.tightness : row.over_hull;
   }
-  [[nodiscard]] std::string name(const cost::CostRow& row) const {
-    return one ? algorithm_title(row.volume, row.algorithm) : lesson::title_among_volumes(row.volume, row.algorithm);
-  }
 };
 
 /// What is known for every row: if an exact run takes too long, the smallest volume is known only for fewer points.
@@ -108,7 +112,7 @@ void add_costs(Chart& chart, const std::vector<cost::CostRow>& rows, const CostL
     const cost::CostRow& row = rows[i];
     const auto y = look.y(row);
     if (!y || !(*y > 0) || !(row.time.median > 0)) continue;
-    ChartSeries series{.name = then ? "" : look.name(row),
+    ChartSeries series{.name = then ? "" : series_name(look.one, row),
                        .hollow = row.points < row.of || !row.time.trusted,
                        .points = {point_of(row.time, *y)},
                        .row = then ? -1 : static_cast<int>(i)};
@@ -154,8 +158,7 @@ bool of_same_update(TurnLine a, TurnLine b) { return a[0].volume == b[0].volume 
 
 void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, const std::vector<cost::GrowthRow>& now,
                 bool then) {
-  const bool one =
-      std::all_of(rows.begin(), rows.end(), [&](const cost::GrowthRow& row) { return row.volume == rows[0].volume; });
+  const bool one = of_one_volume(rows);
   const auto lines = lines_of(rows), present = lines_of(now);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     ChartSeries series = line_series(chart, i, look_index(present, lines[i], i, of_same_growth), then);
@@ -165,8 +168,7 @@ void add_growth(Chart& chart, const std::vector<cost::GrowthRow>& rows, const st
       if (row.time.median > 0) series.points.push_back({n, row.time.median, n, n});
     }
     if (!then) {
-      series.name = one ? algorithm_title(first.volume, first.algorithm)
-                        : lesson::title_among_volumes(first.volume, first.algorithm);
+      series.name = series_name(one, first);
       if (first.exponent) series.figure = one_number("n^%.2f", *first.exponent);
       else if (is_fitted(lines[i])) series.figure = cost::kTooFewToTell;
       series.beside = theory_words(first);

@@ -33,11 +33,10 @@ void draw_view_of_camera(Brush& brush, const Frustum<double, 3>& camera) {
 bool bears_sleeper(const Brush& brush, const lesson::SceneFrame& frame, std::size_t i) {
   const Seen body = body_in(brush, frame, i);
   for (std::size_t j = 0; j < frame.bodies.size(); ++j) {
+    if (j == i || frame.asleep[j] == 0) continue;
     const Seen other = body_in(brush, frame, j);
     const Point3 way = other.at.position - body.at.position;
-    if (j != i && frame.asleep[j] != 0 && way[1] > std::hypot(way[0], way[2]) &&
-        way[1] < body.shape.reach + other.shape.reach)
-      return true;
+    if (way[1] > std::hypot(way[0], way[2]) && way[1] < body.shape.reach + other.shape.reach) return true;
   }
   return false;
 }

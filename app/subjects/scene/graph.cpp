@@ -64,7 +64,7 @@ class Graph {
   [[nodiscard]] float y_of(int place) const {
     return at_.y + look_.px(place < 0 ? kHeadRow / 2 : kHeadRow + kNodeRow * (static_cast<float>(place) + 0.5f));
   }
-  /// Of several rails that begin at the same place, the names stand after the last.
+  /// Whether the next rail begins at the same place. The last one that does bears the names of all of them.
   [[nodiscard]] bool names_more(std::size_t rail) const {
     return rail + 1 < rails_.size() && rails_[rail + 1].begin() == rails_[rail].begin();
   }

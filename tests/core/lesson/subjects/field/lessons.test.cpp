@@ -19,21 +19,18 @@ constexpr std::array kFieldLessons{"frustum-field", "examples/field"};
 TEST_CASE("the lessons on a field play to their ends, with their tasks solved by the model alone") {
   for (const char* id : kFieldLessons) {
     CAPTURE(id);
-    auto lesson = read_lesson(test::lessons_file(std::string(id) + ".toml"), std::string(id) + ".toml");
-    REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-    auto session = Session::open(*std::move(lesson));
-    REQUIRE(session.has_value());
-    for (std::size_t task = 0; task < session->lesson().tasks.size(); ++task) CHECK_FALSE(session->grade(task).done);
-    const auto played = play(*session);
+    Session session = test::session_of(id);
+    for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task) CHECK_FALSE(session.grade(task).done);
+    const auto played = play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
     for (std::uint64_t seed = 2; seed <= 5; ++seed) {
       CAPTURE(seed);
-      session->scatter(seed);
-      for (const std::string& name : session->lesson().algorithms) {
-        REQUIRE(session->choose(0, name).has_value());
-        for (const Asked& one : session->questions())
-          CHECK(judge(one, model_answer(one, session->run(0)), session->run(0)).right);
+      session.scatter(seed);
+      for (const std::string& name : session.lesson().algorithms) {
+        REQUIRE(session.choose(0, name).has_value());
+        for (const Asked& one : session.questions())
+          CHECK(judge(one, model_answer(one, session.run(0)), session.run(0)).right);
       }
     }
   }
