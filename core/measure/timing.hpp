@@ -34,7 +34,7 @@ struct Timing {
   }
 };
 
-/// Times whose spread is wider than this over their median are not trusted, and marked as measured badly.
+/// Times whose spread is wider than this over their median are not trusted, and marked as unreliable.
 inline constexpr double kMostSpread = 1.0 / 3;
 
 /// times: each that of one run; at least one.

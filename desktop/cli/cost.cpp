@@ -326,7 +326,7 @@ constexpr const char* kCostFooter =
                             take longer than --longest, fewer are measured, and whole_ns is the estimate for all
   time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer. spread is the
                             distance between the quartiles over the median; above a third the time is not trusted: it
-                            was measured badly. A single batch has no spread, null, and is not trusted
+                            could not be measured reliably. A single batch has no spread, null, and is not trusted
   operations, steps         counts of a second run, with an observer; exact_decisions are comparisons that rounded
                             arithmetic left open, each as expensive as hundreds of the others
   size, measure             a sphere's radius, otherwise the measure; 3-D volume or 2-D area

@@ -78,7 +78,7 @@ std::string head_of(const cost::Provenance& p) {
 }
 
 constexpr const char* kDoubt =
-    "? measured badly: the times spread over more than a third of their median, or there is only one\n";
+    "? could not be measured reliably: the times spread over more than a third of their median, or there is only one\n";
 
 std::string note_of(const cost::CostRow& row) {
   std::string note = row.on_front ? "* front" : "";

@@ -74,7 +74,7 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
       std::find_if(table.rows.begin(), table.rows.end(), [](const cost::CostRow& row) { return row.points < row.of; });
   const std::string left_out =
       slow == table.rows.end() ? ""
-                               : phrase(" %s was too slow here to measure on all points, and is no rival on the front.",
+                               : phrase(" %s was too slow here to measure on all points, and is left out of the front.",
                                         algorithm_title(slow->volume, slow->algorithm).c_str());
   return phrase("%d of %d lie on the front.%s Choose a mark to load its volume.", static_cast<int>(front),
                 static_cast<int>(table.rows.size()), left_out.c_str());

@@ -24,7 +24,7 @@ std::string two_digits(double number) {
 }
 
 std::string time_of(const cost::Timing& timing) {
-  return chart_figure(ChartUnit::kTime, timing.median) + (timing.trusted ? "" : ", measured badly");
+  return chart_figure(ChartUnit::kTime, timing.median) + (timing.trusted ? "" : ", not measured reliably");
 }
 
 std::string percent_of(const std::optional<cost::SlackRange>& range, double cost::SlackRange::*end) {

@@ -98,7 +98,7 @@ std::string Costs::status(const lesson::Session& session) const {
   const std::string points = chart_figure(ChartUnit::kCount, size(session)) + " points";
   const std::string on = sheet().about().points.substr(0, sheet().about().points.find(':'));
   std::string says;
-  if (running() && *at_work_ == view_) says = "Measuring " + (growth ? on : points) + ".";
+  if (running() && *at_work_ == view_) says = "Measuring " + (growth ? "10 points and more." : points + ".");
   else if (sheet().rows() > 0) says = std::to_string(count()) + " measured. Points: " + on + ".";
   else says = "Now press Measure: " + (growth ? "10 points and more." : points + ".");
   if (const cost::Provenance* then = sheet().then()) says += " Hollow marks: " + then->points + ", an earlier result.";

@@ -10,7 +10,7 @@ const char* offer_methods(Asked& asked, const Run& run);
 const char* offer_front(Asked& asked, const Run& run);
 /// How many times as long the slowest takes as the fastest; the choices are decades.
 const char* offer_times(Asked& asked, const Run& run);
-/// The front stays pending while one of its rows is measured badly.
+/// The front stays pending while a time of its rows is unreliable.
 Truth front_truth(const Asked& asked, const Run& run);
 Truth slowest_truth(const Asked& asked, const Run& run);
 Truth times_truth(const Asked& asked, const Run& run);

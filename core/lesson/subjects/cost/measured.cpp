@@ -55,7 +55,7 @@ std::string foretold(const cost::CostRow& row) {
 }
 
 /// Whether the machine was too busy to measure the time: on the chart such a mark is hollow.
-bool measured_badly(const cost::CostRow& row) { return !is_counted(row) && !row.time.trusted; }
+bool is_unreliable(const cost::CostRow& row) { return !is_counted(row) && !row.time.trusted; }
 
 Costs rows_of(const Asked& asked) {
   const auto* rows = static_cast<const CostSubject&>(*asked.subject).costs();
@@ -81,11 +81,11 @@ std::string slower_sentence(const Lesson& lesson, Costs rows) {
          foretold(most);
 }
 
-/// A badly measured row that could change the front; null if there is none. The slowest is slowest by far, but the
-/// front depends on any two that are close.
+/// A row with an unreliable time that could change the front; null if there is none. The slowest is slowest by far, but
+/// the front depends on any two that are close.
 const cost::CostRow* doubtful_row(Costs rows) {
   const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [](const cost::CostRow& row) { return row.points == row.of && measured_badly(row); });
+                                  [](const cost::CostRow& row) { return row.points == row.of && is_unreliable(row); });
   return found == rows.end() ? nullptr : &*found;
 }
 
@@ -144,7 +144,7 @@ Truth front_truth(const Asked& asked, const Run&) {
   if (rows.size() != asked.choices.size()) return unknown();
   if (const cost::CostRow* row = doubtful_row(rows))
     return unknown(" " + title_of(*asked.lesson, *row) +
-                   " was measured badly, so the front is not decided: measure again.");
+                   " could not be measured reliably, so the front is not decided: measure again.");
   Truth truth;
   const auto front = cost::pareto_front(rows);
   for (const std::size_t i : front) {
@@ -154,8 +154,8 @@ Truth front_truth(const Asked& asked, const Run&) {
   truth.sentence = "On the front: " + truth.happened + ".";
   for (const cost::CostRow& row : rows)
     if (row.whole_ns)
-      truth.sentence +=
-          " " + title_of(*asked.lesson, row) + " was too slow here to measure on all points, and is left out.";
+      truth.sentence += " " + title_of(*asked.lesson, row) +
+                        " was too slow here to measure on all points, and is left out of the front.";
   return truth;
 }
 
@@ -221,9 +221,9 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
     return grade;
   }
   const bool is_cheapest = own == find_row(rows, cheapest);
-  if (!is_cheapest && (measured_badly(*own) || measured_badly(*find_row(rows, cheapest)))) {
+  if (!is_cheapest && (is_unreliable(*own) || is_unreliable(*find_row(rows, cheapest)))) {
     grade.says = "The times of " + title_of(*own) + " and " + title_of(*find_row(rows, cheapest)) +
-                 " cannot be compared, because one of them was measured badly: measure again.";
+                 " cannot be compared, because one of them could not be measured reliably: measure again.";
     return grade;
   }
   const double own_size = size_beside(*own, *than), than_size = size_beside(*than, *own);

@@ -172,7 +172,7 @@ TEST_CASE(
   CHECK(outcomes[2].happened == "180 times");
 }
 
-TEST_CASE("a later measurement decides anew, and a front with a time that was measured badly is not decided") {
+TEST_CASE("a later measurement decides anew, and a front with an unreliable time is not decided") {
   Session session = opened();
   session.answer({Answer::Kind::kChoice, 0b110});
   session.answer({Answer::Kind::kChoice, 2});
@@ -186,12 +186,12 @@ TEST_CASE("a later measurement decides anew, and a front with a time that was me
   CHECK(session.outcomes()[0].happened.find(" and ") == std::string::npos);
   CHECK_FALSE(session.outcomes()[0].right);
 
-  auto badly = rows();
-  badly[0].time.trusted = false;
-  measured(session, badly);
+  auto doubtful = rows();
+  doubtful[0].time.trusted = false;
+  measured(session, doubtful);
   CHECK(session.outcomes()[0].pending);
   CHECK(session.outcomes()[0].happened.empty());
-  CHECK(session.outcomes()[0].says.find(" was measured badly") != std::string::npos);
+  CHECK(session.outcomes()[0].says.find(" could not be measured reliably") != std::string::npos);
   CHECK_FALSE(session.outcomes()[1].pending);  // the slowest is so by far
   measured(session, rows());
   CHECK(session.outcomes()[0].right);
