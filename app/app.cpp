@@ -308,8 +308,14 @@ void App::State::draw_stage(const Rect& rect) {
   look.tools_right =
       cover != nullptr && settings.tools ? app::measure(look, Face::kSemiBold, 13, words).x + look.px(28) : 0;
   const Rect above{rect.x, rect.y, rect.width, rect.height - look.foot};
-  if (covered()) cover->draw(look, *session, above, settings.prose_in_canvas && look.foot <= 0);
-  else stage.draw(look, settings, *session, rect, now);
+  if (covered()) {
+    // A question's card does not reach from side to side: the ground beside it is the cover's.
+    ImGui::GetWindowDrawList()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height},
+                                              look->ground);
+    cover->draw(look, *session, above, settings.prose_in_canvas && look.foot <= 0);
+  } else {
+    stage.draw(look, settings, *session, rect, now);
+  }
   if (cover == nullptr || !settings.tools) return;
   const float right = rect.x + rect.width - 12 - (covered() ? 0 : height + 8);
   if (button(ImGui::GetWindowDrawList(), look,

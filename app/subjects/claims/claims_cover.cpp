@@ -224,7 +224,6 @@ std::string ClaimsCover::file(std::string_view format) const {
 
 void ClaimsCover::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->ground);
   // The button is above it, the sentence below.
   const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};

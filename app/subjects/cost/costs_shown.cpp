@@ -136,7 +136,6 @@ std::string Costs::caption(const lesson::Session& session) const {
 
 void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->ground);
   // The buttons are above it, the sentence below.
   const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};

@@ -94,7 +94,6 @@ std::vector<SmallPicture> CriteriaBoard::pictures(const lesson::Session& session
 
 void CriteriaBoard::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->ground);
   // The buttons are above the pictures, the sentence below.
   const float above = look.fingers ? 60 : look.px(48);
   const float below = look.foot > 0 || rect.width < 560 ? 4 : look.px(76);

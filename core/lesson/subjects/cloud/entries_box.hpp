@@ -149,8 +149,8 @@ template <>
 struct Entry<fit::LineFound> : FitEntry {
   using Fact = fit::LineFound;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return "The line along the main axis that comes closest to all points is supported by " +
-           where.names(fact.support) + ", at a distance of " + number_text(fact.radius) + ".";
+    return "Of all lines along the main axis, this one comes closest to all points: its greatest distance, " +
+           number_text(fact.radius) + ", is reached at " + where.names(fact.support) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }
   static std::string predicate(const Fact&, const FitWhere&, bool plural) {
@@ -198,10 +198,11 @@ template <>
 struct Entry<fit::CornerMovedOut> : FitEntry {
   using Fact = fit::CornerMovedOut;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return where.name(fact.point) + " lies outside past a vertex of the rectangle: the vertex moves out to it.";
+    return where.name(fact.point) +
+           " lies outside, beyond a vertex of the rectangle: the vertex moves out until the volume contains it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
-  static std::string predicate(const Fact&, const FitWhere&, bool) { return "lies outside, past a vertex"; }
+  static std::string predicate(const Fact&, const FitWhere&, bool) { return "lies outside, beyond a vertex"; }
 };
 
 template <>

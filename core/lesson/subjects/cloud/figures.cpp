@@ -158,7 +158,7 @@ class FitBoard {
     number("Still outside", "still_outside", static_cast<std::size_t>(done ? 0 : grown->still_outside()), "points");
     number("Dropped", "dropped", grown->dropped.size(), "points");
     number("Farthest points chosen", "rounds", static_cast<std::size_t>(grown->rounds), "points");
-    if (run_.dim() == 3) number("Facets that see the eye", "seen_facets", grown->seen.size(), "facets");
+    if (run_.dim() == 3) number("Facets that the eye sees", "seen_facets", grown->seen.size(), "facets");
   }
 
   /// The slabs that were found so far in directions set by hand, and what it takes to store them.

@@ -119,7 +119,9 @@ Tools FrustumSubject::tools() const {
 }
 
 BoxSubject::Words FrustumSubject::words_of(int box) const {
-  if (box == 1) return {"Frustum", "the frustum", "Half depth, far face"};
+  if (box == 1)
+    return {"Frustum", "the frustum",
+            dim() == 2 ? "Half sizes: x depth, y far face" : "Half sizes: x depth, y and z far face"};
   const BodyWords& words = words_for(boxes());
   return {words.heading, words.name, boxes().form == Form::kBall ? "Radius" : "Half extents"};
 }
