@@ -1,6 +1,6 @@
-// axe-core finds nothing to complain of: in the idle state of every lesson, and in one of each kind at every question,
-// beside every outcome, be it right, wrong or skipped, at its task as it is set and as it is done. On a phone the same
-// parts stand in another place, so that there every fourth kind is played.
+// axe-core finds nothing to complain of: in the idle state of every lesson, at every question of each situation, beside
+// every outcome, be it right, wrong or skipped, at its task as it is set and as it is done. On a phone the same parts stand
+// in another place: there one lesson of each kind is played.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
@@ -23,41 +23,52 @@ async function violations(page) {
 /** Answers what is asked by its number-th choice, as far as digits reach, or by the name of the number-th handle that can be the answer. */
 const answer_with = (page, asked, number) => answer(page, asked.choices.length > 0 ? number % Math.min(asked.choices.length, 9) : asked.targets[number % asked.targets.length], "keyboard");
 
-for (const [name, size, of] of [["laptop", kWide, 1], ["phone", { ...kPhone, deviceScaleFactor: 1 }, 4]]) {
+/** Plays what is open to its end and looks at every question and at what stands beside its outcome. Returns how many
+ *  questions there were and the situations in which others wait. seen: receives the outcomes. */
+async function play(page, name, seen) {
+  let questions = 0;
+  let now = await state(page);
+  for (let presses = 0; presses < 400 && (now.asked || now.outcome || now.step < now.steps); ++presses) {
+    const { asked } = now;
+    await page.evaluate(() => document.activeElement.blur());
+    if (asked) {
+      assert.deepEqual(await violations(page), [], `${name}, ${asked.id}`);
+      // Each in turn is skipped, answered by its first and by its last answer: some of them are right, some wrong.
+      // A number has no first and last answer.
+      if (questions % 3 === 2 || asked.many || asked.field === "Number") await page.getByRole("button", { name: "Skip", exact: true }).click();
+      else await answer_with(page, asked, questions % 3 === 0 ? 0 : Math.max(asked.choices.length, asked.targets.length) - 1);
+      ++questions;
+    } else if (now.cover) {
+      break; // its outcomes stand beside its questions
+    } else if (now.outcome) {
+      await go_on(page);
+    } else {
+      await page.keyboard.press("End"); // as far as the next question
+    }
+    now = await moved(page, now);
+    if (!now.outcome) continue;
+    seen.add(now.outcome.skipped ? "skipped" : now.outcome.right ? "right" : "wrong");
+    assert.deepEqual(await violations(page), [], `${name}, the outcome of ${now.outcome.question}`);
+  }
+  return { questions, of: now.questions, waiting: now.situationsWaiting };
+}
+
+for (const [name, size, played_of] of [["laptop", kWide, lessons], ["phone", { ...kPhone, deviceScaleFactor: 1 }, kinds]]) {
   test(`on a ${name} lessons are clean at rest, at each question, beside each outcome and at their end`, async (t) => {
     const seen = new Set();
-    const played = (await kinds()).filter((_, i) => i % of === 0).map(({ id }) => id);
+    const played = (await played_of()).map(({ id }) => id);
     for (const { id } of await lessons()) {
       const page = await visit(t, `?lesson=${id}&step=0`, size);
       assert.deepEqual(await violations(page), [], `${id}, at rest`);
       if (!played.includes(id)) continue;
-      let questions = 0;
-      let now = await state(page);
-      for (let presses = 0; presses < 400 && (now.asked || now.outcome || now.step < now.steps); ++presses) {
-        const { asked } = now;
-        await page.evaluate(() => document.activeElement.blur());
-        if (asked) {
-          assert.deepEqual(await violations(page), [], `${id}, ${asked.id}`);
-          // Each in turn is skipped, answered by its first and by its last answer: some of them are right, some wrong.
-          // A number has no first and last answer.
-          if (questions % 3 === 2 || asked.many || asked.field === "Number") await page.getByRole("button", { name: "Skip", exact: true }).click();
-          else await answer_with(page, asked, questions % 3 === 0 ? 0 : Math.max(asked.choices.length, asked.targets.length) - 1);
-          ++questions;
-        } else if (now.cover) {
-          break; // its outcomes stand beside its questions
-        } else if (now.outcome) {
-          await go_on(page);
-        } else {
-          await page.keyboard.press("End"); // as far as the next question
-        }
-        now = await moved(page, now);
-        if (!now.outcome) continue;
-        seen.add(now.outcome.skipped ? "skipped" : now.outcome.right ? "right" : "wrong");
-        assert.deepEqual(await violations(page), [], `${id}, the outcome of ${now.outcome.question}`);
-      }
+      const { questions, of, waiting } = await play(page, id, seen);
       // Some of its questions may wait in other situations and algorithms.
-      assert.ok(questions > 0 && questions >= Math.min(3, now.questions), `${id} asks ${questions} times of ${now.questions}`);
+      assert.ok(questions > 0 && questions >= Math.min(3, of), `${id} asks ${questions} times of ${of}`);
       assert.deepEqual(await violations(page), [], `${id}, at its end`);
+      for (const situation of waiting) {
+        const other = await visit(t, `?lesson=${id}&situation=${situation}&step=0`, size);
+        assert.ok((await play(other, `${id}, ${situation}`, seen)).questions > 0, `${id} asks nothing in the situation ${situation}`);
+      }
     }
     assert.deepEqual([...seen].sort(), ["right", "skipped", "wrong"]);
   });

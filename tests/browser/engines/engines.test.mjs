@@ -1,11 +1,10 @@
-// Every lesson in Firefox and in WebKit: the trace of the native program, and a stage that is drawn; of every kind one is
-// stepped, dragged by a handle and answered. All else about the page is tested in Chromium. Needs a screen and a session
-// bus.
+// Every lesson in Firefox and in WebKit: the trace of the native program, a stage that is drawn, stepped, dragged by a
+// handle and answered. All else about the page is tested in Chromium. Needs a screen and a session bus.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { after, before, describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { kinds, lessons, serve_site } from "../support.mjs";
+import { lessons, serve_site } from "../support.mjs";
 import * as firefox from "./firefox.mjs";
 import { colors_of, difference, read_png } from "./picture.mjs";
 import * as webkit from "./webkit.mjs";
@@ -31,7 +30,6 @@ after(() => site.close());
 site.add.set("listen.js", kListen);
 site.add.set("index.html", (await (await fetch(site.url)).text()).replace("<head>", '<head><script src="listen.js"></script>'));
 const every = await lessons(site);
-const played = new Set((await kinds(site)).map(({ id }) => id));
 // "LESSON STEPS HASH" a line: of all runs that a lesson offers.
 const native = new Map(execFileSync(process.env.SNUG ?? `${kRoot}build/release/snug`, ["trace-hash"], { encoding: "utf8" })
   .trim().split("\n").map((line) => [line.split(" ")[0], line]));
@@ -215,8 +213,7 @@ for (const [name, driver] of Object.entries(kEngines)) {
     after(() => engine?.close());
 
     for (const { id } of every) {
-      const plays = played.has(id);
-      test(`${name}: ${id} runs as it does natively and is drawn${plays ? ", dragged, stepped and answered" : ""}`, { timeout: 180_000 }, async () => {
+      test(`${name}: ${id} runs as it does natively and is drawn, dragged, stepped and answered`, { timeout: 180_000 }, async () => {
         const page = new Page(engine);
         await page.open(`?lesson=${id}&step=0`);
         const stage = await page.place("#stage");
@@ -225,7 +222,7 @@ for (const [name, driver] of Object.entries(kEngines)) {
         const painted = drawn.reduce((sum, [, count]) => sum + count, 0);
         assert.ok(painted > kLeastDrawn && drawn.length > 8, `of ${ground[1] + painted} pixels ${painted} are drawn on, in ${drawn.length} colours`);
 
-        if (plays) await play(page, picture);
+        await play(page, picture);
         assert.equal(await line_of(page, id), native.get(id), "every run is the native program's");
         // Firefox says so where a size that was watched changed once more in the same frame, which is no fault.
         assert.deepEqual((await page.ask("complaints")).filter((said) => !said.startsWith("ResizeObserver loop completed")), []);
