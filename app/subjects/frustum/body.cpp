@@ -1,5 +1,5 @@
-// Draws what is tested against a frustum. For a ball also the frustum with its planes moved out by the radius, and in
-// 2-D where the centre of a ball that touches the frustum really is: the two differ at the vertices, and there the test
+// Draws what is tested against a frustum. For a ball also the frustum with its planes moved out by the radius, or
+// wrongly in, and in 2-D where the centre of a ball that touches the frustum really is: the two differ at the vertices, and there the test
 // errs.
 #include <algorithm>
 #include <cmath>
@@ -67,24 +67,33 @@ std::vector<Point3> rounded_outline(const BoxPair& pair, double radius) {
   return outline;
 }
 
-void draw_grown(Brush& brush, const BoxPair& pair, double radius) {
+/// Draws the moved planes; those that the method does not test are thin.
+void draw_moved(Brush& brush, const BoxPair& pair, const MovedPlanes& moved) {
   const Palette& p = brush.p;
-  const Polytope solid = pair.dim == 2 ? grown<2>(pair, radius) : grown<3>(pair, radius);
+  const Polytope solid = pair.dim == 2 ? grown<2>(pair, moved.by) : grown<3>(pair, moved.by);
   if (solid.corners.empty()) return;
-  draw_volume(brush.canvas, solid, {Stroke::kDashed, p.previous, brush.stroke(0.7f)});
+  const bool out = moved.by >= 0;
+  draw_volume(brush.canvas, solid,
+              {Stroke::kDashed, out ? p.previous : p.wrong, brush.stroke(moved.tested ? (out ? 0.7f : 1.1f) : 0.4f)});
   const std::size_t label_at = pair.dim == 2 ? 1 : 5;
   const ImVec2 end = brush.at(solid.corners[label_at]), middle = brush.at(pair.boxes[1].center);
-  brush.label(end, 8, {end.x - middle.x, end.y - middle.y}, "planes moved out by r", p.previous_text, Face::kRegular,
-              13, true);
+  const ImVec2 away{end.x - middle.x, end.y - middle.y};
+  brush.label(end, 8, out ? away : ImVec2{-away.x, -away.y}, out ? "planes moved out by r" : "moved in by r: wrong",
+              out ? p.previous_text : p.wrong_text, Face::kRegular, 13, !moved.tested || out);
+}
+
+/// In 2-D, draws where the centre of a ball is that just touches the frustum.
+void draw_rounded(Brush& brush, const BoxPair& pair, double radius) {
   if (pair.dim == 3) return;
   std::vector<ImVec2> outline;
   for (const Point3& at : rounded_outline(pair, radius)) outline.push_back(brush.at(at));
-  path(brush.list, outline, true, Stroke::kDotted, p.optimum, brush.stroke(0.8f));
+  path(brush.list, outline, true, Stroke::kDotted, brush.p.optimum, brush.stroke(0.8f));
 }
 
 void draw_ball(Brush& brush, const BoxPair& pair, Color color) {
   const Obb<double, 3>& box = pair.boxes[0];
-  draw_grown(brush, pair, box.half_extents[0]);
+  for (const MovedPlanes& moved : moved_planes(brush.session)) draw_moved(brush, pair, moved);
+  draw_rounded(brush, pair, box.half_extents[0]);
   draw_volume(brush.canvas, fit::Sphere3{box.center, box.half_extents[0]},
               {Stroke::kSolid, color, brush.stroke(), brush.p.fill});
   draw_center(brush, box.center, color);

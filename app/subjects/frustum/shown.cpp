@@ -72,4 +72,12 @@ FrustumShown frustum_shown_at(const lesson::Session& session) {
   return shown;
 }
 
+std::vector<MovedPlanes> moved_planes(const lesson::Session& session) {
+  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
+  if (pair.form != lesson::Form::kBall) return {};
+  const double radius = pair.boxes[0].half_extents[0];
+  if (session.method(0)->name == "wrong_sign") return {{radius, false}, {-radius, true}};
+  return {{-radius, false}, {radius, true}};
+}
+
 }  // namespace snug::app

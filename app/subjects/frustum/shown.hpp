@@ -20,4 +20,12 @@ struct FrustumShown : Shown {
 
 [[nodiscard]] FrustumShown frustum_shown_at(const lesson::Session& session);
 
+/// The frustum's planes moved by the radius of a ball, of which the centre alone is then tested.
+struct MovedPlanes {
+  double by;    // outwards; negative: inwards, which is wrong
+  bool tested;  // whether the chosen method tests against these
+};
+/// Outwards and inwards, the tested ones last; none for anything but a ball.
+[[nodiscard]] std::vector<MovedPlanes> moved_planes(const lesson::Session& session);
+
 }  // namespace snug::app

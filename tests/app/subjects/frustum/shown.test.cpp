@@ -26,7 +26,34 @@ lesson::Session frustum_session(const std::string& test, bool asks) {
   return *lesson::Session::open(std::move(lesson));
 }
 
+lesson::Session ball_session(const std::string& test) {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.volume = "frustum_sphere";
+  auto tables = std::make_shared<lesson::BoxTables>();
+  tables->boxes.form = lesson::Form::kBall;
+  tables->boxes.taper = 0.25;
+  tables->boxes.boxes[0] = {{2, 2, 0}, Matrix<double, 3>::Identity(), {0.4, 0.4, 0}};
+  tables->boxes.boxes[1] = {{2.5, 0, 0}, Matrix<double, 3>::Identity(), {1.5, 4, 0}};
+  lesson.tables = std::move(tables);
+  lesson.algorithms = {test};
+  return *lesson::Session::open(std::move(lesson));
+}
+
 }  // namespace
+
+TEST_CASE("the planes that a test of a ball moves are drawn as it moves them: out, or wrongly in") {
+  for (const auto& [test, by] : {std::pair{"grown_planes", 0.4}, std::pair{"wrong_sign", -0.4}}) {
+    CAPTURE(test);
+    const std::vector<MovedPlanes> moved = moved_planes(ball_session(test));
+    REQUIRE(moved.size() == 2);
+    CHECK(moved[1].tested);
+    CHECK(moved[1].by == by);
+    CHECK_FALSE(moved[0].tested);
+    CHECK(moved[0].by == -by);
+  }
+  CHECK(moved_planes(frustum_session("p_n_vertex", false)).empty());
+}
 
 TEST_CASE("a question about a plane shows that plane, and its vertices only when it is answered") {
   lesson::Session session = frustum_session("p_n_vertex", true);

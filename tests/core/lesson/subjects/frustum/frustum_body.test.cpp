@@ -108,7 +108,7 @@ TEST_CASE("a ball has its centre and its radius to be dragged, a point itself") 
   CHECK(FrustumSubject(pair_of(3, Form::kBall, V3::Zero(), 1), 1).name_of(0) == "Sphere");
 }
 
-TEST_CASE("the lesson frustum-sphere counts right how often moved planes keep a circle that touches nothing") {
+TEST_CASE("moved planes keep few circles that touch nothing") {
   BoxPair pair = pair_of(2, Form::kBall, V3::Zero(), 0.3);
   Random random(1);
   int kept = 0, false_positives = 0;
