@@ -53,6 +53,9 @@ KeptLesson lesson_of(const Json& object) {
   lesson.done = member(object, "done", false, &Json::is_boolean);
   lesson.task = member(object, "task", false, &Json::is_boolean);
   lesson.answers = member<std::string>(object, "answers", "", &Json::is_string);
+  lesson.file.own = member<std::string>(object, "file_own", "", &Json::is_string);
+  lesson.file.runs = member<std::string>(object, "file_runs", "", &Json::is_string);
+  lesson.file.typed = member<std::string>(object, "file_typed", "", &Json::is_string);
   return lesson;
 }
 
@@ -109,6 +112,9 @@ void Kept::keep(const lesson::Session& session) {
   now.done = through || (before != nullptr && before->done);
   now.task = session.tasks_done() || (before != nullptr && before->task);
   now.answers = lesson::kept_text(outcomes);
+  const auto file = session.subject().file(), own = session.own().file();
+  if (file && own && (file->runs != own->runs || file->typed != file->runs))
+    now.file = {own->runs, file->runs, file->typed};
   lessons_[id] = std::move(now);
   last_ = id;
 }
@@ -121,11 +127,16 @@ void Kept::erase() {
 void Kept::write() {
   if (path_.empty()) return;
   Json state{{"version", kVersion}, {"last", last_}, {"invited", invited}, {"lessons", Json::object()}};
-  for (const auto& [id, lesson] : lessons_)
+  for (const auto& [id, lesson] : lessons_) {
     state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
                             {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
                             {"answered", lesson.answered}, {"done", lesson.done},           {"task", lesson.task},
                             {"answers", lesson.answers}};
+    if (lesson.file.own.empty()) continue;
+    state["lessons"][id]["file_own"] = lesson.file.own;
+    state["lessons"][id]["file_runs"] = lesson.file.runs;
+    state["lessons"][id]["file_typed"] = lesson.file.typed;
+  }
   std::string text = state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (text == written_) return;
   std::error_code error;

@@ -23,7 +23,8 @@ struct KeptLesson {
   std::string algorithm, beside;  // empty: the lesson's own choice; beside: "none" for none
   int answered = 0;
   bool done = false, task = false;
-  std::string answers;  // as lesson::kept_text writes them
+  std::string answers;     // as lesson::kept_text writes them
+  lesson::StageFile file;  // the scene's file as the lesson has it, as it runs and as it was typed; empty: unchanged
 };
 
 class Kept {

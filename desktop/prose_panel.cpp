@@ -1,6 +1,7 @@
 #include "desktop/prose_panel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -23,12 +24,17 @@ constexpr double kReads = 6;  // seconds for which a student counts as reading a
 
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
-  for (const bool points : {false, true}) {
-    const std::string_view words = points ? shell.session().subject().tools().word : "Lesson";
-    const bool on = shell.points_tab == points;
+  using Tab = Shell::Tab;
+  if (!shell.session().subject().file() && shell.tab == Tab::kFile) shell.tab = Tab::kLesson;
+  for (const auto& [tab, id] : {std::pair{Tab::kLesson, "tab lesson"}, std::pair{Tab::kPoints, "tab points"},
+                                std::pair{Tab::kFile, "tab file"}}) {
+    if (tab == Tab::kFile && !shell.session().subject().file()) continue;
+    const std::string_view words = tab == Tab::kPoints ? shell.session().subject().tools().word
+                                   : tab == Tab::kFile ? lesson::kFileWord
+                                                       : "Lesson";
+    const bool on = shell.tab == tab;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
-    if (app::touch_area(points ? "tab points" : "tab lesson", {x - 8, rect.y, width + 16, rect.height}, words).clicked)
-      shell.points_tab = points;
+    if (app::touch_area(id, {x - 8, rect.y, width + 16, rect.height}, words).clicked) shell.tab = tab;
     app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14,
               {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
     if (on) list->AddRectFilled({x, rect.y + rect.height - 3}, {x + width, rect.y + rect.height - 1}, look->current, 1);
@@ -192,11 +198,16 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   }
   const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs};
   {
-    const app::Pane pane(shell.points_tab ? "##points" : "##prose", upper, app::Pane::Kind::kScrolls);
+    constexpr std::array<const char*, 3> kPanes{"##prose", "##points", "##file"};
+    const app::Pane pane(kPanes[static_cast<std::size_t>(shell.tab)], upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
     Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
-    if (shell.points_tab) shell.app().light(shell.stored_lit), draw_tools(shell, column);
-    else draw_lesson(shell, column);
+    if (shell.tab != Shell::Tab::kLesson) shell.app().light(shell.stored_lit);
+    switch (shell.tab) {
+      case Shell::Tab::kLesson: draw_lesson(shell, column); break;
+      case Shell::Tab::kPoints: draw_tools(shell, column); break;
+      case Shell::Tab::kFile: draw_file(shell, column, upper.height - kMargin); break;
+    }
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});
     app::fade_foot(pane.list(), upper, look->panel);

@@ -13,5 +13,7 @@ void draw_code_panel(Shell& shell, const app::Rect& rect);
 /// The tab with the tools.
 class Column;
 void draw_tools(Shell& shell, Column& column);
+/// The tab with the scene's file. height: what the column has for it.
+void draw_file(Shell& shell, Column& column, float height);
 
 }  // namespace snug::desktop

@@ -309,7 +309,7 @@ void lead_on(Shell& shell, const std::string& command) {
   else if (command.starts_with(kSituation))
     shell.tell(shell.session().show_situation(command.substr(kSituation.size())));
   else if (command == "next") shell.open_at_place(*shell.beside(1));
-  else if (command == "task") shell.points_tab = false, shell.text_shown = shell.task_wanted = true;
+  else if (command == "task") shell.tab = Shell::Tab::kLesson, shell.text_shown = shell.task_wanted = true;
   else if (!command.empty()) shell.app().command(command);
 }
 

@@ -88,6 +88,10 @@ void Shell::go_to_kept_place() {
   if (kept->seed != session().seed()) session().scatter(kept->seed);
   if (!kept->algorithm.empty()) static_cast<void>(session().choose(0, kept->algorithm));
   if (!kept->beside.empty()) static_cast<void>(session().choose(1, kept->beside == kNone ? "" : kept->beside));
+  const auto own = session().own().file();
+  if (own && own->runs == kept->file.own)
+    for (const std::string& text : {kept->file.runs, kept->file.typed}) tell(session().set_file(text));
+  session().end_typing();
   session().jump(std::min(kept->step, session().steps()));
 }
 

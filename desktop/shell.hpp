@@ -99,7 +99,9 @@ class Shell {
   bool keys_shown = false;
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question
-  bool points_tab = false;
+  enum class Tab : std::uint8_t { kLesson, kPoints, kFile } tab = Tab::kLesson;  // of the left column
+  bool file_typing = false;                                    // whether the scene's file has the keys
+  std::string file_text;                                       // what is typed as the scene's file
   bool stored_tab = true;                                      // whether the right column shows how volumes are stored
   std::vector<std::pair<std::string, app::Rect>> stored_rows;  // the members there: their marks and places
   std::string stored_lit;                                      // the mark of the member that is pointed at there

@@ -109,6 +109,8 @@ Json lesson_state(Shell& shell, float scale) {
   state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
   add_sliders(state, shell, scale);
   state["scalar"] = session.subject().in_float() ? "float" : "double";
+  if (const auto file = session.subject().file())
+    state["file"] = {{"runs", file->runs}, {"typed", file->typed}, {"mistakes", file->mistakes}};
   state["notice"] = shell.notice;
   state["focus"] = shell.focus.name();
   state["presenting"] = shell.presenting;

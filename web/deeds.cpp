@@ -155,6 +155,10 @@ std::string set_numbers(int group, int row, const val& values) {
 }
 
 std::string set_rows(const val& rows) { return session() ? take_rows(*session(), rows) : ""; }
+std::string set_file(const std::string& text) { return session() ? sentence(session()->set_file(text)) : ""; }
+void end_typing() {
+  if (session()) session()->end_typing();
+}
 std::string change_rows(const val& moved) { return session() ? take_changes(*session(), moved) : ""; }
 val shared_rows() { return session() ? door().shared.describe(*session()) : val::object(); }
 

@@ -67,6 +67,9 @@ void start_task(int task);
 /// Sets a row of view()'s numbers, by the indices of its group and row.
 std::string set_numbers(int group, int row, const val& values);
 std::string set_rows(const val& rows);
+/// Makes the stage from what was typed in its file; and says that the typing is over, for undo.
+std::string set_file(const std::string& text);
+void end_typing();
 std::string change_rows(const val& moved);
 val shared_rows();
 

@@ -233,6 +233,8 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("move_point", &web::move_point);
   function("set_numbers", &web::set_numbers);
   function("set_rows", &web::set_rows);
+  function("set_file", &web::set_file);
+  function("end_typing", &web::end_typing);
   function("change_rows", &web::change_rows);
   function("shared_rows", &web::shared_rows);
   function("show_situation", &web::show_situation);

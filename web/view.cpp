@@ -161,6 +161,19 @@ val stored_object(const lesson::Session& session) {
   });
 }
 
+/// The text that the stage is made from.
+val file_object(const lesson::Session& session) {
+  const auto file = session.subject().file();
+  if (!file) return val::null();
+  val object = val::object();
+  object.set("own", file->own);
+  object.set("runs", file->runs);
+  object.set("typed", file->typed);
+  object.set("heading", file->heading());
+  object.set("mistakes", array_of(file->mistakes, text));
+  return object;
+}
+
 val switch_object(const lesson::Switch& one) {
   val object = val::object();
   object.set("effect", one.name);
@@ -201,6 +214,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   set_points(object, app, session);
   set_sliders(object, session);
   object.set("stored", stored_object(session));
+  object.set("file", file_object(session));
   object.set("effects", array_of(session.switches(), switch_object));
   return object;
 }

@@ -190,8 +190,11 @@ FilePlace place_of_situation(const Lesson& lesson, std::string_view name, const 
 std::unique_ptr<Subject> opened(const Lesson& lesson, std::string_view name, FilePlace place, Complaints& complaints) {
   auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
   if (!own) {
-    const int line = static_cast<int>(own.error().position);
-    complaints.add(line > 0 ? FilePlace(line) : place, own.error().what);
+    std::vector<InputError> faults;
+    if (lesson.subject->faults != nullptr) faults = lesson.subject->faults(lesson);
+    if (faults.empty()) faults.push_back(own.error());
+    for (const InputError& fault : faults)
+      complaints.add(fault.position > 0 ? FilePlace(static_cast<int>(fault.position)) : place, fault.what);
     return nullptr;
   }
   Subject::Origin origin = (*own)->origin();

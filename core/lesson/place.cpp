@@ -57,7 +57,7 @@ Place::Stand Place::stand_of(const Session::Visited& visited, const Lesson& less
               .origin = origin,
               .own_source = own.origin().source};
   if (visited.now.slid.values != visited.own.slid.values) stand.sliders = visited.now.slid.values;
-  if (origin.edited) stand.rows = now.rows();
+  if (origin.edited) stand.rows = now.rows(), stand.text = now.file();
   const bool generated = is_among(generator_kinds(), origin.source);
   if (origin.source != stand.own_source && origin.source != kTaskSource && !generated) stand.file = file_of(now);
   return stand;
@@ -100,6 +100,8 @@ void Place::take_stand(Session& session, const Stand& stand) const {
   if (stand.recast) static_cast<void>(session.set_float(stand.origin.in_float));
   if (!stand.sliders.empty()) static_cast<void>(session.set_sliders(stand.sliders));  // unless there are others now
   if (same && !stand.rows.empty() && !stand.file) static_cast<void>(session.set_rows(stand.rows));
+  if (const auto text = session.subject().file(); text && stand.text && text->own == stand.text->own)
+    for (const std::string& typed : {stand.text->runs, stand.text->typed}) static_cast<void>(session.set_file(typed));
 }
 
 /// The situations that are away come first. One that is gone is left out, but what is on the stage is then the lesson's

@@ -35,6 +35,7 @@ class Place {
     Subject::Origin origin;       // of what is on the stage, and
     std::string own_source;       // of the lesson's own
     std::optional<io::PointFile> file;  // the points, if they come from a mesh or a file
+    std::optional<StageFile> text;      // from which the stage is made
     [[nodiscard]] bool changed() const {
       return !rows.empty() || scattered || !sliders.empty() || origin.source != own_source || recast;
     }

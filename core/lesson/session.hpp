@@ -142,6 +142,10 @@ class Session {
   Done call_for(std::string_view name, bool called);
   /// Pushes what is at a handle at the current step, as one entry of undo. Returns false if that is impossible.
   bool push(Index i);
+  /// Makes the stage from a text (Subject::set_file). All that is typed without another edit between, up to end_typing,
+  /// is one entry of undo.
+  Done set_file(std::string text);
+  void end_typing() { typing_ = false; }
 
   // ---- the player -------------------------------------------------------------------------------------------
   /// The number of steps shown of slot 0: 0 is before the first, steps() after the last.
@@ -351,6 +355,8 @@ class Session {
   std::vector<Snapshot> future_;
   Snapshot drag_;  // the subject when the drag began
   bool drag_moved_ = false;
+  bool typing_ = false;    // whether the last edit was typed, and
+  bool types_on_ = false;  // whether this one goes on with it
   std::array<Used, 2> slots_;
   // Computed on demand, and forgotten with the next edit.
   mutable std::optional<std::vector<Rival>> rivals_;

@@ -134,6 +134,15 @@ bool Session::push(Index i) {
   return true;
 }
 
+Done Session::set_file(std::string text) {
+  if (const auto file = now_->file(); file && file->typed == text) return {};
+  types_on_ = typing_;
+  Done set = edit([&](Subject& next) { return next.set_file(std::move(text)); });
+  types_on_ = false;
+  if (set) typing_ = true;
+  return set;
+}
+
 void Session::scatter(std::uint64_t seed) {
   static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
 }
@@ -174,9 +183,11 @@ bool Session::may_move(Index i) const {
 bool Session::is_own() const { return now_->origin() == own().origin(); }
 
 void Session::remember(Snapshot before) {
+  typing_ = false;
+  future_.clear();
+  if (types_on_) return;
   if (past_.size() == kMostUndo) past_.erase(past_.begin());
   past_.push_back(std::move(before));
-  future_.clear();
 }
 
 void Session::begin_drag() {
@@ -194,6 +205,7 @@ void Session::end_drag() {
 }
 
 void Session::restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to) {
+  typing_ = false;
   if (from.empty()) return;
   // Every snapshot was accepted before, so the lesson's methods can take it.
   static_cast<void>(make_room_for(*from.back().subject));

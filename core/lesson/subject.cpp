@@ -104,5 +104,6 @@ Done Subject::call_for(std::string_view name, bool) {
   return tl::unexpected(InputError{.what = "nothing here can call for " + std::string(name)});
 }
 bool Subject::push(Index, const View&) { return false; }
+Done Subject::set_file(std::string) { return tl::unexpected(InputError{.what = "nothing here is made from a text"}); }
 
 }  // namespace snug::lesson

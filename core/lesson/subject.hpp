@@ -20,6 +20,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
+#include "lesson/stage_file.hpp"
 
 namespace snug::lesson {
 
@@ -294,6 +295,10 @@ class Subject {
   virtual Done call_for(std::string_view name, bool called);
   /// Pushes what is at a handle, after view.step steps. Returns false if that is impossible.
   virtual bool push(Index i, const View& view);
+  /// The text that it is made from; none if that is not shown.
+  [[nodiscard]] virtual std::optional<StageFile> file() const { return std::nullopt; }
+  /// Becomes what a text says. One with mistakes is only kept, with what is wrong. Errors: it is made from no text.
+  virtual Done set_file(std::string text);
   /// Whether parts are switched off, or something was pushed: then what the lesson says about its own run is not true.
   [[nodiscard]] virtual bool has_switched_off() const { return false; }
 

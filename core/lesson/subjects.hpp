@@ -42,6 +42,8 @@ struct SubjectRow {
   /// Opens the subject. mesh: the lesson's, if it names one. Errors: points, boxes or bodies that cannot be made.
   tl::expected<std::unique_ptr<Subject>, InputError> (*open)(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                              Clock clock) = nullptr;
+  /// All that keeps it from being opened, where `open` tells the first of it; null if that is all.
+  std::vector<InputError> (*faults)(const Lesson& lesson) = nullptr;
   /// Plays a task's model in a session where the task was started, and grades it; null: the model's rows are set.
   tl::expected<Grade, InputError> (*play_task)(Session& session, const Task& task) = nullptr;
   /// Does what has to be done before questions can be answered; null for nothing.

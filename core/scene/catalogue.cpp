@@ -71,25 +71,41 @@ const Setting* Settings::find(std::string_view key) {
   return nullptr;
 }
 
+/// Something may be wrong with a setting in two ways, of which the first is told.
+void Settings::wrong(std::string_view key, const std::string& what) {
+  const auto found = std::find_if(call_.settings.begin(), call_.settings.end(),
+                                  [&](const Setting& setting) { return setting.key == key; });
+  const int line = found != call_.settings.end() && found->line > 0 ? found->line : call_.line;
+  const std::string begins = call_.name + ": " + quoted(key);
+  if (std::none_of(wrong_.begin(), wrong_.end(), [&](const InputError& one) { return one.what.starts_with(begins); }))
+    wrong_.push_back(error_at(line, begins + " " + what));
+  sound_ = false;
+}
+
+void Settings::refuse_body(std::string what) {
+  wrong_.push_back(error_at(call_.line, call_.name + ": " + std::move(what)));
+  sound_ = false;
+}
+
 void Settings::refuse(std::string what) {
-  if (!wrong_) wrong_ = error_at(call_.line, call_.name + ": " + std::move(what));
+  if (sound_) wrong_.push_back(error_at(call_.line, call_.name + ": " + std::move(what)));
 }
 
 double Settings::number(std::string_view key, double otherwise, double least, double most) {
   const Setting* setting = find(key);
   if (setting == nullptr) return otherwise;
-  if (setting->numbers.size() != 1) return refuse(quoted(key) + " must be a number"), otherwise;
+  if (setting->numbers.size() != 1) return wrong(key, "must be a number"), otherwise;
   const double value = setting->numbers.front();
-  if (!(value >= least && value <= most)) refuse(quoted(key) + " is out of range");
+  if (!(value >= least && value <= most)) wrong(key, "is out of range");
   return value;
 }
 
 V3 Settings::vector(std::string_view key, const V3& otherwise) {
   const Setting* setting = find(key);
   if (setting == nullptr) return otherwise;
-  if (setting->numbers.size() != 3) return refuse(quoted(key) + " must be three numbers"), otherwise;
+  if (setting->numbers.size() != 3) return wrong(key, "must be three numbers"), otherwise;
   const V3 v(setting->numbers[0], setting->numbers[1], setting->numbers[2]);
-  if (!(v.cwiseAbs().maxCoeff() <= 1e12)) refuse(quoted(key) + " is not finite, or too large");
+  if (!(v.cwiseAbs().maxCoeff() <= 1e12)) wrong(key, "is not finite, or too large");
   return v;
 }
 
@@ -97,10 +113,10 @@ std::vector<V3> Settings::places(std::string_view key) {
   std::vector<V3> all;
   const Setting* setting = find(key);
   if (setting == nullptr || setting->numbers.size() % 3 != 0 || setting->numbers.empty())
-    return refuse(quoted(key) + " must be a list of places"), all;
+    return wrong(key, "must be a list of places"), all;
   for (std::size_t i = 0; i < setting->numbers.size(); i += 3) {
     all.emplace_back(setting->numbers[i], setting->numbers[i + 1], setting->numbers[i + 2]);
-    if (!(all.back().cwiseAbs().maxCoeff() <= 1e12)) refuse(quoted(key) + " is not finite, or too large");
+    if (!(all.back().cwiseAbs().maxCoeff() <= 1e12)) wrong(key, "is not finite, or too large");
   }
   return all;
 }
@@ -112,7 +128,7 @@ std::size_t Settings::word(std::string_view key, std::span<const std::string_vie
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string known;
   for (const std::string_view word : words) known.append(known.empty() ? "" : ", ").append(word);
-  refuse(quoted(key) + " is none of " + known);
+  wrong(key, "is none of " + known);
   return 0;
 }
 
@@ -120,21 +136,22 @@ std::vector<std::size_t> Settings::bodies() {
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < world_.size(); ++i)
     if (call_.body.empty() ? !world_.members[i].fixed : world_.members[i].name == call_.body) all.push_back(i);
-  if (all.empty()) refuse(call_.body.empty() ? "no body moves" : "there is no body called " + call_.body);
-  if (!call_.body.empty() && !all.empty() && world_.members[all.front()].fixed) refuse(call_.body + " is fixed");
+  if (all.empty()) refuse_body(call_.body.empty() ? "no body moves" : "there is no body called " + call_.body);
+  if (!call_.body.empty() && !all.empty() && world_.members[all.front()].fixed) refuse_body(call_.body + " is fixed");
   return all;
 }
 
 std::size_t Settings::body() {
-  if (call_.body.empty()) return refuse("needs a \"body\""), 0;
+  if (call_.body.empty()) return refuse_body("needs a \"body\""), 0;
   const auto named = bodies();
   return named.empty() ? 0 : named.front();
 }
 
-std::optional<InputError> Settings::fault() {
+Faults Settings::faults() {
   for (const Setting& setting : call_.settings)
     if (std::find(known_.begin(), known_.end(), &setting) == known_.end())
-      refuse("has no setting " + quoted(setting.key));
+      wrong_.push_back(error_at(setting.line > 0 ? setting.line : call_.line,
+                                call_.name + ": has no setting " + quoted(setting.key)));
   return wrong_;
 }
 

@@ -1,5 +1,6 @@
 #include "scene/declaration.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -118,15 +119,21 @@ std::optional<std::string> common_body(const EffectCall& a, const EffectCall& b)
   return std::nullopt;
 }
 
-tl::expected<void, InputError> check_drivers(const std::vector<EffectCall>& effects) {
+void add_drivers(const std::vector<EffectCall>& effects, std::vector<InputError>& faults) {
   for (auto later = effects.begin(); later != effects.end(); ++later)
     for (auto first = effects.begin(); first != later; ++first) {
       const auto whom = common_body(*first, *later);
       if (whom && (driven_by(*first) & driven_by(*later)) != 0)
-        return tl::unexpected(error_at(later->line, first->name + " and " + later->name + " would both drive " + *whom +
-                                                        ": one undoes the other"));
+        faults.push_back(error_at(later->line, first->name + " and " + later->name + " would both drive " + *whom +
+                                                   ": one undoes the other"));
     }
-  return {};
+}
+
+const char* fault_of_step(double step) {
+  if (std::isnan(step)) return "the scene's step is not a number";
+  if (!(step > 0)) return "the scene's step must be above 0";
+  if (step < kShortestStep) return "the scene's step must be at least 1e-9 seconds";
+  return step > 1 ? "the scene's step must be at most 1 second" : nullptr;
 }
 
 }  // namespace
@@ -136,21 +143,40 @@ InputError error_at(int line, std::string what) {
       .what = std::move(what), .unit = line > 0 ? InputError::Unit::kLine : InputError::Unit::kNone, .position = line};
 }
 
-tl::expected<void, InputError> check(const Declaration& declaration) {
-  const auto refuse = [](int line, std::string what) { return tl::unexpected(error_at(line, std::move(what))); };
-  if (declaration.bodies.empty()) return refuse(0, "the scene has no body");
-  if (std::isnan(declaration.step)) return refuse(0, "the scene's step is not a number");
-  if (!(declaration.step > 0)) return refuse(0, "the scene's step must be above 0");
-  if (declaration.step < kShortestStep) return refuse(0, "the scene's step must be at least 1e-9 seconds");
-  if (declaration.step > 1) return refuse(0, "the scene's step must be at most 1 second");
+std::vector<InputError> declaration_faults(const Declaration& declaration) {
+  std::vector<InputError> faults;
+  if (declaration.bodies.empty()) faults.push_back(error_at(0, "the scene has no body"));
+  if (const char* fault = fault_of_step(declaration.step)) faults.push_back(error_at(0, fault));
   for (std::size_t i = 0; i < declaration.bodies.size(); ++i) {
     const Body& body = declaration.bodies[i];
-    if (const char* fault = fault_of(body)) return refuse(body.line, name_of(declaration, i) + ": " + fault);
-    for (std::size_t j = 0; j < i && !body.name.empty(); ++j)
-      if (declaration.bodies[j].name == body.name)
-        return refuse(body.line, "there is another body called " + body.name);
+    if (const char* fault = fault_of(body))
+      faults.push_back(error_at(body.line, name_of(declaration, i) + ": " + fault));
+    const auto twin = [&](const Body& other) { return other.name == body.name; };
+    const auto here = declaration.bodies.begin() + static_cast<std::ptrdiff_t>(i);
+    if (!body.name.empty() && std::any_of(declaration.bodies.begin(), here, twin))
+      faults.push_back(error_at(body.line, "there is another body called " + body.name));
   }
-  return check_drivers(declaration.effects);
+  add_drivers(declaration.effects, faults);
+  return faults;
+}
+
+tl::expected<void, InputError> check(const Declaration& declaration) {
+  std::vector<InputError> faults = declaration_faults(declaration);
+  if (!faults.empty()) return tl::unexpected(std::move(faults.front()));
+  return {};
+}
+
+Declaration with_sound_bodies(Declaration declaration) {
+  constexpr double kApart = 1e6, kRadius = 0.5;
+  for (std::size_t i = 0; i < declaration.bodies.size(); ++i) {
+    Body& body = declaration.bodies[i];
+    if (fault_of(body) == nullptr) continue;
+    Body sound{.name = body.name, .shape = Volume3(Sphere<double, 3>{V3::Zero(), kRadius}), .fixed = body.fixed};
+    sound.position = V3::Constant(kApart * static_cast<double>(i + 1));
+    body = std::move(sound);
+  }
+  if (fault_of_step(declaration.step) != nullptr) declaration.step = Declaration().step;
+  return declaration;
 }
 
 }  // namespace snug::scene

@@ -40,6 +40,7 @@ struct Setting {
   std::string key;
   std::vector<double> numbers;
   std::string text;
+  int line = 0;  // in the file, for errors; 0: that of its effect
 };
 
 struct EffectCall {
@@ -56,11 +57,16 @@ struct Declaration {
   double step = 1.0 / 60;  // seconds a frame, > 0 and at most 1
 };
 
-/// Checks that a declaration makes sense. Errors, each with the body's or effect's name and line: no body; a repeated
-/// name; a mass that is 0, negative, infinite or NaN; a pose, velocity, shape or step that is NaN, too large or too
-/// small; an empty shape; two effects that drive the same part of one body's pose, so that the later would undo the
-/// earlier.
+/// All that makes no sense in a declaration. Errors, each with the body's or effect's name and line: no body; a
+/// repeated name; a mass that is 0, negative, infinite or NaN; a pose, velocity, shape or step that is NaN, too large
+/// or too small; an empty shape; two effects that drive the same part of one body's pose, so that the later would undo
+/// the earlier.
+[[nodiscard]] std::vector<InputError> declaration_faults(const Declaration& declaration);
+/// Errors: the first of declaration_faults.
 [[nodiscard]] tl::expected<void, InputError> check(const Declaration& declaration);
+
+/// The same bodies by name, each that makes no sense replaced by a small sphere out of the way of all others.
+[[nodiscard]] Declaration with_sound_bodies(Declaration declaration);
 
 /// An error about a line of the file; 0: no line.
 [[nodiscard]] InputError error_at(int line, std::string what);

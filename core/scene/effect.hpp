@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "scene/world.hpp"
 
@@ -39,7 +40,8 @@ struct EffectKind {
   SlotSet writes = 0;
   std::string_view calls_for;  // another effect that is added with it; empty for none
   bool many = false;           // whether a scene may call for it more than once, for several bodies
-  tl::expected<std::unique_ptr<Effect>, InputError> (*make)(const EffectCall& call, World& world) = nullptr;
+  tl::expected<std::unique_ptr<Effect>, std::vector<InputError>> (*make)(const EffectCall& call,
+                                                                         World& world) = nullptr;
   PosePart drives = 0;          // of the bodies that it is about; no two effects may drive the same part of one body
   std::string_view idles = {};  // of one that reads time: why it has nothing to do when it is idle
 };
@@ -49,7 +51,12 @@ struct EffectKind {
 /// The effect with that name; null if there is none.
 [[nodiscard]] const EffectKind* find_effect(std::span<const EffectKind> kinds, std::string_view name);
 
-/// Reads a call's settings, and keeps the first thing that is wrong with them.
+/// Why an effect cannot be made: all that is wrong with its settings, or with the scene for it.
+using Faults = std::vector<InputError>;
+/// What the rows' makers return.
+using MadeEffect = tl::expected<std::unique_ptr<Effect>, Faults>;
+
+/// Reads a call's settings, and keeps what is wrong with them.
 class Settings {
  public:
   Settings(const EffectCall& call, const World& world) : call_(call), world_(world) {}
@@ -64,26 +71,27 @@ class Settings {
   std::vector<std::size_t> bodies();
   /// The body that a call must name; 0 if the call is refused.
   std::size_t body();
+  /// Refuses the effect for what follows from its settings, unless one of them was wrong itself.
   void refuse(std::string what);
 
   /// Makes the effect, unless something was wrong or a setting was unknown.
   template <class Kind, class... Arguments>
-  tl::expected<std::unique_ptr<Effect>, InputError> make(Arguments&&... arguments) {
-    if (auto error = fault()) return tl::unexpected(*std::move(error));
+  MadeEffect make(Arguments&&... arguments) {
+    if (Faults all = faults(); !all.empty()) return tl::unexpected(std::move(all));
     return std::unique_ptr<Effect>(std::make_unique<Kind>(std::forward<Arguments>(arguments)...));
   }
 
  private:
   const Setting* find(std::string_view key);
-  [[nodiscard]] std::optional<InputError> fault();
+  void wrong(std::string_view key, const std::string& what);
+  void refuse_body(std::string what);
+  [[nodiscard]] Faults faults();
 
   const EffectCall& call_;
   const World& world_;
   std::vector<const Setting*> known_;
-  std::optional<InputError> wrong_;
+  Faults wrong_;
+  bool sound_ = true;  // whether no setting was wrong
 };
-
-/// What the rows' makers return.
-using MadeEffect = tl::expected<std::unique_ptr<Effect>, InputError>;
 
 }  // namespace snug::scene

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scene/bytes.hpp"
 
@@ -49,13 +50,25 @@ tl::expected<Scene, InputError> Scene::open(const Declaration& declaration, Cloc
   scene.clock_ = clock;
   for (const Planned& one : *planned) {
     auto effect = one.kind->make(one.call, scene.world_);
-    if (!effect) return tl::unexpected(std::move(effect.error()));
+    if (!effect) return tl::unexpected(std::move(effect.error().front()));
     scene.runners_.push_back({one.kind, *std::move(effect)});
     scene.tallies_.push_back(
         {.effect = one.call.name + (one.call.body.empty() ? "" : " " + one.call.body), .constructed = 1});
   }
   scene.keep_snapshot();
   return scene;
+}
+
+std::vector<InputError> faults_in(const Declaration& declaration, std::span<const EffectKind> kinds) {
+  std::vector<InputError> all = declaration_faults(declaration);
+  const auto add = [&](std::vector<InputError> more) {
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  add(plan_faults(declaration.effects, kinds));
+  World world = world_of(with_sound_bodies(declaration));
+  for (const Planned& one : known_calls(declaration.effects, kinds))
+    if (auto effect = one.kind->make(one.call, world); !effect) add(std::move(effect.error()));
+  return all;
 }
 
 /// Whether there is something new for an effect, and what.

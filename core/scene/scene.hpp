@@ -121,4 +121,8 @@ class Scene {
   bool changed_ = true;
 };
 
+/// All for which Scene::open refuses a declaration, and not only the first of it.
+[[nodiscard]] std::vector<InputError> faults_in(const Declaration& declaration,
+                                                std::span<const EffectKind> kinds = catalogue());
+
 }  // namespace snug::scene

@@ -21,6 +21,11 @@ struct Planned {
 [[nodiscard]] tl::expected<std::vector<Planned>, InputError> plan(std::span<const EffectCall> calls,
                                                                   std::span<const EffectKind> kinds);
 
+/// The called effects of these kinds and those added with them, in the order of kinds.
+[[nodiscard]] std::vector<Planned> known_calls(std::span<const EffectCall> calls, std::span<const EffectKind> kinds);
+/// All that is wrong with the calls: each unknown or repeated one; without any, each that reads what no effect writes.
+[[nodiscard]] std::vector<InputError> plan_faults(std::span<const EffectCall> calls, std::span<const EffectKind> kinds);
+
 /// What an effect reads that neither the scene has from the start nor any of the called effects writes.
 [[nodiscard]] SlotSet missing_for(const EffectKind& kind, std::span<const EffectCall> calls,
                                   std::span<const EffectKind> kinds);

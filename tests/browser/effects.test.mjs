@@ -47,3 +47,39 @@ test("before the first frame an effect is taken out of the declaration, and what
   await page.keyboard.press(" ");
   await until(page, (now) => now.steps === 260);
 });
+
+test("the scene's file is edited beside the stage: a setting is seen at once, a mistake is named, and nothing that was typed is lost", async (t) => {
+  const page = await visit(t, "?lesson=scene-effects&step=0");
+  const { file: { own }, trace } = await state(page);
+  assert.match(own, /^\[scene\]\nframes = 260\n/);
+  await page.locator("#tab-file").click();
+  const text = page.getByRole("textbox", { name: "The scene’s file" });
+  assert.equal(await text.inputValue(), own);
+  const bouncy = own.replace("restitution = 0.2", "restitution = 0.9"), broken = bouncy.replace("friction = 0.6", "friction = -1\nglue = 3");
+  assert.notEqual(bouncy, own);
+  await text.fill(bouncy);
+  const changed = await until(page, (now) => now.file.runs === now.file.typed && now.file.runs !== now.file.own);
+  assert.notEqual(changed.trace, trace);
+  await page.locator("#undo").focus(); // the typing is over
+  await text.fill(broken);
+  const wrong = await until(page, (now) => now.file.mistakes.length === 2);
+  assert.equal(wrong.trace, changed.trace, "the last text without a mistake stays on the stage");
+  const list = page.locator("#file li");
+  assert.match(await list.first().textContent(), /^\d+:1: bounce: "friction" is out of range$/);
+  await list.last().getByRole("button").click();
+  const at = await text.evaluate((node) => node.value.slice(node.selectionStart));
+  assert.ok(at.startsWith("glue = 3"), at.slice(0, 40));
+  await page.waitForFunction(() => location.search.includes("draft="));
+  await page.reload();
+  const again = await until(page, (now) => now?.file?.mistakes.length === 2);
+  assert.equal(again.file.typed, broken);
+  assert.equal(again.file.runs, bouncy);
+  assert.equal(again.trace, changed.trace);
+  await page.locator("#undo").click();
+  await until(page, (now) => now.file.mistakes.length === 0);
+  await page.locator("#tab-file").click();
+  assert.equal(await text.inputValue(), bouncy);
+  await page.locator("#undo").click();
+  const back = await until(page, (now) => now.file.typed === now.file.own);
+  assert.equal(back.trace, trace);
+});

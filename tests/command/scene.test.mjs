@@ -130,8 +130,8 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broad("at_points = true", "at_points = true\nmass = inf", body, "body 0: its mass is infinite: call it fixed instead");
   broad("at_points = true", "at_points = true\nposition = [nan, 0, 0]", body, "body 0: its position is not finite, or too large");
   broad("frames = 120", "frames = 120\nstep = 0", "[scene]", "the scene's step must be above 0");
-  broad("vary = 0.9", "vary = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: "vary" is out of range');
-  broad("vary = 0.9", "wobble = 9", '[[scene.effect]]\neffect = "orbit"', 'orbit: has no setting "wobble"');
+  broad("vary = 0.9", "vary = 9", "vary = 9", 'orbit: "vary" is out of range');
+  broad("vary = 0.9", "wobble = 9", "wobble = 9", 'orbit: has no setting "wobble"');
   broad('shape = "box"', 'shape = "cone"', 'shape = "cone"', '"shape" is none of sphere, box, capsule, points or mesh: cone');
   broken("scene-updates", 'shape = "points"', 'shape = "mesh"', { at: 'shape = "mesh"', says: '"shape" is a mesh, and [points] names none' });
   broken("scene-updates", 'after_nth = 90', 'after_nth = 0', { at: "after_nth = 0", says: '"after_nth" must be from 1 to 100000' });

@@ -1,5 +1,6 @@
 // The address says what is on the page: lesson, situation, step, seed, algorithms, where the sliders stand, and what was
-// edited, in rows of numbers.
+// edited, in rows of numbers, and in a scene's file: as it runs, and as it was typed after that.
+import { change_of } from "./text_change.js";
 
 /** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`. */
 export function read_address(search) {
@@ -41,6 +42,8 @@ export function read_address(search) {
   asked.rows = rows("rows", "points", "boxes"); // the last two in links of old
   asked.moved = rows("moved");
   asked.slide = rows("slide")?.[0] ?? null;
+  asked.file = given.get("file");
+  asked.draft = given.get("draft");
   return asked;
 }
 
@@ -61,6 +64,10 @@ export function write_address(view, lesson, shared, embed) {
   if (shared.slide) parts.push(`slide=${shared.slide.join(",")}`);
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
   if (shared.rows) parts.push(`rows=${rows(shared.rows)}`);
+  if (view.file) {
+    const changes = { file: change_of(view.file.own, view.file.runs), draft: change_of(view.file.runs, view.file.typed) };
+    for (const [name, change] of Object.entries(changes)) if (change) parts.push(`${name}=${encodeURIComponent(change)}`);
+  }
   if (embed) parts.push("embed=1");
   return `?${parts.join("&")}`;
 }

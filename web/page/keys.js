@@ -2,7 +2,7 @@
 
 const kWrites = "input, select, textarea, [contenteditable]";
 const kPresses = "button, a, summary";
-const kReads = "#read, #points, #code";
+const kReads = "#read, #points, #file, #code";
 const kPages = new Set(["PageUp", "PageDown"]); // which mean nothing within a line of text
 const kScrolls = new Set(["ArrowUp", "ArrowDown", "PageUp", "PageDown", "Home", "End", " "]);
 

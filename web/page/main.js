@@ -6,6 +6,7 @@ import { open_door } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
+import { SceneFile } from "./file.js";
 import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
 import { Kept } from "./kept.js";
@@ -27,6 +28,7 @@ import { SituationTools } from "./situations.js";
 import { Stage } from "./stage.js";
 import { Stored } from "./stored.js";
 import { Tabs } from "./tabs.js";
+import { changed } from "./text_change.js";
 import { Words } from "./words.js";
 
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
@@ -81,7 +83,7 @@ class Page {
     this.#reading = new Reading(door.words(), { texts, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
     this.#playground = new Playground(door, embed ? "" : playground, lessons, go_to);
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [texts, this.#reading, question, this.#playground, new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new ScalarSwitch(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#panels = [texts, this.#reading, question, this.#playground, new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new ScalarSwitch(door, act), new SceneFile(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
@@ -291,6 +293,7 @@ class Page {
     if (asked.slide) tell(door.set_sliders(asked.slide));
     if (asked.rows) tell(door.set_rows(asked.rows));
     if (asked.moved) tell(door.change_rows(asked.moved));
+    for (const [change, of] of [[asked.file, "own"], [asked.draft, "runs"]]) if (change) tell(this.#restore_file(change, of));
     if (asked.a) tell(door.choose(0, asked.a));
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
@@ -309,6 +312,13 @@ class Page {
     if (tried.handle === null) tried.choices.forEach((choice) => this.#door.pick_choice(choice));
     else this.#door.pick_name(tried.handle);
     this.#door.command("commit_answer");
+  }
+
+  /** of: which text of the file has changed: "own" or "runs". */
+  #restore_file(change, of) {
+    const { file } = this.#door.view();
+    const text = file && changed(file[of], change);
+    return text === null ? "it changes a file that this lesson does not have" : this.#door.set_file(text) || this.#door.end_typing() || "";
   }
 
   async #restore_source(from, seed) {
@@ -419,7 +429,7 @@ class Page {
 }
 
 /** Whether an address names a lesson but no place in it. */
-const is_bare = ({ step, seed, situation, scalar, from, slide, rows, moved, a, b }) => step === null && seed === null && !situation && !scalar && !from && !slide && !rows && !moved && !a && !b;
+const is_bare = ({ step, seed, situation, scalar, from, slide, rows, moved, file, draft, a, b }) => step === null && seed === null && !situation && !scalar && !from && !slide && !rows && !moved && !file && !draft && !a && !b;
 
 /** Shows the course or, if the address names a lesson, the page with the program. */
 class Site {

@@ -1,10 +1,10 @@
-// The tabs beside the stage, because there is no room for everything: Lesson and Points always share a column; in a
-// small window Numbers and Code join them, and how the volumes are stored where a lesson shows that.
+// The tabs beside the stage, because there is no room for everything: Lesson, Points and a scene's file always share a
+// column; in a small window Numbers and Code join them, and how the volumes are stored where a lesson shows that.
 import { by_id } from "./dom.js";
 import { TabList } from "./tab_list.js";
 
-const kTabs = [["read", "Lesson"], ["points", "Points"], ["stored", "Stored as"], ["numbers", "Numbers"], ["code", "Code"]];
-const kOfTheColumn = ["read", "points"];
+const kTabs = [["read", "Lesson"], ["points", "Points"], ["file", "File"], ["stored", "Stored as"], ["numbers", "Numbers"], ["code", "Code"]];
+const kOfTheColumn = ["read", "points", "file"];
 
 const kSeen = 0.5; // of a phone's screen, which what its tab has opened takes at least
 
@@ -30,9 +30,10 @@ export class Tabs {
     new MutationObserver(() => this.#fit()).observe(document.documentElement, { attributeFilter: ["data-layout", "class"] });
   }
 
-  update({ stored, toolsWord }) {
+  update({ stored, file, toolsWord }) {
     this.#tabs.set_words(1, toolsWord);
-    if (stored.length === 0 && document.documentElement.dataset.tab === "stored") this.choose("read");
+    const { tab } = document.documentElement.dataset;
+    if ((stored.length === 0 && tab === "stored") || (file === null && tab === "file")) this.choose("read");
   }
 
   choose(id) {

@@ -180,6 +180,24 @@ TEST_CASE("settings that an effect does not know, or cannot use, are refused by 
         "bounce: has impulses for spheres and boxes alone; give c such a shape");
 }
 
+TEST_CASE("all that is wrong with a scene is told at once, each in its line") {
+  Declaration broken{
+      .bodies = {named("a", ball(1, V3::Zero(), -1)), named("b", ball(1, {5, 0, 0}))},
+      .effects = {call("spin", {{"axis", {1}, "", 21}, {"speed", {1}, "", 22}, {"degrees", {-1}, "", 23}}, "a"),
+                  call("explode"), call("shadow", {{"ground", {kNaN}, "", 0}}), call("fall"), call("fall")}};
+  for (EffectCall& effect : broken.effects) effect.line = 12;
+  std::vector<std::string> says;
+  for (const InputError& fault : scene::faults_in(broken)) says.push_back(fault.message());
+  CHECK(says == std::vector<std::string>{
+                    "a: its mass is negative", "line 12: there is no effect called \"explode\"",
+                    "line 12: fall is called for twice", "line 21: spin: \"axis\" must be three numbers",
+                    "line 23: spin: \"degrees\" is out of range", "line 22: spin: has no setting \"speed\"",
+                    "line 12: shadow: \"ground\" is out of range"});
+  const Declaration sound{.bodies = {named("a", ball(1, V3::Zero()))}, .effects = {call("spin")}};
+  CHECK(scene::faults_in(sound).empty());
+  CHECK(scene::faults_in({.effects = {call("cull"), call("bounce")}}).size() >= 3);
+}
+
 TEST_CASE("an effect runs when its inputs changed, and is skipped when not") {
   Declaration declaration{.bodies = {named("a", ball(1, V3::Zero())), named("b", ball(1, {5, 0, 0}))},
                           .effects = {call("path", {{"places", {0, 0, 0, 1, 0, 0}, ""}, {"speed", {6}, ""}}, "a"),

@@ -6,6 +6,7 @@
 #include "lesson/names.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/scene/effect_words.hpp"
+#include "lesson/subjects/scene/scene_text.hpp"
 #include "scene/schedule.hpp"
 
 namespace snug::lesson {
@@ -31,6 +32,9 @@ std::shared_ptr<const SceneSet> set_with(const SceneSet& set, const std::vector<
   auto next = std::make_shared<SceneSet>(set);
   next->effects.clear(), next->spare.clear();
   for (const auto& [call, called] : offered) (called ? next->effects : next->spare).push_back(*call);
+  std::vector<bool> flags;
+  for (const Offered& one : offered) flags.push_back(one.called);
+  if (!next->text.empty()) next->text = with_calls(set.text, flags);
   return next;
 }
 

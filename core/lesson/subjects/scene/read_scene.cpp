@@ -10,6 +10,7 @@
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
+#include "lesson/subjects/scene/scene_text.hpp"
 #include "scene/effect.hpp"
 
 namespace snug::lesson {
@@ -95,9 +96,10 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
 
 /// Reads a setting. Places are lists of three numbers, which a setting keeps one after the other.
 scene::Setting read_setting(TomlTable& table, const std::string& key, const toml::node& node) {
-  if (node.is_string()) return {key, {}, table.text(key)};
-  if (key != "places") return {key, table.numbers(key), {}};
-  scene::Setting places{key, {}, {}};
+  const int line = table.place_of(key).line;
+  if (node.is_string()) return {key, {}, table.text(key), line};
+  if (key != "places") return {key, table.numbers(key), {}, line};
+  scene::Setting places{key, {}, {}, line};
   for (const V3& place : table.points(key, 3))
     places.numbers.insert(places.numbers.end(), {place[0], place[1], place[2]});
   return places;
@@ -136,15 +138,21 @@ SceneSet read_scene_of(TomlTable& lesson, int dim, Complaints& complaints) {
   SceneSet set;
   const toml::table* own = lesson.table("scene");
   if (own == nullptr) return lesson.lack("scene", lesson.name() + " lacks [scene]"), set;
-  TomlTable table(*own, "[scene]", complaints);
-  if (dim != 3) complaints.add(table.place(), "a scene is in space: \"dim\" of [points] must be 3");
+  if (dim != 3) complaints.add(file_place(*own), "a scene is in space: \"dim\" of [points] must be 3");
+  const toml::table* points = lesson.table("points");
+  set = read_scene_table(*own, points != nullptr && points->contains("mesh"), false, complaints);
+  set.text = write_scene(*own);
+  return set;
+}
+
+SceneSet read_scene_table(const toml::table& scene, bool has_mesh, bool graph, Complaints& complaints) {
+  SceneSet set;
+  TomlTable table(scene, "[scene]", complaints);
   set.frames = static_cast<int>(table.integer_or("frames", 1, 2000, set.frames));
   set.line = table.place().line, set.frames_line = table.place_of("frames").line;
   set.step = table.any_number("step", set.step);
-  const toml::table* points = lesson.table("points");
-  const bool has_mesh = points != nullptr && points->contains("mesh");
   for (const toml::table* body : table.tables("body")) set.bodies.push_back(read_body(*body, has_mesh, complaints));
-  set.graph = table.flag_or("graph", false);
+  set.graph = table.flag_or("graph", graph);
   for (const toml::table* effect : table.tables("effect")) {
     auto [call, called] = read_effect(*effect, set.bodies, complaints);
     (called ? set.effects : set.spare).push_back(std::move(call));

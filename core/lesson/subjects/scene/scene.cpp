@@ -10,6 +10,7 @@
 #include "lesson/subjects/scene/effect_words.hpp"
 #include "lesson/subjects/scene/entries.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
+#include "lesson/subjects/scene/scene_text.hpp"
 #include "measure/timing.hpp"
 #include "scene/pairs.hpp"
 
@@ -47,6 +48,17 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& less
     if (const Done sound = check_scene_opens(*with_all_called(set), lesson.algorithms, *points, lesson.seed); !sound)
       return tl::unexpected(at_line(sound.error(), set.line));
   return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
+}
+
+std::vector<InputError> faults_of_scene(const Lesson& lesson) {
+  const auto points = own_points(lesson, std::nullopt);
+  if (!points) return {points.error()};
+  const SceneSet& set = set_of(lesson);
+  std::vector<InputError> faults = scene_faults(set, lesson.algorithms, *points, lesson.seed);
+  if (faults.empty() && !set.spare.empty())
+    faults = scene_faults(*with_all_called(set), lesson.algorithms, *points, lesson.seed);
+  for (InputError& fault : faults) fault = at_line(std::move(fault), set.line);
+  return faults;
 }
 
 /// Checks that no method has too many pairs.
@@ -164,11 +176,13 @@ const SubjectRow kSceneRow{.name = "scene",
                            .read_model = &read_scene_model,
                            .check_first = &check_frames,
                            .check_task = &check_scene_task,
-                           .open = &open_scene};
+                           .open = &open_scene,
+                           .faults = &faults_of_scene};
 
 SceneSubject::SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock)
     : PointSubject(lesson, std::move(points), std::move(mesh)),
-      set_(std::static_pointer_cast<const SceneSet>(lesson.tables)), own_set_(set_), clock_(clock) {
+      set_(std::static_pointer_cast<const SceneSet>(lesson.tables)), own_set_(set_), methods_(lesson.algorithms),
+      clock_(clock) {
   if (clock_ != nullptr) clock_step_ = cost::resolution_of(clock_);
 }
 
@@ -291,8 +305,60 @@ Done SceneSubject::load(const io::PointFile& file, std::string_view name) {
 
 Rows SceneSubject::rows() const {
   Rows rows = PointSubject::rows();
-  if (set_ != own_set_) rows.push_back(called_row(set()));
+  if (is_switched()) rows.push_back(called_row(set()));
   return rows;
+}
+
+bool SceneSubject::is_switched() const {
+  return set_ != own_set_ && set_->text == with_called(*own_set_, called_row(*set_))->text;
+}
+
+std::optional<StageFile> SceneSubject::file() const {
+  if (!set().graph || set().text.empty()) return std::nullopt;
+  StageFile file{is_switched() ? set().text : own_set_->text, set().text, typed_ ? typed_->text : set().text};
+  if (typed_)
+    for (const FileError& one : typed_->mistakes)
+      file.mistakes.push_back(std::to_string(one.place.line) + ":" + std::to_string(one.place.column) + ": " +
+                              one.what);
+  return file;
+}
+
+/// What is wrong with a scene that was read without a mistake.
+std::vector<FileError> SceneSubject::mistakes_of(const SceneSet& next) const {
+  std::vector<FileError> mistakes;
+  const auto add = [&](int line, std::string what) { mistakes.push_back({FilePlace(line), std::move(what), {}}); };
+  const auto of_points = [](const SceneSet& set) {
+    return std::any_of(set.bodies.begin(), set.bodies.end(), [](const SceneBody& one) { return one.of_points; });
+  };
+  if (own_set_->at_points() && !next.at_points())
+    add(next.line, "no body has \"at_points = true\": the handles on the stage are the places of such bodies");
+  if (!own_set_->at_points() && next.at_points()) add(next.line, "the stage has no places for bodies at points");
+  if (of_points(*own_set_) != of_points(next)) add(next.line, "the shape \"points\" is the lesson's choice");
+  for (const InputError& fault : scene_faults(next, methods_, *points(), origin_.seed))
+    add(fault.position > 0 ? static_cast<int>(fault.position) : next.line, fault.what);
+  for (const std::string& method : methods_)
+    if (const auto kept = check_pairs(next, method, *points(), origin_.seed); mistakes.empty() && !kept)
+      add(static_cast<int>(kept.error().position), kept.error().what);
+  std::stable_sort(mistakes.begin(), mistakes.end(),
+                   [](const FileError& a, const FileError& b) { return a.place.line < b.place.line; });
+  return mistakes;
+}
+
+Done SceneSubject::set_file(std::string text) {
+  if (!file()) return PointSubject::set_file(std::move(text));
+  origin_.edited = true;
+  SceneTyped read = read_typed(text);
+  if (read.set) read.mistakes = mistakes_of(*read.set);
+  const bool own = text == own_set_->text;
+  if (!read.mistakes.empty() && !own) {
+    typed_ = TypedText{std::move(text), std::move(read.mistakes)};
+    return {};
+  }
+  typed_.reset();
+  if (text == set().text) return {};
+  set_ = own ? own_set_ : std::make_shared<const SceneSet>(*std::move(read.set));
+  pushed_.clear();
+  return {};
 }
 
 Done SceneSubject::set_rows(const Rows& rows) {
@@ -300,13 +366,15 @@ Done SceneSubject::set_rows(const Rows& rows) {
   if (Done set = PointSubject::set_rows(declares ? Rows(rows.begin(), rows.end() - 1) : rows); !set) return set;
   const bool differs = declares && rows.back() != called_row(*own_set_);
   set_ = differs ? with_called(*own_set_, rows.back()) : own_set_;
+  typed_.reset();
   return is_sound();
 }
 
 Done SceneSubject::call_for(std::string_view name, bool called) {
   auto next = with_call(set(), name, called);
   if (!next) return Subject::call_for(name, called);
-  set_ = called_row(*next) == called_row(*own_set_) ? own_set_ : std::move(next);
+  const bool own = next->text == own_set_->text && called_row(*next) == called_row(*own_set_);
+  set_ = own ? own_set_ : std::move(next);
   std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == name; });
   pushed_.clear();
   origin_.edited = true;
@@ -316,6 +384,7 @@ Done SceneSubject::call_for(std::string_view name, bool called) {
 void SceneSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   PointSubject::begin_task(lesson, task, own);
   set_ = own_set_;
+  typed_.reset();
 }
 
 bool SceneSubject::push(Index i, const View& view) {

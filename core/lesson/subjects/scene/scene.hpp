@@ -70,6 +70,9 @@ class SceneSubject final : public PointSubject {
   Done call_for(std::string_view name, bool called) override;
   [[nodiscard]] Rows rows() const override;
   Done set_rows(const Rows& rows) override;
+  /// Where the effects are what the lesson is about, its scene is a text, which the student edits.
+  [[nodiscard]] std::optional<StageFile> file() const override;
+  Done set_file(std::string text) override;
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
   [[nodiscard]] Grade grade(const Lesson& lesson, const Task& task, const View& view) const override;
   /// Lets the body at a point hop.
@@ -88,8 +91,18 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::string time_of(const scene::Tally& tally) const;
   void points_changed() override { pushed_.clear(); }
   [[nodiscard]] Done is_sound() const;
+  /// Whether it differs from the lesson's own only in the effects that are called for.
+  [[nodiscard]] bool is_switched() const;
+  [[nodiscard]] std::vector<FileError> mistakes_of(const SceneSet& next) const;
 
+  /// What was typed last, if it has mistakes.
+  struct TypedText {
+    std::string text;
+    std::vector<FileError> mistakes;
+  };
   std::shared_ptr<const SceneSet> set_, own_set_;  // with the effects that it calls for now, and as the lesson has it
+  std::optional<TypedText> typed_;
+  std::vector<std::string> methods_;  // that the lesson offers
   Clock clock_;
   double clock_step_ = 0;  // ns
   std::vector<SwitchedOff> off_;

@@ -131,8 +131,9 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& sc
   const auto call = std::find_if(declaration.effects.begin(), declaration.effects.end(),
                                  [&](const scene::EffectCall& one) { return one.name == effect; });
   const auto is_spare = [&](const scene::EffectCall& one) { return one.name == effect; };
-  if (call == declaration.effects.end() && std::any_of(scene_set.spare.begin(), scene_set.spare.end(), is_spare))
-    return declaration;  // the student has left it out, and the method has nothing to choose
+  const bool left_out = scene_set.typed || std::any_of(scene_set.spare.begin(), scene_set.spare.end(), is_spare);
+  if (call == declaration.effects.end() && left_out)
+    return declaration;  // by the student, and the method has nothing to choose
   if (call == declaration.effects.end())
     return tl::unexpected(InputError{.what = "the scene does not call for " + std::string(effect) + ", which " +
                                              std::string(method) + " is about"});
@@ -153,6 +154,23 @@ tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<
     if (!scene) return tl::unexpected(scene.error());
   }
   return {};
+}
+
+std::vector<InputError> scene_faults(const SceneSet& set, std::span<const std::string> methods,
+                                     const AnyPointSet& points, std::uint64_t seed) {
+  if (set.is_too_long(fit::size_of(points))) return {scene::error_at(set.frames_line, too_long_text())};
+  std::vector<InputError> all;
+  const auto add = [&](const InputError& fault) {
+    if (std::none_of(all.begin(), all.end(), [&](const InputError& one) { return one.message() == fault.message(); }))
+      all.push_back(fault);
+  };
+  for (const std::string& method : methods) {
+    const auto declaration = declaration_with(set, method, points, seed);
+    if (!declaration) add(declaration.error());
+    else
+      for (const InputError& fault : scene::faults_in(*declaration)) add(fault);
+  }
+  return all;
 }
 
 tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method, const AnyPointSet& points,

@@ -75,6 +75,10 @@ struct LastFrame {
                                                                std::span<const std::string> methods,
                                                                const AnyPointSet& points, std::uint64_t seed);
 
+/// All that is wrong with a scene for these methods, each with its line. Empty: check_scene_opens finds nothing either.
+[[nodiscard]] std::vector<InputError> scene_faults(const SceneSet& set, std::span<const std::string> methods,
+                                                   const AnyPointSet& points, std::uint64_t seed);
+
 /// Checks that all frames together do not have too many pairs, and computes frames only if they could. Errors: too many
 /// pairs, with the line of the effect that searches for them.
 [[nodiscard]] tl::expected<void, InputError> check_pairs(const SceneSet& set, std::string_view method,

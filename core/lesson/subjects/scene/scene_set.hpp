@@ -39,6 +39,8 @@ struct SceneSet : Tables {
   double step = 1.0 / 60;  // seconds a frame
   int frames = 120;        // how many are shown
   int line = 0, frames_line = 0;  // in the file, for errors: those of [scene] and of its key
+  std::string text;               // as write_scene says it, or as it was typed
+  bool typed = false;             // whether the student typed it: then a method may have no effect to choose for
 
   /// Whether there are too many frames of too many bodies (kMostBodyFrames).
   [[nodiscard]] bool is_too_long(std::int64_t points) const;
