@@ -364,12 +364,13 @@ struct Plot {
     const float width =
         std::max(measure(look, Face::kSemiBold, kSize, name).x, measure(look, Face::kMono, kSize, words).x) + 24;
     const float height = 2 * look.px(kSize) + 24;
-    const float left = std::clamp(place.x + 12, frame.x, std::max(frame.x, frame.x + frame.width - width));
-    const bool above = place.y - height - 12 >= frame.y;  // below it where there is no room: it must not cover the mark
-    const float top = above ? place.y - height - 12 : std::min(place.y + 16, frame.y + frame.height - height);
-    pen.box({left, top, width, height}, look->panel, look->line);
-    pen.words(look, Face::kSemiBold, kSize, {left + 12, top + 8}, look->ink, name);
-    pen.words(look, Face::kMono, kSize, {left + 12, top + 14 + look.px(kSize)}, look->ink, words);
+    std::vector<ImVec2> marks;
+    for (const ChartSeries& other : chart.series)
+      for (const ChartPoint& point : other.points) marks.push_back(at(point));
+    const Rect box = clear_place({width, height}, frame, place, marks);
+    pen.box(box, look->panel, look->line);
+    pen.words(look, Face::kSemiBold, kSize, {box.x + 12, box.y + 8}, look->ink, name);
+    pen.words(look, Face::kMono, kSize, {box.x + 12, box.y + 14 + look.px(kSize)}, look->ink, words);
   }
 };
 
@@ -380,6 +381,31 @@ std::string full_name(const ChartSeries& series) {
   for (const std::string* more : {&series.figure, &series.beside})
     if (!more->empty()) name += (name == series.name ? ": " : ", ") + *more;
   return name;
+}
+
+Rect clear_place(ImVec2 size, const Rect& frame, ImVec2 about, std::span<const ImVec2> marks) {
+  constexpr float kBeside = 12, kMargin = 8, kClear = kMark + 2;
+  const float left = frame.x + kMargin, right = std::max(left, frame.x + frame.width - size.x - kMargin);
+  const float top = frame.y + kMargin, bottom = std::max(top, frame.y + frame.height - size.y - kMargin);
+  const float beside = std::clamp(about.x + kBeside, frame.x, std::max(frame.x, frame.x + frame.width - size.x));
+  const bool above = about.y - size.y - kBeside >= frame.y;  // below it where there is no room
+  const std::array<ImVec2, 5> places{
+      {{beside, above ? about.y - size.y - kBeside : std::min(about.y + 16, frame.y + frame.height - size.y)},
+       {left, top},
+       {right, top},
+       {left, bottom},
+       {right, bottom}}};
+  const auto hides = [&](ImVec2 at, ImVec2 mark) {
+    return mark.x > at.x - kClear && mark.x < at.x + size.x + kClear && mark.y > at.y - kClear &&
+           mark.y < at.y + size.y + kClear;
+  };
+  const auto hidden = [&](ImVec2 at) {
+    if (hides(at, about)) return static_cast<std::ptrdiff_t>(marks.size()) + 1;
+    return std::count_if(marks.begin(), marks.end(), [&](ImVec2 mark) { return hides(at, mark); });
+  };
+  const ImVec2 best =
+      *std::min_element(places.begin(), places.end(), [&](ImVec2 a, ImVec2 b) { return hidden(a) < hidden(b); });
+  return {best.x, best.y, size.x, size.y};
 }
 
 std::string chart_figure(ChartUnit unit, double value) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,10 @@ struct ChartHit {
 
 /// "PCA: n^1.04, theory 1.00"
 [[nodiscard]] std::string full_name(const ChartSeries& series);
+
+/// Where a box of that size hides the fewest marks of a chart, and never the one that it is about: beside that, or in
+/// the emptiest corner of the frame.
+[[nodiscard]] Rect clear_place(ImVec2 size, const Rect& frame, ImVec2 about, std::span<const ImVec2> marks);
 
 /// The place where a series' last point was drawn.
 struct ChartPlace {

@@ -39,7 +39,7 @@ struct TrialClaim {
   double (*measure)(const AnyPointSet& points, std::uint64_t seed) = nullptr;
 };
 
-/// Nine claims.
+/// Ten claims.
 [[nodiscard]] std::span<const TrialClaim> trial_claims();
 /// The same, by address.
 [[nodiscard]] std::vector<const TrialClaim*> every_trial();

@@ -184,4 +184,25 @@ TEST_CASE("updates that are always tight share a line, and an earlier result add
   CHECK(update_title("kdop", "k6_hill_climb") == "6-DOP by hill climbing");
 }
 
+TEST_CASE("the figures of a mark hide no curve where a corner of the chart is empty") {
+  const Rect frame{10, 20, 300, 200};
+  std::vector<ImVec2> rising;
+  for (int i = 0; i < 40; ++i)
+    rising.push_back({15 + 7.2f * static_cast<float>(i), 210 - 0.11f * static_cast<float>(i * i)});
+  const auto hides = [](const Rect& box, ImVec2 mark) {
+    return mark.x >= box.x && mark.x <= box.x + box.width && mark.y >= box.y && mark.y <= box.y + box.height;
+  };
+  for (const ImVec2 about : {rising.front(), rising[20], rising.back()}) {
+    const Rect box = clear_place({190, 50}, frame, about, rising);
+    for (const ImVec2 mark : rising) CHECK_FALSE(hides(box, mark));
+    CHECK(box.x >= frame.x);
+    CHECK(box.y >= frame.y);
+    CHECK(box.x + box.width <= frame.x + frame.width);
+    CHECK(box.y + box.height <= frame.y + frame.height);
+  }
+  const Rect beside = clear_place({60, 30}, frame, {100, 100}, {});  // nothing to hide
+  CHECK(beside.x == 112);
+  CHECK(beside.y == 58);
+}
+
 }  // namespace snug::app

@@ -8,7 +8,7 @@ before(start);
 after(stop);
 
 const kLesson = "?lesson=lecture-claims";
-const kQuestions = 5;
+const kQuestions = 10;
 const button = (page, name) => page.getByRole("button", { name, exact: true });
 
 async function skip_all(page) {
@@ -46,7 +46,7 @@ test("each claim is answered before it is tried, and decided by its clouds", asy
   const page = await visit(t, kLesson);
   const { asked, cover } = await until(page, (now) => now.asked);
   assert.equal(asked.choices.length, 3);
-  assert.equal(cover.choices.length, 9);
+  assert.equal(cover.choices.length, 10);
   assert.deepEqual(await cut_off(page), [], "all choices are in sight");
   assert.ok(await button(page, "Measure").isDisabled());
   assert.ok(await button(page, "Save as SVG").isDisabled());
@@ -58,10 +58,10 @@ test("each claim is answered before it is tried, and decided by its clouds", asy
     await until(page, (now, before) => now.outcomes.length > before, i);
   }
   const done = await measure(laptop = page);
-  assert.equal(done.cover.table.rows.length, 9);
+  assert.equal(done.cover.table.rows.length, 10);
   assert.ok(done.outcomes[0].right, "the first claim is false on most clouds");
   assert.match(done.outcomes[0].says, /^It holds on 91 of 240 clouds\.$/);
-  assert.equal(await page.locator(".cover tbody tr").count(), 9);
+  assert.equal(await page.locator(".cover tbody tr").count(), 10);
 });
 
 test("a chart is saved as SVG with real words, as PNG at its own size, and as a table", async (t) => {
@@ -87,7 +87,7 @@ test("a chart is saved as SVG with real words, as PNG at its own size, and as a 
   assert.deepEqual(await page.evaluate(() => { const { width, height } = document.getElementById("canvas"); return [width, height]; }), before);
   const csv = await saved(page, "Save as CSV");
   assert.ok(csv.bytes.toString().startsWith("# snug table: trials\n"));
-  assert.equal(csv.bytes.toString().trim().split("\n").filter((line) => /^\w+,/.test(line)).length, 1 + 9 * 240);
+  assert.equal(csv.bytes.toString().trim().split("\n").filter((line) => /^\w+,/.test(line)).length, 1 + 10 * 240);
 });
 
 test("a click on a mark puts its cloud on the stage, and so does Enter on the worst one", async (t) => {

@@ -59,6 +59,20 @@ void ClaimsCover::take_rows() {
       focus_ = ChartHit{i, chart_.series[i].points.size() - 1};
 }
 
+void ClaimsCover::follow(const lesson::Session& session) {
+  const lesson::Outcome* const told = session.outcome();
+  const lesson::Asked* const now = session.asked() != nullptr ? session.asked()
+                                   : told != nullptr          ? session.question_of(*told)
+                                                              : nullptr;
+  const std::string id = now != nullptr ? now->question->id : "";
+  if (id == followed_) return;
+  followed_ = id;
+  const cost::TrialClaim* const claim = now != nullptr ? cost::find_trial(now->question->figure) : nullptr;
+  if (claim == nullptr) return;
+  at_ = static_cast<int>(claim - cost::trial_claims().data());
+  take_rows();
+}
+
 void ClaimsCover::look_at(int claim) {
   at_ = claim;
   take_rows();
@@ -97,6 +111,7 @@ bool ClaimsCover::put_on_stage(lesson::Session& session) {
 }
 
 bool ClaimsCover::command(lesson::Session& session, std::string_view name) {
+  follow(session);
   const int all = static_cast<int>(cost::trial_claims().size());
   if (name == "show_other") return look_at((at_ + 1) % all), true;
   if (name.starts_with(kShowClaim)) {
@@ -108,6 +123,7 @@ bool ClaimsCover::command(lesson::Session& session, std::string_view name) {
     if (running() || !clock_ || session.asked() != nullptr) return false;
     run_ = std::make_unique<cost::TrialRun>(cost::every_trial());
     rows_.clear();
+    at_ = 0;
     take_rows();
     show(true);
   } else if (name == "stop_measuring") {
@@ -140,6 +156,7 @@ tl::expected<void, InputError> ClaimsCover::load(lesson::Session& session, const
 }
 
 void ClaimsCover::work(lesson::Session& session, double budget) {
+  follow(session);
   if (!running()) return;
   const std::size_t before = run_->rows().size();
   cost::advance(*run_, clock_, budget);
@@ -223,6 +240,7 @@ std::string ClaimsCover::file(std::string_view format) const {
 // ---- on the stage
 
 void ClaimsCover::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
+  follow(session);
   ImDrawList* const list = ImGui::GetWindowDrawList();
   // The button is above it, the sentence below.
   const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;

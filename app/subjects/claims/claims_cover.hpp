@@ -57,6 +57,8 @@ class ClaimsCover final : public Cover {
 
  private:
   void look_at(int claim);
+  /// Turns to the claim of the question that is asked or whose outcome is told, once for each.
+  void follow(const lesson::Session& session);
   void take_rows();
   void finish(lesson::Session& session);
   void move_focus(int line, int point);
@@ -68,7 +70,8 @@ class ClaimsCover final : public Cover {
   cost::Provenance here_;
   std::unique_ptr<cost::TrialRun> run_;
   std::vector<cost::TrialRow> rows_;
-  int at_ = 0;  // of trial_claims()
+  int at_ = 0;            // of trial_claims()
+  std::string followed_;  // the question that it last turned to
   Chart chart_;
   std::vector<ChartPlace> places_;  // where the chart's series were drawn
   std::optional<ChartHit> focus_;

@@ -1,6 +1,6 @@
 // Draws what is tested against a frustum. For a ball also the frustum with its planes moved out by the radius, or
-// wrongly in, and in 2-D where the centre of a ball that touches the frustum really is: the two differ at the vertices, and there the test
-// errs.
+// wrongly in, and in 2-D where the centre of a ball that touches the frustum really is: the two differ at the vertices,
+// and there the test errs.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

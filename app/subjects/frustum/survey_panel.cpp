@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/widgets.hpp"
+#include "app/subjects/frustum/panel_rows.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 
@@ -10,37 +10,24 @@ namespace snug::app {
 namespace {
 
 constexpr double kSurveyBudget = 4e6;  // ns of a frame
-constexpr float kSurveyRow = 24, kSurveyGap = 8, kSurveyWords = 13;
+constexpr float kSurveyGap = 8;
 
 /// "circles"
 std::string bodies_word(const lesson::BoxPair& pair) { return lesson::body_word(pair) + "s"; }
 
-/// Rows of a name and a count, from top to bottom.
-struct SurveyRows {
-  const Look& look;
-  ImDrawList* list;
-  float x, y, width;
-
-  void row(const std::string& name, const std::string& value, Color color) {
-    const float middle = middle_of(y + look.px(kSurveyRow) / 2, look.px(kSurveyWords));
-    text(list, look, Face::kRegular, kSurveyWords, {x, middle}, look->ink, name);
-    text_right(list, look, Face::kMonoBold, kSurveyWords, {x + width, middle}, color, value);
-    y += look.px(kSurveyRow);
-    rule(list, x, y - 1, width, look->line);
+void draw_counts(PanelRows& rows, const query::SurveyCounts& counts, int dim) {
+  const Look& look = rows.look;
+  rows.row("Called intersecting", lesson::count_text(counts.intersecting), look->ink);
+  if (dim == 3) {
+    rows.row("Touch nothing, near edges", lesson::count_text(counts.false_at_two), look->wrong_text);
+    rows.row("Touch nothing, near vertices", lesson::count_text(counts.false_at_more), look->wrong_text);
+  } else {
+    rows.row("Touch nothing, near vertices", lesson::count_text(counts.false_positives()), look->wrong_text);
   }
-  void counts(const query::SurveyCounts& counts, int dim) {
-    row("Called intersecting", lesson::count_text(counts.intersecting), look->ink);
-    if (dim == 3) {
-      row("Touch nothing, near edges", lesson::count_text(counts.false_at_two), look->wrong_text);
-      row("Touch nothing, near vertices", lesson::count_text(counts.false_at_more), look->wrong_text);
-    } else {
-      row("Touch nothing, near vertices", lesson::count_text(counts.false_positives()), look->wrong_text);
-    }
-    if (counts.intersecting == 0) return;
-    const double share = static_cast<double>(counts.false_positives()) / static_cast<double>(counts.intersecting);
-    row("False positives among them", lesson::number_text(100 * share, 3) + " %", look->ink);
-  }
-};
+  if (counts.intersecting == 0) return;
+  const double share = static_cast<double>(counts.false_positives()) / static_cast<double>(counts.intersecting);
+  rows.row("False positives among them", lesson::number_text(100 * share, 3) + " %", look->ink);
+}
 
 /// The button, or while the survey is on, how far it is.
 float draw_survey_button(const Look& look, lesson::Session& session, ImVec2 at, float width, bool& working) {
@@ -75,14 +62,14 @@ float draw_survey_panel(const Look& look, lesson::Session& session, ImVec2 at, f
   working = false;
   if (pair.form != lesson::Form::kBall || session.predicting()) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  text(list, look, Face::kSemiBold, kSurveyWords, {at.x, at.y + look.px(5)}, look->muted,
+  text(list, look, Face::kSemiBold, kPanelWords, {at.x, at.y + look.px(5)}, look->muted,
        "How rare are false positives?");
   float y = at.y + look.px(26);
   y += draw_survey_button(look, session, {at.x, y}, width, working) + kSurveyGap;
   const lesson::FrustumSurvey* survey = lesson::as<lesson::FrustumSubject>(session.subject())->survey();
   if (survey == nullptr) return y - at.y;
-  SurveyRows rows{look, list, at.x, y, width};
-  rows.counts(survey->counts(), pair.dim);
+  PanelRows rows{look, list, at.x, y, width};
+  draw_counts(rows, survey->counts(), pair.dim);
   y = rows.y + kSurveyGap;
   y += paragraph(list, look, Face::kRegular, 12, 17, {at.x, y}, width, look->muted,
                  "With this radius around this frustum, seed " + std::to_string(survey->seed()) +

@@ -2,6 +2,7 @@
 
 #include "app/polytope.hpp"
 #include "app/subjects/frustum/draw.hpp"
+#include "app/subjects/frustum/planes_panel.hpp"
 #include "app/subjects/frustum/survey_panel.hpp"
 
 namespace snug::app {
@@ -31,7 +32,8 @@ class FrustumView final : public SubjectView {
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    return draw_survey_panel(look, session, at, width, surveying_);
+    const float planes = draw_planes_panel(look, session, shown_, at, width);
+    return planes + draw_survey_panel(look, session, {at.x, at.y + planes}, width, surveying_);
   }
   [[nodiscard]] bool working() const override { return surveying_; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {

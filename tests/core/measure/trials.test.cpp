@@ -21,9 +21,9 @@ double radius(std::string_view algorithm, const AnyPointSet& points) {
 
 }  // namespace
 
-TEST_CASE("nine claims are tried on 240 clouds each") {
-  CHECK(trial_claims().size() == 9);
-  CHECK(all_trials().size() == 9 * 240);
+TEST_CASE("ten claims are tried on 240 clouds each") {
+  CHECK(trial_claims().size() == 10);
+  CHECK(all_trials().size() == 10 * 240);
   std::set<std::string_view> names;
   for (const TrialClaim& claim : trial_claims()) {
     CAPTURE(claim.name);
@@ -38,6 +38,7 @@ TEST_CASE("nine claims are tried on 240 clouds each") {
 TEST_CASE("all three verdicts come out, each with its reason") {
   CHECK(tally_of("brute_force_growth").verdict() == "holds");
   CHECK_FALSE(tally_of("brute_force_growth").worst.has_value());
+  CHECK(tally_of("as_much_memory").verdict() == "holds");
   for (const std::string_view typical :
        {"better_start", "welzl_growth", "hull_helps", "ritter_ten_per_cent", "iterative_five_per_cent", "kdop_tighter"})
     CHECK_MESSAGE(tally_of(typical).verdict() == "typical", typical);
@@ -57,6 +58,11 @@ TEST_CASE("a sphere through four points is as small as the smallest exactly wher
     const fit::Result least = fit::find_algorithm("sphere", "brute_force")->fit(cloud, {});
     CHECK(row.holds == (least.support.size() == 4));
   }
+}
+
+TEST_CASE("a 14-DOP takes 56 bytes and an oriented box 60, whatever the points") {
+  for (const TrialRow& row : all_trials())
+    if (row.claim == "as_much_memory") CHECK(row.value == 56.0 / 60);
 }
 
 TEST_CASE("a row's value is that of its cloud, and it holds up to the claim's limit") {

@@ -51,6 +51,25 @@ tl::expected<Frustum<double, Dim>, InputError> frustum_of(const BoxPair& pair) {
 template tl::expected<Frustum<double, 2>, InputError> frustum_of<2>(const BoxPair&);
 template tl::expected<Frustum<double, 3>, InputError> frustum_of<3>(const BoxPair&);
 
+namespace {
+
+template <int Dim>
+std::vector<double> distances_from_planes(const BoxPair& pair) {
+  std::vector<double> distances;
+  const auto frustum = frustum_of<Dim>(pair);
+  if (!frustum) return distances;
+  const Vector<double, Dim> center = pair.boxes[0].center.head<Dim>();
+  for (const Plane<double, Dim>& plane : frustum->planes())
+    distances.push_back(signed_distance(plane, center) / plane.normal.norm());
+  return distances;
+}
+
+}  // namespace
+
+std::vector<double> center_distances(const BoxPair& pair) {
+  return pair.dim == 2 ? distances_from_planes<2>(pair) : distances_from_planes<3>(pair);
+}
+
 std::pair<int, bool> face_on_plane(int dim, int plane) {
   const bool second = plane % 2 == 1;
   if (plane >= 2 * dim - 2) return {0, second};

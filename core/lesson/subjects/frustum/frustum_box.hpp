@@ -7,6 +7,7 @@
 #include <string>
 #include <tl/expected.hpp>
 #include <utility>
+#include <vector>
 
 #include "geometry/frustum.hpp"
 #include "lesson/boxes.hpp"
@@ -36,6 +37,10 @@ template <class Scalar, class From, int Dim>
 
 /// The face of B on a plane of the frustum: the axis that it is perpendicular to, and whether on its positive side.
 [[nodiscard]] std::pair<int, bool> face_on_plane(int dim, int plane);
+
+/// The body's centre in the equation of each plane, n . c + d with unit normals: positive outside. None where there is
+/// no frustum.
+[[nodiscard]] std::vector<double> center_distances(const BoxPair& pair);
 
 /// 4 in 2-D, 6 in 3-D.
 [[nodiscard]] inline int planes_of_frustum(int dim) { return 2 * dim; }

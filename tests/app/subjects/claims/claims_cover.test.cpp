@@ -33,8 +33,8 @@ prompt = "Is it so?"
 because = "So."
 )";
 
-lesson::Session opened() {
-  auto lesson = lesson::read_lesson(kClaimsLesson, "claims.toml");
+lesson::Session opened(std::string_view text = kClaimsLesson) {
+  auto lesson = lesson::read_lesson(text, "claims.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = lesson::Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
@@ -58,7 +58,7 @@ TEST_CASE("nothing is tried before the predictions, and nothing can be saved") {
   CHECK_FALSE(cover.command(session, "measure"));
   CHECK(cover.file("csv").empty());
   CHECK(cover.table(session).rows.empty());
-  CHECK(cover.choices(session).size() == 9);
+  CHECK(cover.choices(session).size() == 10);
 }
 
 TEST_CASE("after Measure the answer is decided, and the worst cloud is marked and can be put on the stage") {
@@ -68,7 +68,7 @@ TEST_CASE("after Measure the answer is decided, and the worst cloud is marked an
   CHECK(cover.decided(session));
   REQUIRE(session.outcomes().size() == 1);
   CHECK(session.outcomes()[0].right);
-  CHECK(cover.table(session).rows.size() == 9);
+  CHECK(cover.table(session).rows.size() == 10);
   CHECK(cover.file("csv").starts_with("# snug table: trials\n"));
   const auto worst = cost::tally_trials("four_points", cost::all_trials()).worst;
   CHECK(cover.caption(session).find("cloud " + std::to_string(worst->seed) + ":") != std::string::npos);
@@ -110,4 +110,18 @@ TEST_CASE("a run that is stopped shows its clouds and decides nothing") {
   CHECK_FALSE(cover.decided(session));
   CHECK(session.outcomes()[0].pending);
   CHECK(cover.table(session).rows.size() == 1);
+}
+
+TEST_CASE("the chart is that of the question that is asked, until another is chosen") {
+  std::string text(kClaimsLesson);
+  const std::string_view own = "claim = \"four_points\"";
+  text.replace(text.find(own), own.size(), "claim = \"kdop_tighter\"");
+  lesson::Session session = opened(text);
+  ClaimsCover cover({.clock = no_time});
+  CHECK(cover.claim().name == "four_points");
+  cover.work(session, 0);
+  CHECK(cover.claim().name == "kdop_tighter");
+  REQUIRE(cover.command(session, "show_welzl_growth"));
+  cover.work(session, 0);
+  CHECK(cover.claim().name == "welzl_growth");
 }

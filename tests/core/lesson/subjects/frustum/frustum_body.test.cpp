@@ -1,6 +1,7 @@
 // Balls and points against a frustum: their tests, their handles, and what the lesson about spheres counts.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/random.hpp"
@@ -76,6 +77,26 @@ TEST_CASE("a point is a ball of radius 0") {
       CHECK(verdict_of("half_spaces", point) == verdict_of("grown_planes", ball));
       CHECK(share_a_point(point) == (verdict_of("half_spaces", point) != Culling::kOutside));
     }
+}
+
+TEST_CASE("the numbers of all planes are those that the test finds, plane by plane") {
+  Random random(6);
+  for (const int dim : {2, 3})
+    for (int i = 0; i < 300; ++i) {
+      const BoxPair pair = pair_of(dim, Form::kPoint, random_place(random, dim), 0);
+      const std::vector<double> all = center_distances(pair);
+      REQUIRE(all.size() == static_cast<std::size_t>(planes_of_frustum(dim)));
+      for (const auto& entry : record_frustum("half_spaces", pair))
+        if (const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&entry.step.fact))
+          CHECK(all[static_cast<std::size_t>(plane->plane)] == doctest::Approx(center_distance(*plane)));
+      const bool outside = std::any_of(all.begin(), all.end(), [](double one) { return one > 0; });
+      CHECK((verdict_of("half_spaces", pair) == Culling::kOutside) == outside);
+    }
+  BoxPair behind = pair_of(3, Form::kPoint, V3(-2, 0, 0), 0);  // straight behind the camera
+  const std::vector<double> all = center_distances(behind);
+  CHECK(std::count_if(all.begin(), all.end(), [](double one) { return one > 0; }) == 5);
+  behind.boxes[1].half_extents[0] = 0;
+  CHECK(center_distances(behind).empty());
 }
 
 TEST_CASE("a ball has its centre and its radius to be dragged, a point itself") {

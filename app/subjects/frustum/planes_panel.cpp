@@ -1,0 +1,39 @@
+#include "app/subjects/frustum/planes_panel.hpp"
+
+#include <string>
+
+#include "app/subjects/frustum/panel_rows.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr float kPlanesTitle = 26, kPlanesGap = 12;
+
+/// "+0.42", "−0.17"
+std::string with_sign(double number) { return (number > 0 ? "+" : "") + lesson::number_text(number); }
+
+}  // namespace
+
+float draw_planes_panel(const Look& look, const lesson::Session& session, const FrustumShown& shown, ImVec2 at,
+                        float width) {
+  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
+  if (pair.form == lesson::Form::kBox || session.predicting()) return 0;
+  const std::vector<double> distances = lesson::center_distances(pair);
+  if (distances.empty()) return 0;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const bool point = pair.form == lesson::Form::kPoint;
+  text(list, look, Face::kSemiBold, kPanelWords, {at.x, at.y + look.px(5)}, look->muted,
+       point ? "n · p + d, for every plane" : "n · c + d, for every plane");
+  PanelRows rows{look, list, at.x, at.y + look.px(kPlanesTitle), width};
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    const int plane = static_cast<int>(i);
+    std::string name = lesson::plane_name(pair.dim, plane);
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    rows.row(name, with_sign(distances[i]), distances[i] > 0 ? look->examined_text : look->current_text,
+             plane == shown.plane_at);
+  }
+  return rows.y + kPlanesGap - at.y;
+}
+
+}  // namespace snug::app
