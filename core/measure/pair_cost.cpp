@@ -6,7 +6,7 @@
 #include "fit/catalogue.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/random.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlaps_any.hpp"
 
 namespace snug::cost {
 namespace {
@@ -35,10 +35,15 @@ struct Bodies {
     }
   }
 
-  [[nodiscard]] int apart(std::size_t a, std::size_t b) const {
+  [[nodiscard]] int apart(std::size_t a, std::size_t b, bool by_gjk) const {
+    Ignore observe;
     int apart = 0;
-    for (std::size_t i = 0; i + 1 < of_kind[a].size(); i += 2)
-      apart += query::overlaps<double, Dim>(of_kind[a][i], of_kind[b][i + 1]) ? 0 : 1;
+    for (std::size_t i = 0; i + 1 < of_kind[a].size(); i += 2) {
+      const auto &first = of_kind[a][i], &second = of_kind[b][i + 1];
+      const bool overlap = by_gjk ? query::any_pair::by_gjk<double, Dim>(first, second, observe).overlap
+                                  : query::overlaps<double, Dim>(first, second);
+      apart += overlap ? 0 : 1;
+    }
     return apart;
   }
 
@@ -55,8 +60,8 @@ struct Bodies {
 
 template <int Dim>
 auto tests_of(std::uint64_t seed) {
-  return [bodies = std::make_shared<const Bodies<Dim>>(seed)](std::size_t a, std::size_t b) {
-    return bodies->apart(a, b);
+  return [bodies = std::make_shared<const Bodies<Dim>>(seed)](std::size_t a, std::size_t b, bool by_gjk) {
+    return bodies->apart(a, b, by_gjk);
   };
 }
 
@@ -68,15 +73,26 @@ PairCostRun::PairCostRun(int dim, std::uint64_t seed, const TimingOptions& timin
   else test_ = tests_of<3>(seed);
 }
 
+Timing PairCostRun::of_one_test() const {
+  Timing time = watch_->timing();
+  time.median /= kBodies, time.min /= kBodies;
+  return time;
+}
+
 void PairCostRun::step() {
   if (done()) return;
-  if (watch_ == nullptr) watch_ = std::make_unique<Stopwatch>([this] { static_cast<void>(test_(a_, b_)); }, timing_);
+  if (watch_ == nullptr)
+    watch_ = std::make_unique<Stopwatch>([this] { static_cast<void>(test_(a_, b_, by_gjk_)); }, timing_);
   watch_->step(clock_);
   if (!watch_->done()) return;
-  PairCost row{a_, b_, static_cast<double>(test_(a_, b_)) / kBodies, watch_->timing()};
-  row.time.median /= kBodies, row.time.min /= kBodies;
-  rows_.push_back(row);
+  (by_gjk_ ? row_.gjk : row_.time) = of_one_test();
   watch_.reset();
+  if (!by_gjk_ && query::kPairTests[a_][b_] != query::PairTest::kGjk) return static_cast<void>(by_gjk_ = true);
+  if (!by_gjk_) row_.gjk = row_.time;
+  row_.a = a_, row_.b = b_;
+  row_.apart = static_cast<double>(test_(a_, b_, false)) / kBodies;
+  rows_.push_back(row_);
+  by_gjk_ = false;
   if (++b_ == kVolumeNames.size()) b_ = ++a_;
 }
 

@@ -158,7 +158,8 @@ CommandResult run_costs(const OverlapOptions& options) {
              {"b", kVolumeNames[row.b]},
              {"test", query::kPairTestNames[static_cast<std::size_t>(test)]},
              {"apart", row.apart},
-             {"time_ns", {{"median", row.time.median}, {"min", row.time.min}, {"repeats", row.time.repeats}}}}
+             {"time_ns", {{"median", row.time.median}, {"min", row.time.min}, {"repeats", row.time.repeats}}},
+             {"gjk_ns", {{"median", row.gjk.median}, {"min", row.gjk.min}, {"repeats", row.gjk.repeats}}}}
             .dump() +
         '\n';
   }

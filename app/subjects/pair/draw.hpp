@@ -32,4 +32,7 @@ void draw_volumes(Brush& brush, lesson::PairSteps steps);
 /// height. Returns the room that it takes; empty if there is not enough.
 [[nodiscard]] Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top);
 
+/// A rectangle around a place, across an axis, so many units to each side.
+[[nodiscard]] std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, double half);
+
 }  // namespace snug::app

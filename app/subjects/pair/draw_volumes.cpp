@@ -153,7 +153,20 @@ struct Drawing {
     brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
     brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
                 "distance " + lesson::gap_text(apart->distance), p.wrong_text, Face::kSemiBold, 13);
-    if (pair.any && pair.dim == 2) separating_line((apart->on_a + apart->on_b) / 2, apart->direction);
+    if (!pair.any) return;
+    const Point3 middle = (apart->on_a + apart->on_b) / 2;
+    if (pair.dim == 2) separating_line(middle, apart->direction);
+    else separating_plane(middle, apart->direction);
+  }
+  /// The plane across the separating axis, half way between both volumes.
+  void separating_plane(const Point3& middle, const Point3& axis) const {
+    const auto corners = plane_across(axis, middle, 0.6 * (cores[0].front() - cores[1].front()).norm());
+    std::vector<ImVec2> at;
+    for (const Point3& corner : corners) at.push_back(brush.at(corner));
+    brush.list->AddConvexPolyFilled(at.data(), static_cast<int>(at.size()), with_alpha(brush.p.optimum, 0.1f));
+    path(brush.list, at, true, Stroke::kLongDashed, brush.p.optimum, brush.stroke(0.9f));
+    const ImVec2 high = *std::min_element(at.begin(), at.end(), [](ImVec2 a, ImVec2 b) { return a.y < b.y; });
+    brush.label(high, 6, {0, -1}, "separates A and B", brush.p.optimum_text, Face::kSemiBold, 13);
   }
   /// Draws the line across the separating axis, half way between both volumes.
   void separating_line(const Point3& middle, const Point3& axis) const {
@@ -166,6 +179,11 @@ struct Drawing {
 };
 
 }  // namespace
+
+std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, double half) {
+  const Point3 along = axis.unitOrthogonal() * half, across = axis.normalized().cross(along);
+  return {middle + along + across, middle - along + across, middle - along - across, middle + along - across};
+}
 
 void draw_volumes(Brush& brush, lesson::PairSteps steps) {
   const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair()};

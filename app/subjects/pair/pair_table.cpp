@@ -1,5 +1,6 @@
 #include "app/subjects/pair/pair_table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -118,13 +119,26 @@ struct PairTable {
                                 : kTestMarks[static_cast<std::size_t>(pair_test_of(kinds))]);
     return lit;
   }
-  /// "circle and hull: GJK, 412 ns"
+  /// "circle and hull: GJK, 412 ns", "circle and circle: Spheres, 4.1 ns; GJK 230 ns"
   [[nodiscard]] std::string says(const lesson::Kinds& kinds) const {
+    std::string words =
+        pair_kind_name(kinds[0], dim) + " and " + pair_kind_name(kinds[1], dim) + ": " + pair_test_title(kinds);
     const cost::PairCost* cost = heat.of(kinds);
-    return pair_kind_name(kinds[0], dim) + " and " + pair_kind_name(kinds[1], dim) + ": " + pair_test_title(kinds) +
-           (cost != nullptr ? ", " + lesson::number_text(cost->time.median) + " ns" : "");
+    if (cost == nullptr) return words;
+    words += ", " + lesson::number_text(cost->time.median, 3) + " ns";
+    if (pair_test_of(kinds) != query::PairTest::kGjk)
+      words += "; GJK " + lesson::number_text(cost->gjk.median, 3) + " ns";
+    return words;
   }
 };
+
+/// Whether it is still to be predicted which test is cheaper.
+bool cheaper_waits(const lesson::Session& session) {
+  const auto& questions = session.lesson().questions;
+  return std::any_of(questions.begin(), questions.end(), [&](const lesson::Question& question) {
+    return question.asks == "cheaper" && session.is_open(question);
+  });
+}
 
 /// The button that measures, and what was measured. Returns how high it is.
 float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at, float width) {
@@ -135,6 +149,9 @@ float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at,
   ImDrawList* list = ImGui::GetWindowDrawList();
   const bool running = subject.costs() != nullptr && !subject.costs()->done();
   const float height = look.fingers ? 44.0f : look.px(30);
+  if (subject.costs() == nullptr && cheaper_waits(session))
+    return paragraph(list, look, Face::kRegular, kPairWords, kPairLine, at, width, look->muted,
+                     "What each pair costs can be measured once you have predicted which test is cheaper.");
   const std::string words = running ? "Measured: " + std::to_string(subject.costs()->rows().size()) + " of 28"
                             : subject.costs() != nullptr ? "Measure again"
                                                          : "Measure what each costs";
@@ -150,8 +167,8 @@ float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at,
   if (subject.costs() == nullptr) return height;
   return height + look.px(6) +
          paragraph(list, look, Face::kRegular, 11, 16, {at.x, at.y + height + look.px(6)}, width, look->muted,
-                   "Nanoseconds of one test on this machine, on the same 24 pairs of random bodies. The stronger the "
-                   "tint, the more expensive.");
+                   "Nanoseconds of one test on this machine, on the same 24 pairs of random bodies; GJK’s on the same "
+                   "are in the line above. The stronger the tint, the more expensive.");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/volume.hpp"
+#include "query/overlaps.hpp"
 
 using namespace snug;
 
@@ -22,6 +23,8 @@ TEST_CASE("each of the 28 pairs gets a row, and about half of the bodies are apa
         CHECK(rows[at].a == a);
         CHECK(rows[at].b == b);
         CHECK(rows[at].time.median > 0);
+        CHECK(rows[at].gjk.median > 0);
+        if (query::kPairTests[a][b] == query::PairTest::kGjk) CHECK(rows[at].gjk.median == rows[at].time.median);
         CHECK(rows[at].apart > 0.1);
         CHECK(rows[at].apart < 0.9);
       }

@@ -66,6 +66,18 @@ Session open(std::string text) {
 }
 Session any() { return open(std::string(kHead) + std::string(kAny)); }
 
+/// The same in space, where no vertex of A - B is asked about.
+Session any_in_space() {
+  std::string text = std::string(kHead) + std::string(kAny.substr(0, kAny.find("[[question]]")));
+  const auto first = text.find("dim = 2"), last = text.find("[[section]]");
+  text.replace(first, last - first,
+               "dim = 3\n"
+               "a = { hull = { points = [[-2.1, -0.5, 0], [-1, -1.1, 0.2], [-0.3, -0.2, -0.6], [-0.9, 0.9, 0.4]] } }\n"
+               "b = { hull = { points = [[0.4, 0.9, 0], [1, -0.6, 0.4], [2, -0.1, -0.5], [1.5, 1.2, 0.6]] } }\n");
+  return open(text);
+}
+Session any(int dim) { return dim == 2 ? any() : any_in_space(); }
+
 const VolumePair& pair_of(const Session& session) { return as<VolumesSubject>(session.subject())->pair(); }
 
 void choose(Session& session, const Kinds& kinds) {
@@ -87,32 +99,39 @@ std::vector<std::string> right(const Session& session, std::string_view id) {
 }  // namespace
 
 TEST_CASE("each of the 28 pairs can be chosen, has its own test, and comes back from its rows") {
+  for (const int dim : {2, 3}) {
+    CAPTURE(dim);
+    Session session = any(dim);
+    for (std::size_t a = 0; a < kVolumeNames.size(); ++a)
+      for (std::size_t b = a; b < kVolumeNames.size(); ++b) {
+        CAPTURE(kVolumeNames[a]);
+        CAPTURE(kVolumeNames[b]);
+        choose(session, {a, b});
+        CHECK(kinds_of(pair_of(session)) == Kinds{a, b});
+        const auto test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair_of(session)))];
+        CHECK(session.choose(0, test).has_value());
+        for (const std::string& name : session.lesson().algorithms)
+          CHECK((session.subject().suits(*find_method(volume_tests(), name))) == (name == test || name == "gjk"));
+        session.last();
+        CHECK(session.caption().back() == '.');
+
+        const Rows rows = session.subject().rows();
+        Session other = any(dim);
+        REQUIRE(other.set_rows(rows).has_value());
+        CHECK(other.subject().rows() == rows);
+        CHECK(kinds_of(pair_of(other)) == Kinds{a, b});
+        session.scatter(17);
+        CHECK(kinds_of(pair_of(session)) == Kinds{a, b});
+        CHECK(session.subject().rows() != rows);
+        session.undo();
+        CHECK(session.subject().rows() == rows);
+      }
+  }
+}
+
+TEST_CASE("rows that are no two volumes of any kind are refused, and change nothing") {
   Session session = any();
   const Rows own = session.subject().rows();
-  for (std::size_t a = 0; a < kVolumeNames.size(); ++a)
-    for (std::size_t b = a; b < kVolumeNames.size(); ++b) {
-      CAPTURE(kVolumeNames[a]);
-      CAPTURE(kVolumeNames[b]);
-      choose(session, {a, b});
-      CHECK(kinds_of(pair_of(session)) == Kinds{a, b});
-      const auto test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair_of(session)))];
-      CHECK(session.choose(0, test).has_value());
-      for (const std::string& name : session.lesson().algorithms)
-        CHECK((session.subject().suits(*find_method(volume_tests(), name))) == (name == test || name == "gjk"));
-      session.last();
-      CHECK(session.caption().back() == '.');
-
-      const Rows rows = session.subject().rows();
-      Session other = any();
-      REQUIRE(other.set_rows(rows).has_value());
-      CHECK(other.subject().rows() == rows);
-      CHECK(kinds_of(pair_of(other)) == Kinds{a, b});
-      session.scatter(17);
-      CHECK(kinds_of(pair_of(session)) == Kinds{a, b});
-      CHECK(session.subject().rows() != rows);
-      session.undo();
-      CHECK(session.subject().rows() == rows);
-    }
   // A hull of more points and a k-DOP of fewer slabs than the usual ones.
   const Rows others{{5, -2, -2, -1, 1}, {6, 1, 0, 3, 0, 3, 1, 2, 2, 1, 1, 0.5, 0.5, 2, 1}};
   REQUIRE(session.set_rows(others).has_value());
