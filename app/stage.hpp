@@ -90,7 +90,8 @@ class Stage {
   void draw_notes(Brush& brush, Settings& settings);
   void draw_tools(Brush& brush, Settings& settings, float y, float height);
   void draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
-  void draw_axis_cross(Brush& brush) const;
+  /// inset: the second picture, which it keeps clear of.
+  void draw_axis_cross(Brush& brush, const Rect& inset) const;
 
   SubjectView* view_ = nullptr;
   Camera camera_;

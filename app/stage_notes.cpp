@@ -83,7 +83,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (inset.width > 0) keep_free(brush.canvas.obstacles, inset);
   draw_close_up(brush, settings.tools || tools > 0 ? y + height + 10 : y);
   if (close_up_) keep_free(brush.canvas.obstacles, close_up_->panel);
-  if (camera_.dim() == 3) draw_axis_cross(brush);
+  if (camera_.dim() == 3) draw_axis_cross(brush, inset);
   if (look.foot > 0)
     keep_free(brush.canvas.obstacles,
               {brush.rect.x, brush.rect.y + brush.rect.height - look.foot, brush.rect.width, look.foot});
@@ -109,10 +109,12 @@ void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, 
 }
 
 /// Draws the axis cross; the axis in use is thicker.
-void Stage::draw_axis_cross(Brush& brush) const {
-  constexpr float kLength = 22;
+void Stage::draw_axis_cross(Brush& brush, const Rect& inset) const {
+  constexpr float kLength = 22, kReach = 36;
   // Above the room for the sentence.
-  const ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
+  ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
+  if (overlap(inset, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
+    origin.x = inset.x + inset.width + kReach;
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
   const int in_use = view_->axis_in_use(brush.session);
@@ -129,7 +131,7 @@ void Stage::draw_axis_cross(Brush& brush) const {
       text_middle(brush.list, brush.look, Face::kSemiBold, 12, {end.x, end.y - size / 2}, color,
                   std::string_view("xyz").substr(axis, 1));
   }
-  keep_free(brush.canvas.obstacles, {origin.x - 36, origin.y - 36, 72, 72});
+  keep_free(brush.canvas.obstacles, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach});
 }
 
 }  // namespace snug::app

@@ -16,9 +16,10 @@ namespace {
 
 using Kind = lesson::Mark::Kind;
 
-constexpr float kMargin = 28, kMarksApart = 13;
+constexpr float kMargin = 28, kMarksApart = 13, kFlagWidth = 15;
 
-void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open) {
+/// flag: where a gate's flag stands.
+void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open, float flag = 0) {
   const Palette& p = *look.palette;
   switch (kind) {
     case Kind::kGrew:
@@ -32,13 +33,13 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
       break;
     case Kind::kQuestion: {
       // A gate: a flag above the track, filled until the question is answered.
-      const float height = 17, width = 15;
-      const ImVec2 low{at.x - width / 2, at.y - height - 7};
-      list->AddLine({at.x, at.y - 8}, {at.x, at.y + 5}, p.current, 2);
+      const float height = 17, width = kFlagWidth;
+      const ImVec2 low{flag - width / 2, at.y - height - 7};
+      list->AddLine({flag, at.y - 8}, {at.x, at.y + 5}, p.current, 2);
       list->AddRectFilled(low, {low.x + width, low.y + height}, open ? p.current : p.panel, 4);
       list->AddRect(low, {low.x + width, low.y + height}, p.current, 4, 0, 1.5f);
       const float size = 12 / look.text_scale;  // a mark does not grow with the text
-      text_middle(list, look, Face::kSemiBold, size, {at.x, low.y + height / 2 - 6},
+      text_middle(list, look, Face::kSemiBold, size, {flag, low.y + height / 2 - 6},
                   open ? p.on_current : p.current_text, "?");
       break;
     }
@@ -57,9 +58,14 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   const float thumb = map.x_of(session.step());
   list->AddRectFilled({map.left, y - half}, {map.left + map.width, y + half}, p.track, half);
   list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
-  for (const lesson::Mark& mark : marks_with_room(marks_to_show(session), map, kMarksApart))
-    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y},
-              mark.kind == Kind::kQuestion && is_open(session, mark.step));
+  const std::vector<lesson::Mark> marks = marks_with_room(marks_to_show(session), map, kMarksApart);
+  const std::vector<float> flags = flag_places(marks, map, kFlagWidth + 2);
+  std::size_t gate = 0;
+  for (const lesson::Mark& mark : marks) {
+    const bool asks = mark.kind == Kind::kQuestion;
+    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, asks && is_open(session, mark.step),
+              asks ? flags[gate++] : 0);
+  }
   const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
   disc(list, {thumb, y}, radius + 3, p.panel);
   disc(list, {thumb, y}, radius, p.current);

@@ -59,4 +59,16 @@ std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, c
   return kept;
 }
 
+std::vector<float> flag_places(std::span<const lesson::Mark> marks, const TimelineMap& map, float apart) {
+  std::vector<float> places;
+  for (const lesson::Mark& mark : marks) {
+    if (mark.kind != lesson::Mark::Kind::kQuestion) continue;
+    const float x = map.x_of(mark.step);
+    places.push_back(places.empty() ? x : std::max(x, places.back() + apart));
+  }
+  float most = map.left + map.width;
+  for (std::size_t i = places.size(); i-- > 0; most = places[i] - apart) places[i] = std::min(places[i], most);
+  return places;
+}
+
 }  // namespace snug::app

@@ -30,4 +30,7 @@ struct TimelineMap {
 [[nodiscard]] std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, const TimelineMap& map,
                                                         float apart);
 
+/// Where the flags of the questions stand, in their order: over their steps, or moved so that no two overlap.
+[[nodiscard]] std::vector<float> flag_places(std::span<const lesson::Mark> marks, const TimelineMap& map, float apart);
+
 }  // namespace snug::app

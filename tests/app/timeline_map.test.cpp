@@ -73,4 +73,17 @@ TEST_CASE("marks beyond the first question without an answer would tell it: they
   CHECK(hidden() > 0);
 }
 
+TEST_CASE("gates of steps that lie close together stand side by side, within the track") {
+  using Kind = lesson::Mark::Kind;
+  const std::vector<lesson::Mark> marks{{0, Kind::kQuestion},  {1, Kind::kGrew},       {2, Kind::kQuestion},
+                                        {60, Kind::kQuestion}, {119, Kind::kQuestion}, {120, Kind::kQuestion}};
+  const TimelineMap map{100, 480, 120};
+  const std::vector<float> flags = flag_places(marks, map, 17);
+  REQUIRE(flags.size() == 5);
+  for (std::size_t i = 1; i < flags.size(); ++i) CHECK(flags[i] - flags[i - 1] >= 17);
+  CHECK(flags[0] == map.x_of(0));
+  CHECK(flags[2] == map.x_of(60));  // where there is room it stands over its step
+  CHECK(flags[4] == map.x_of(120));
+}
+
 }  // namespace snug::app

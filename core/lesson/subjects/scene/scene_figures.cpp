@@ -61,7 +61,7 @@ std::string scene_figure_text(std::string_view figure, double value) {
   if (!std::isfinite(value)) return "—";
   if (figure == "slack") return looseness_text(value / 100);
   if (figure == kOverHull) return number_text(value) + " times";
-  if (figure == "energy") return number_text(value);
+  if (figure == "energy") return number_text(value) + " " + std::string(unit_of(figure));
   return count_text(std::llround(value)) + " " + counted_thing(figure, value == 1);
 }
 

@@ -205,6 +205,7 @@ TEST_CASE("a figure's ranges are written as people write them") {
   CHECK(texts("slack", {10, 1000}) == Texts{"at most 10 %", "10 to 1,000 %", "more than 1,000 %"});
   CHECK(texts("over_hull", {1.2, 2}) == Texts{"at most 1.2 times", "1.2 to 2 times", "more than 2 times"});
   CHECK(texts("energy", {1, 2}).at(1) == "1 to 2 kg units²/s²");
+  CHECK(lesson::scene_figure_text("energy", -74.25) == lesson::number_text(-74.25) + " kg units²/s²");
   CHECK(lesson::scene_figure_text("slack", 384.67) == "+385 %");
   CHECK(lesson::scene_figure_text("slack", 0) == "0.0 %");
   CHECK(lesson::looser_words(0.35, "the tightest") == "35.0 % larger than the tightest");
