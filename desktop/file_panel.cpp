@@ -22,7 +22,7 @@ int grow(ImGuiInputTextCallbackData* data) {
 }
 
 /// Draws the text field; what is typed is on the stage at once.
-void draw_text(Shell& shell, Column& column, const lesson::StageFile& file, float height) {
+void draw_file_text(Shell& shell, Column& column, const lesson::StageFile& file, float height) {
   const app::Look& look = column.look();
   std::string& text = shell.file_text;
   ImGui::PushFont(look.font(Face::kMono), app::font_size(look, Face::kMono, 13));
@@ -55,7 +55,7 @@ void draw_file(Shell& shell, Column& column, float height) {
   column.gap(8);
   const float line = look.px(20);
   const float below = file->mistakes.empty() ? 0 : line * (static_cast<float>(file->mistakes.size()) * 2 + 2);
-  draw_text(shell, column, *file, std::max(kFewestLines * line, height - (column.y() - top) - below));
+  draw_file_text(shell, column, *file, std::max(kFewestLines * line, height - (column.y() - top) - below));
   if (file->mistakes.empty()) return;
   column.gap(8);
   column.words(file->heading(), Face::kSemiBold, 13, look->wrong_text);

@@ -45,7 +45,7 @@ std::string toml_number(double value) {
   return number.find_first_of(".e") == std::string::npos ? number + ".0" : number;
 }
 
-std::string quoted(const std::string& text) {
+std::string in_toml_quotes(const std::string& text) {
   std::string all = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') all += '\\';
@@ -54,14 +54,14 @@ std::string quoted(const std::string& text) {
   return all + '"';
 }
 
-std::string value_text(const toml::node& node) {
-  if (const auto* text = node.as_string()) return quoted(text->get());
+std::string toml_value(const toml::node& node) {
+  if (const auto* text = node.as_string()) return in_toml_quotes(text->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
   if (const auto* number = node.as_floating_point()) return toml_number(number->get());
   std::string all = "[";
   if (const auto* array = node.as_array())
-    for (const toml::node& item : *array) all.append(all.size() > 1 ? ", " : "").append(value_text(item));
+    for (const toml::node& item : *array) all.append(all.size() > 1 ? ", " : "").append(toml_value(item));
   return all + "]";
 }
 
@@ -70,22 +70,22 @@ std::string table_text(std::string_view header, const toml::table& table) {
   std::string text(header);
   text += '\n';
   for (const auto& [key, node] : keys_in_order(table))
-    if (!is_tables(*node) && key != "graph") text.append(key).append(" = ").append(value_text(*node)).append("\n");
+    if (!is_tables(*node) && key != "graph") text.append(key).append(" = ").append(toml_value(*node)).append("\n");
   return text;
 }
 
-std::string_view trimmed(std::string_view line) {
+std::string_view without_indent(std::string_view line) {
   const auto first = line.find_first_not_of(" \t");
   return first == std::string_view::npos ? std::string_view() : line.substr(first);
 }
 
 bool sets_called(std::string_view line) {
-  line = trimmed(line);
+  line = without_indent(line);
   constexpr std::string_view kKey = "called";
-  return line.starts_with(kKey) && trimmed(line.substr(kKey.size())).starts_with('=');
+  return line.starts_with(kKey) && without_indent(line.substr(kKey.size())).starts_with('=');
 }
 
-std::vector<std::string> lines_of(std::string_view text) {
+std::vector<std::string> lines_in(std::string_view text) {
   std::vector<std::string> lines(1);
   for (const char c : text)
     if (c == '\n') lines.emplace_back();
@@ -115,8 +115,8 @@ std::string with_calls(std::string_view text, const std::vector<bool>& called) {
       lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(end), "called = false");
     inside = false;
   };
-  for (std::string& line : lines_of(text)) {
-    const std::string_view words = trimmed(line);
+  for (std::string& line : lines_in(text)) {
+    const std::string_view words = without_indent(line);
     if (words.starts_with('[')) {
       finish();
       inside = words.starts_with("[[scene.effect]]");
@@ -124,7 +124,7 @@ std::string with_calls(std::string_view text, const std::vector<bool>& called) {
     }
     if (inside && sets_called(words)) continue;
     lines.push_back(std::move(line));
-    if (!trimmed(lines.back()).empty()) end = lines.size();
+    if (!without_indent(lines.back()).empty()) end = lines.size();
   }
   finish();
   std::string all;

@@ -313,14 +313,14 @@ TEST_CASE("the counts beside the stage are those of the scene that the command l
 
 namespace {
 
-lesson::StageFile file_of(const lesson::Session& session) {
+lesson::StageFile scene_file_of(const lesson::Session& session) {
   const auto file = session.subject().file();
   REQUIRE(file.has_value());
   return *file;
 }
 
 /// The text with a part replaced, all of what stands between two words.
-std::string with(std::string text, std::string_view part, std::string_view other) {
+std::string with_changed(std::string text, std::string_view part, std::string_view other) {
   const std::size_t at = text.find(part);
   REQUIRE(at != std::string::npos);
   return text.replace(at, part.size(), other);
@@ -330,52 +330,53 @@ std::string with(std::string text, std::string_view part, std::string_view other
 
 TEST_CASE("a scene's file says what the lesson's does, and is read as the same scene") {
   lesson::Session session = piles();
-  const std::string own = file_of(session).own;
+  const std::string own = scene_file_of(session).own;
   CHECK(own.starts_with("[scene]\nframes = 200\n\n[[scene.body]]\nname = \"floor\"\nshape = \"box\"\n"
                         "half_extents = [9, 0.5, 9]\nposition = [0, -0.5, 0]\nfixed = true\n"));
   CHECK(own.find("graph") == std::string::npos);
   CHECK(own.ends_with("[[scene.effect]]\neffect = \"shadow\"\ncalled = false\n"));
   const std::uint64_t trace = session.trace_hash();
   REQUIRE(session.set_file(own + "# a comment\n").has_value());
-  CHECK(file_of(session).mistakes.empty());
+  CHECK(scene_file_of(session).mistakes.empty());
   CHECK(session.trace_hash() == trace);
   CHECK(names_of(session, false) == std::vector<std::string>{"shadow"});
   CHECK(session.subject().rows().size() == 4);
   REQUIRE(session.set_file(own).has_value());
-  CHECK(file_of(session).runs == own);
+  CHECK(scene_file_of(session).runs == own);
 }
 
 TEST_CASE("a setting that is typed is seen at once, and all that is typed is one entry of undo") {
   lesson::Session session = piles();
-  const std::string own = file_of(session).own;
+  const std::string own = scene_file_of(session).own;
   const std::uint64_t trace = session.trace_hash();
-  REQUIRE(session.set_file(with(own, "restitution = 0", "restitution = 0.")).has_value());
-  REQUIRE(session.set_file(with(own, "restitution = 0", "restitution = 0.6")).has_value());
+  REQUIRE(session.set_file(with_changed(own, "restitution = 0", "restitution = 0.")).has_value());
+  REQUIRE(session.set_file(with_changed(own, "restitution = 0", "restitution = 0.6")).has_value());
   CHECK(session.trace_hash() != trace);
   CHECK_FALSE(session.is_own());
   session.end_typing();
-  REQUIRE(session.set_file(with(own, "frames = 200", "frames = 60")).has_value());
+  REQUIRE(session.set_file(with_changed(own, "frames = 200", "frames = 60")).has_value());
   CHECK(session.steps() == 60);
-  CHECK(file_of(session).runs.find("restitution = 0\n") != std::string::npos);
+  CHECK(scene_file_of(session).runs.find("restitution = 0\n") != std::string::npos);
   session.undo();
   CHECK(session.steps() == 200);
-  CHECK(file_of(session).runs.find("restitution = 0.6\n") != std::string::npos);
+  CHECK(scene_file_of(session).runs.find("restitution = 0.6\n") != std::string::npos);
   session.undo();
   CHECK(session.trace_hash() == trace);
   CHECK_FALSE(session.can_undo());
   session.redo();
-  CHECK(file_of(session).runs.find("restitution = 0.6\n") != std::string::npos);
+  CHECK(scene_file_of(session).runs.find("restitution = 0.6\n") != std::string::npos);
 }
 
 TEST_CASE("of a text that cannot run every mistake is named with its line, and the stage keeps the last one that ran") {
   lesson::Session session = piles();
-  const std::string own = file_of(session).own;
+  const std::string own = scene_file_of(session).own;
   const std::uint64_t trace = session.trace_hash();
-  const std::string broken = with(with(with(own, "restitution = 0", "restitution = 7\nfriction = -1\nglue = 2"),
-                                       "effect = \"trail\"", "effect = \"trail\"\nlength = 2.5"),
-                                  "fixed = true", "fixed = true\nmass = -3");
+  const std::string broken =
+      with_changed(with_changed(with_changed(own, "restitution = 0", "restitution = 7\nfriction = -1\nglue = 2"),
+                                "effect = \"trail\"", "effect = \"trail\"\nlength = 2.5"),
+                   "fixed = true", "fixed = true\nmass = -3");
   REQUIRE(session.set_file(broken).has_value());
-  const lesson::StageFile file = file_of(session);
+  const lesson::StageFile file = scene_file_of(session);
   CHECK(file.typed == broken);
   CHECK(file.runs == own);
   CHECK(session.trace_hash() == trace);
@@ -386,68 +387,68 @@ TEST_CASE("of a text that cannot run every mistake is named with its line, and t
                                  "35:1: trail: \"length\" must be a whole number"});
   CHECK(file.heading() == "5 mistakes: the stage shows the last text without any.");
   REQUIRE(session.set_file("[scene\n").has_value());  // no TOML
-  CHECK(file_of(session).mistakes.size() == 1);
+  CHECK(scene_file_of(session).mistakes.size() == 1);
   REQUIRE(session.set_file("").has_value());
-  CHECK(file_of(session).mistakes.front() == "1:1: the file lacks [scene]");
+  CHECK(scene_file_of(session).mistakes.front() == "1:1: the file lacks [scene]");
   session.undo();  // all of it was typed in one go
-  CHECK(file_of(session).typed == own);
+  CHECK(scene_file_of(session).typed == own);
   session.redo();
-  CHECK(file_of(session).typed.empty());
+  CHECK(scene_file_of(session).typed.empty());
   CHECK(session.trace_hash() == trace);
 }
 
 TEST_CASE("what is typed is not lost when something else is edited") {
   lesson::Session session = piles();
-  const std::string broken = with(file_of(session).own, "restitution = 0", "restitution = ");
+  const std::string broken = with_changed(scene_file_of(session).own, "restitution = 0", "restitution = ");
   REQUIRE(session.set_file(broken).has_value());
   REQUIRE(session.move(0, {-2, 0.4, 0}).has_value());
-  CHECK(file_of(session).typed == broken);
+  CHECK(scene_file_of(session).typed == broken);
   REQUIRE(session.call_for("shadow", true).has_value());
-  CHECK(file_of(session).typed == broken);
-  CHECK(file_of(session).runs.find("called") == std::string::npos);
+  CHECK(scene_file_of(session).typed == broken);
+  CHECK(scene_file_of(session).runs.find("called") == std::string::npos);
   session.reset();
-  CHECK(file_of(session).mistakes.empty());
+  CHECK(scene_file_of(session).mistakes.empty());
   session.undo();
-  CHECK(file_of(session).typed == broken);
+  CHECK(scene_file_of(session).typed == broken);
 }
 
 TEST_CASE("an effect's control is seen in the scene's file, and an effect that is typed in has its control") {
   lesson::Session session = piles();
-  const std::string own = file_of(session).own;
+  const std::string own = scene_file_of(session).own;
   REQUIRE(session.call_for("fall", false).has_value());
-  CHECK(file_of(session).runs == with(own, "effect = \"fall\"\n", "effect = \"fall\"\ncalled = false\n"));
-  CHECK(file_of(session).own == file_of(session).runs);  // which the rows say
+  CHECK(scene_file_of(session).runs == with_changed(own, "effect = \"fall\"\n", "effect = \"fall\"\ncalled = false\n"));
+  CHECK(scene_file_of(session).own == scene_file_of(session).runs);  // which the rows say
   CHECK(session.subject().rows().size() == 5);
   REQUIRE(session.call_for("fall", true).has_value());
-  CHECK(file_of(session).runs == own);
+  CHECK(scene_file_of(session).runs == own);
   CHECK(session.subject().rows().size() == 4);
   REQUIRE(session.set_file(own + "\n[[scene.effect]]\neffect = \"projection_rays\"\n").has_value());
-  CHECK(file_of(session).mistakes.empty());
+  CHECK(scene_file_of(session).mistakes.empty());
   const std::vector<std::string> called = names_of(session, true);
   CHECK(std::find(called.begin(), called.end(), "projection_rays") != called.end());
   REQUIRE(session.call_for("projection_rays", false).has_value());
-  CHECK(file_of(session).runs.ends_with("effect = \"projection_rays\"\ncalled = false\n"));
+  CHECK(scene_file_of(session).runs.ends_with("effect = \"projection_rays\"\ncalled = false\n"));
   const std::size_t bodies = own.find("[[scene.effect]]");
   REQUIRE(session.set_file(own.substr(0, bodies)).has_value());  // no effect at all
-  CHECK(file_of(session).mistakes.empty());
+  CHECK(scene_file_of(session).mistakes.empty());
   CHECK(names_of(session, true).empty());
   CHECK(session.steps() == 200);
 }
 
 TEST_CASE("a scene's file keeps bodies at the places that are dragged") {
   lesson::Session session = piles();
-  const std::string own = file_of(session).own;
-  REQUIRE(session.set_file(with(own, "at_points = true\n", "")).has_value());
-  REQUIRE(file_of(session).mistakes.size() == 1);
-  CHECK(file_of(session).mistakes.front().starts_with("1:1: no body has \"at_points = true\""));
-  REQUIRE(session.set_file(with(own, "frames = 200", "frames = 2000")).has_value());
-  CHECK(file_of(session).mistakes.empty());
+  const std::string own = scene_file_of(session).own;
+  REQUIRE(session.set_file(with_changed(own, "at_points = true\n", "")).has_value());
+  REQUIRE(scene_file_of(session).mistakes.size() == 1);
+  CHECK(scene_file_of(session).mistakes.front().starts_with("1:1: no body has \"at_points = true\""));
+  REQUIRE(session.set_file(with_changed(own, "frames = 200", "frames = 2000")).has_value());
+  CHECK(scene_file_of(session).mistakes.empty());
   CHECK(session.steps() == 2000);
 }
 
 TEST_CASE("a lesson's file is told of every broken setting of its scene at once") {
-  std::string broken = with(kPiles, "restitution = 0", "restitution = 7\nglue = 2");
-  broken = with(broken, "effect = \"trail\"", "effect = \"trail\"\nlength = 1");
+  std::string broken = with_changed(kPiles, "restitution = 0", "restitution = 7\nglue = 2");
+  broken = with_changed(broken, "effect = \"trail\"", "effect = \"trail\"\nlength = 1");
   const lesson::Draft draft = lesson::read_draft(broken, "piles.toml");
   std::vector<std::string> says;
   for (const lesson::FileError& mistake : draft.mistakes) says.push_back(mistake.what);
@@ -457,13 +458,14 @@ TEST_CASE("a lesson's file is told of every broken setting of its scene at once"
 
 TEST_CASE("a lesson that is read anew keeps the scene that was typed") {
   lesson::Session before = piles();
-  const std::string own = file_of(before).own;
-  const std::string runs = with(own, "frames = 200", "frames = 60"), typed = with(own, "frames = 200", "frames = six");
+  const std::string own = scene_file_of(before).own;
+  const std::string runs = with_changed(own, "frames = 200", "frames = 60"),
+                    typed = with_changed(own, "frames = 200", "frames = six");
   REQUIRE(before.set_file(runs).has_value());
   REQUIRE(before.set_file(typed).has_value());
   lesson::Session now = piles();
   lesson::Place(before).take(now);
   CHECK(now.steps() == 60);
-  CHECK(file_of(now).runs == runs);
-  CHECK(file_of(now).typed == typed);
+  CHECK(scene_file_of(now).runs == runs);
+  CHECK(scene_file_of(now).typed == typed);
 }
