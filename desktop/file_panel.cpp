@@ -50,7 +50,7 @@ void draw_file(Shell& shell, Column& column, float height) {
   const float top = column.y();
   column.title("The scene's file");
   column.words(
-      "Change a number, add an effect: the stage answers at once. Bodies “at points” stand where you drag them.",
+      "Change a number, add an effect: the stage answers at once. Bodies with at_points stand where you drag them.",
       Face::kRegular, 13, look->muted);
   column.gap(8);
   const float line = look.px(20);

@@ -96,3 +96,27 @@ test("the lesson on sphere-swept volumes: a finger changes a radius, and the ste
   assert.ok(after.readout.gap < before.readout.gap);
   await still(page);
 });
+
+for (const [where, device] of [["a laptop", undefined], ["a phone", kPhone]])
+  test(`on ${where} a cell of the table puts another pair on the stage, and the address brings it back`, async (t) => {
+    const page = await visit(t, "?lesson=overlap-any&step=0", device);
+    if (device) await page.locator("#tab-numbers").click();
+    await still(page);
+    const own = await state(page);
+    const numbers = page.locator("#numbers");
+    await numbers.scrollIntoViewIfNeeded();
+    const box = await numbers.boundingBox();
+    let now = own;
+    for (let down = 40; down < 320 && !now.edited; down += 14) { // the last column has a cell in every row
+      await page.mouse.click(box.x + box.width - 36, box.y + down);
+      await still(page);
+      now = await state(page);
+    }
+    assert.ok(now.edited, "a cell was clicked");
+    assert.notEqual(now.trace, own.trace);
+    await page.waitForFunction(() => /rows=/.test(location.search));
+    await page.reload();
+    const again = await until(page, (view) => view?.edited);
+    assert.equal(again.trace, now.trace);
+    assert.equal(again.algorithm, now.algorithm);
+  });

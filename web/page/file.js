@@ -17,7 +17,7 @@ export class SceneFile {
     this.#door = door;
     this.#act = act;
     by_id("file").append(element("h2", { id: "file-heading" }, "The scene’s file"),
-      element("p", { class: "label", id: "file-says" }, "Change a number, add an effect: the stage answers at once. Bodies “at points” stand where you drag them."),
+      element("p", { class: "label", id: "file-says" }, "Change a number, add an effect: the stage answers at once. Bodies with at_points stand where you drag them."),
       this.#text, this.#heading, this.#mistakes);
   }
 
