@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lesson/own_words.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/text_place.hpp"
 
@@ -81,6 +82,23 @@ void warn_of_length(const toml::table& table, const Section& section, Complaints
                           std::to_string(kMostWords) + " are read");
 }
 
+void warn_of_own_words(const toml::table& table, std::string_view key, std::string_view mend, Complaints& complaints) {
+  const std::string words = words_of_one_run(text_of(table, key));
+  if (!words.empty())
+    complaints.warn(place_in_text(table, key, words),
+                    '"' + std::string(key) + "\" says \"" + words +
+                        "\", which a drag or other points may make false: " + std::string(mend));
+}
+
+/// Warns of words that stand on every run and may be true of one.
+void warn_of_own_words(const toml::table& table, Complaints& complaints) {
+  if (text_of(table, "holds") == "here") return;
+  warn_of_own_words(table, "prompt", "\"prompt_here\" is for the lesson's own run", complaints);
+  warn_of_own_words(table, "because", "\"because_here\" is for the lesson's own run", complaints);
+  if (const toml::table* wrong = table["wrong"].as_table())
+    for (const auto& [key, text] : *wrong) warn_of_own_words(*wrong, key.str(), "it stands on every run", complaints);
+}
+
 }  // namespace
 
 void warn_of_words(const Lesson& lesson, const toml::table& toml, std::span<const Subject* const> subjects,
@@ -97,6 +115,7 @@ void warn_of_words(const Lesson& lesson, const toml::table& toml, std::span<cons
     if (i < lesson.sections.size()) warn_of_length(table, lesson.sections[i], complaints);
   });
   each_of("question", [&](const toml::table& table, std::size_t) {
+    if (lesson.subject->asks_of_steps) warn_of_own_words(table, complaints);
     if (!handles) return;
     for (const std::string_view key : {"prompt", "prompt_here", "because", "because_here"})
       warn_of_handles(table, key, *handles, complaints);
