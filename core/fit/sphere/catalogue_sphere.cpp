@@ -23,10 +23,10 @@ constexpr auto kPcaSphere = [](auto p, const Options&, auto& o) { return pca_sph
 constexpr auto kWelzl = [](auto p, const Options& options, auto& o) { return welzl(p, options, o); };
 constexpr auto kWelzlRecursive = [](auto p, const Options& options, auto& o) { return welzl_recursive(p, options, o); };
 constexpr auto kWelzlNaive = [](auto p, const Options& options, auto& o) {
-  return welzl_naive<NoSlack>(p, options, o);
+  return welzl_naive<NoEpsilon>(p, options, o);
 };
 constexpr auto kWelzlEpsilon = [](auto p, const Options& options, auto& o) {
-  return welzl_naive<AbsoluteSlack>(p, options, o);
+  return welzl_naive<AbsoluteEpsilon>(p, options, o);
 };
 constexpr auto kPivot = [](auto p, const Options& options, auto& o) { return pivot(p, options, o); };
 constexpr auto kBruteForce = [](auto p, const Options&, auto& o) { return brute_force(p, o); };
@@ -84,7 +84,7 @@ constexpr std::array kSphereRows{
                            .max_points = kBruteForceLimit}),
     row<kWelzlNaive>({.volume = "sphere",
                       .name = "welzl_naive",
-                      .title = "Welzl, no slack (naive)",
+                      .title = "Welzl, no epsilon (naive)",
                       .source = kWelzlPaper,
                       .theory = kStoppedInTime,
                       .pseudocode = kWelzlNaivePseudocode,
@@ -92,7 +92,7 @@ constexpr std::array kSphereRows{
                       .naive = true}),
     row<kWelzlEpsilon>({.volume = "sphere",
                         .name = "welzl_epsilon",
-                        .title = "Welzl, absolute slack (naive)",
+                        .title = "Welzl, absolute epsilon (naive)",
                         .source = kWelzlPaper,
                         .theory = kStoppedInTime,
                         .pseudocode = kWelzlEpsilonPseudocode,

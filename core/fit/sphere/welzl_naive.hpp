@@ -39,22 +39,22 @@ inline constexpr Index kWelzlNaiveLimit = 1000;
 inline constexpr Index kMostTestsPerPoint = 100;
 
 /// The test as it is usually printed.
-struct NoSlack {
+struct NoEpsilon {
   template <class Scalar>
   static bool outside(Scalar square, Scalar radius) {
     return square > radius * radius;
   }
 };
-/// The usual remedy: an absolute slack, whatever the size of the points.
-struct AbsoluteSlack {
-  static constexpr double kSlack = 1e-6;  // scene units
+/// The usual remedy: an absolute epsilon, whatever the size of the points.
+struct AbsoluteEpsilon {
+  static constexpr double kEpsilon = 1e-6;  // scene units
   template <class Scalar>
   static bool outside(Scalar square, Scalar radius) {
-    return std::sqrt(square) > radius + static_cast<Scalar>(kSlack);
+    return std::sqrt(square) > radius + static_cast<Scalar>(kEpsilon);
   }
 };
 
-/// The state of one run. Test: NoSlack or AbsoluteSlack.
+/// The state of one run. Test: NoEpsilon or AbsoluteEpsilon.
 template <class Test, class Scalar, int Dim, class Observer>
 class WelzlNaive {
  public:

@@ -83,7 +83,7 @@ TEST_CASE("where a naive run would not end in time, it is stopped and says so") 
 }
 
 TEST_CASE(
-    "an absolute slack suits one size of points: far smaller ones it leaves outside, far larger ones it ignores") {
+    "an absolute epsilon suits one size of points: far smaller ones it leaves outside, far larger ones it ignores") {
   const auto worst_of = [](double scale) {
     double worst = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
