@@ -5,8 +5,24 @@
 namespace snug::app {
 namespace {
 
-float advance(ImFont* font, float size, const char* begin, const char* end) {
-  return font->CalcTextSizeA(size, FLT_MAX, 0, begin, end).x;
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_of_name(char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '9'); }
+
+/// Whether that letter is an underscore between a letter and one capital that are a name by themselves.
+bool lowers_next(std::string_view words, std::size_t at) {
+  if (words[at] != '_' || at == 0 || at + 1 >= words.size()) return false;
+  const char next = words[at + 1];
+  return is_letter(words[at - 1]) && next >= 'A' && next <= 'Z' && (at < 2 || !is_of_name(words[at - 2])) &&
+         (at + 2 == words.size() || !is_of_name(words[at + 2]));
+}
+
+float advance(ImFont* font, float size, std::string_view words) {
+  float width = 0;
+  for (const Letters& letters : with_subscripts(words))
+    width += font->CalcTextSizeA(letters.lowered ? size * kScriptSize : size, FLT_MAX, 0, letters.text.data(),
+                                 letters.text.data() + letters.text.size())
+                 .x;
+  return width;
 }
 
 // ImGui measures a font's size from ascender to descender; our sizes are in em, as everywhere else.
@@ -17,14 +33,26 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; 
 
 }  // namespace
 
+std::vector<Letters> with_subscripts(std::string_view words) {
+  std::vector<Letters> pieces;
+  std::size_t begin = 0;
+  for (std::size_t at = words.find('_'); at != std::string_view::npos; at = words.find('_', at + 1)) {
+    if (!lowers_next(words, at)) continue;
+    pieces.push_back({words.substr(begin, at - begin)});
+    pieces.push_back({words.substr(at + 1, 1), true});
+    begin = at + 2;
+  }
+  if (begin < words.size()) pieces.push_back({words.substr(begin)});
+  return pieces;
+}
+
 float font_size(const Look& look, Face face, float size) {
   return look.px(size) * (face == Face::kMono || face == Face::kMonoBold ? kJetBrainsMonoBox : kInterBox);
 }
 
 ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
   if (words.empty()) return {0, look.px(size)};  // ImGui would look for the end of a null text
-  return {advance(look.font(face), font_size(look, face, size), words.data(), words.data() + words.size()),
-          look.px(size)};
+  return {advance(look.font(face), font_size(look, face, size), words), look.px(size)};
 }
 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
@@ -36,8 +64,14 @@ void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, 
                            {at.x + measure(look, face, size, words).x, at.y + look.px(size)},
                            list->GetClipRectMin(),
                            list->GetClipRectMax()});
-  at.y -= (box - look.px(size)) / 2;
-  list->AddText(look.font(face), box, at, color, words.data(), words.data() + words.size());
+  const float down = look.px(size) * (kBaseline * (1 - kScriptSize) + kLowered);
+  for (const Letters& letters : with_subscripts(words)) {
+    const float scale = letters.lowered ? kScriptSize : 1;
+    list->AddText(look.font(face), box * scale,
+                  {at.x, at.y - (box - look.px(size)) * scale / 2 + (letters.lowered ? down : 0)}, color,
+                  letters.text.data(), letters.text.data() + letters.text.size());
+    at.x += advance(look.font(face), box * scale, letters.text);
+  }
 }
 
 void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
@@ -72,8 +106,7 @@ std::vector<std::string_view> lines_of(const Look& look, Face face, float size, 
     while (end < words.size() && words[end] != '\n') {
       std::size_t next = end + 1;
       while (next < words.size() && continues(words[next])) ++next;
-      if (advance(font, px, words.data() + begin, words.data() + next) > width && end > begin && words[end] != ' ')
-        break;
+      if (advance(font, px, words.substr(begin, next - begin)) > width && end > begin && words[end] != ' ') break;
       if (words[end] == ' ') space = end;
       end = next;
     }

@@ -38,6 +38,20 @@ struct Look {
   const Palette* operator->() const { return palette; }
 };
 
+// Of the em: how far a line's baseline is below the top of its box, in both typefaces; and of a subscript its size, and
+// how much lower its baseline is.
+inline constexpr float kBaseline = 0.864f, kScriptSize = 0.75f, kLowered = 0.14f;
+
+/// Letters that stand at one height.
+struct Letters {
+  std::string_view text;
+  bool lowered = false;
+  bool operator==(const Letters&) const = default;
+};
+/// "r_A = 2" has three pieces: r, a lowered A, and the rest. All that measures or draws words goes by them. A letter
+/// and one capital are such a name, and nothing else: "a_min", "FILE_A" and "r_AB" are words as they stand.
+[[nodiscard]] std::vector<Letters> with_subscripts(std::string_view words);
+
 /// What ImGui calls the size of a font whose em is of this size at text scale 1.
 [[nodiscard]] float font_size(const Look& look, Face face, float size);
 

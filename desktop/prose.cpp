@@ -16,8 +16,7 @@ using lesson::Link;
 using lesson::Paragraph;
 using lesson::Stretch;
 
-constexpr float kBaseline = 0.864f;  // of the em, below the top of a line's box; in both typefaces
-constexpr float kMonoSize = 0.875f, kScriptSize = 0.75f, kRaised = 0.36f, kLowered = 0.14f;
+constexpr float kMonoSize = 0.875f, kRaised = 0.36f;
 constexpr float kSlant = 0.2f;  // how far emphasised words lean: the typeface has no italics
 constexpr float kIndent = 20, kBetweenItems = 4, kBetweenColumns = 16, kAroundCells = 6;
 constexpr Writing kCellWriting{14, 20}, kHeadWriting{13, 20, Face::kSemiBold};
@@ -52,14 +51,14 @@ Face face_of(const Word& word, const Writing& writing) {
 
 float size_of(const Word& word, const Writing& writing) {
   const float size = is_mono(word) ? writing.size * kMonoSize : writing.size;
-  return word.stretch->script == Stretch::Script::kNone ? size : size * kScriptSize;
+  return word.stretch->script == Stretch::Script::kNone ? size : size * app::kScriptSize;
 }
 
 /// How far below the top of the line's box a word begins, so that all stand on one baseline.
 float drop_of(const Word& word, const Writing& writing) {
-  const float down = kBaseline * (writing.size - size_of(word, writing));
+  const float down = app::kBaseline * (writing.size - size_of(word, writing));
   if (word.stretch->script == Stretch::Script::kHigh) return down - kRaised * writing.size;
-  return word.stretch->script == Stretch::Script::kLow ? down + kLowered * writing.size : down;
+  return word.stretch->script == Stretch::Script::kLow ? down + app::kLowered * writing.size : down;
 }
 
 std::vector<Word> words_of(const Paragraph& paragraph, lesson::ProseFigures& figures) {
@@ -194,7 +193,7 @@ void draw_word(const app::Look& look, ImDrawList* list, const Placed& placed, co
             : is_untold(word) ? look->muted
                               : ink,
             word.text);
-  if (stretch.emphasis) slant(list, since, placed.at.y + look.px(kBaseline * writing.size));
+  if (stretch.emphasis) slant(list, since, placed.at.y + look.px(app::kBaseline * writing.size));
 }
 
 /// Draws lines from a place on.

@@ -1,0 +1,37 @@
+#include "app/look.hpp"
+
+#include "bench.hpp"
+#include "viewed_lessons.hpp"
+
+namespace snug::app {
+
+TEST_CASE("a letter and one capital are a name with a subscript, and no other underscore is") {
+  CHECK(with_subscripts("r_A = 0.97") == std::vector<Letters>{{"r"}, {"A", true}, {" = 0.97"}});
+  CHECK(with_subscripts("> r_A + r_B") == std::vector<Letters>{{"> r"}, {"A", true}, {" + r"}, {"B", true}});
+  CHECK(with_subscripts("\u00a0r_B") == std::vector<Letters>{{"\u00a0r"}, {"B", true}});
+  for (const char* plain : {"distance", "a_min", "FILE_A", "r_AB", "_A", "r_", "x_1"})
+    CHECK(with_subscripts(plain) == std::vector<Letters>{{plain}});
+  CHECK(with_subscripts("").empty());
+}
+
+TEST_CASE("on the stage, a name with a subscript is as wide as its letters, without the underscore") {
+  Bench bench(test::boxes_apart("0.5"));
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  bench.session().jump(2);
+  bench.frames(2);
+  bench.app.note_words(nullptr);
+  const auto label = [&](std::string_view begins) {
+    for (const DrawnWords& words : drawn)
+      if (words.words.starts_with(begins)) return words;
+    FAIL("no label ", begins);
+    return DrawnWords{};
+  };
+  const DrawnWords radius = label("r_A = "), distance = label("distance ");
+  const auto per_letter = [](const DrawnWords& words, std::size_t letters) {
+    return (words.high.x - words.low.x) / static_cast<float>(letters);
+  };
+  CHECK(per_letter(radius, radius.words.size()) < 0.9f * per_letter(distance, distance.words.size()));
+}
+
+}  // namespace snug::app
