@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/marks.hpp"
+#include "app/timeline_buttons.hpp"
 #include "app/timeline_map.hpp"
 #include "app/widgets.hpp"
 #include "lesson/say.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 using Kind = lesson::Mark::Kind;
 
-constexpr float kMargin = 28, kMarksApart = 13, kFlagWidth = 15;
+constexpr float kMarksApart = 13, kFlagWidth = 15;
 
 /// flag: where a gate's flag stands.
 void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open, float flag = 0) {
@@ -120,45 +121,21 @@ float speed_menu(const Look& look, const Rect& anchor, float current) {
   return chosen;
 }
 
-struct Controls {
-  float height, small, wide, gap;
-};
-
-/// Whether there is no room for words between the track and the buttons (a phone on its side).
-bool is_low(const Look& look, const Rect& rect) { return rect.height < timeline_height(look) - 20; }
-
-float row_width(const Controls& c) { return 3 * c.small + 2 * c.wide + 4 * c.gap; }
-
-Controls sizes(const Look& look, float width, bool low) {
-  const float gap = 6;
-  if (!look.fingers && width >= look.px(324) + 4 * gap) return {look.px(36), look.px(44), look.px(96), gap};
-  // Buttons for the thumb, over the whole width: two small, two large, one small.
-  const float unit = (width - 4 * gap) / 7.4f;
-  return {!look.fingers ? look.px(36) : low ? 44.0f : 52.0f, unit, unit * 2.2f, gap};
-}
-
 void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const SubjectView& view,
-                  const Rect& rect, float y, const PlayerView& player, PlayerWish& wish) {
-  const Controls c = sizes(look, rect.width - 2 * 8, is_low(look, rect));
+                  const std::array<Rect, 5>& rects, const PlayerView& player, PlayerWish& wish) {
   const bool gate = session.asked() != nullptr;
   const bool chosen = session.picked() != nullptr && answers(*session.asked(), *session.picked());
   const bool told = session.outcome() != nullptr;
   const bool at_end = session.step() == session.steps() && !session.previewing();
   const bool at_start = session.step() == 0;
-  float x = rect.x + (rect.width - row_width(c)) / 2;
-  const auto place = [&](float width) {
-    const Rect at{x, y, width, c.height};
-    x += width + c.gap;
-    return at;
-  };
   const auto press = [&](const Button& b, std::string_view command) {
     if (button(list, look, b)) wish.command = command;
     return b.rect;
   };
-  press({.id = "To the start", .rect = place(c.small), .icon = Icon::kFirst, .enabled = !at_start}, "first");
-  press({.id = "Back", .rect = place(c.small), .icon = Icon::kBack, .enabled = !at_start}, "back");
+  press({.id = "To the start", .rect = rects[0], .icon = Icon::kFirst, .enabled = !at_start}, "first");
+  press({.id = "Back", .rect = rects[1], .icon = Icon::kBack, .enabled = !at_start}, "back");
   wish.step = press({.id = "step",
-                     .rect = place(c.wide),
+                     .rect = rects[2],
                      .words = gate   ? lesson::kAnswerWord
                               : told ? lesson::kContinueWord
                                      : view.step_button(),
@@ -171,17 +148,15 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
                     : told ? "continue"
                            : "step");
   wish.play = press({.id = "play",
-                     .rect = place(c.wide),
+                     .rect = rects[3],
                      .words = player.playing ? "Pause" : "Play",
                      .icon = player.playing ? Icon::kPause : Icon::kPlay,
                      .enabled = player.playing || !gate},
                     "play");
-  press({.id = "To the end", .rect = place(c.small), .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");
+  press({.id = "To the end", .rect = rects[4], .icon = Icon::kLast, .enabled = !gate && !at_end}, "last");
 }
 
 }  // namespace
-
-float timeline_height(const Look& look) { return look.fingers ? 158.0f : 100 + look.px(36); }
 
 PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect,
                          const PlayerView& player) {
@@ -191,33 +166,20 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Subje
   const Palette& p = *look.palette;
   rule(list, rect.x, rect.y, rect.width, p.line);
 
-  const float margin = look.fingers ? 20 : kMargin;
-  const TimelineMap map{rect.x + margin, rect.width - 2 * margin, session.steps()};
-  const bool low = is_low(look, rect);
-  const float track = rect.y + (low ? 30 : 36), words = rect.y + 36 + look.px(30);
-  draw_track(list, look, session, map, track);
-
-  const std::string speed = speed_text(player.speed);
-  const float speed_width = look.px(48), speed_height = look.fingers ? 40 : look.px(32), foot = low ? 8 : 14;
-  // If the buttons leave no room in their row (on a phone or in a narrow window), the speed is beside the step number;
-  // a phone in landscape has no such line.
-  const Rect buttons{rect.x, rect.y, low ? rect.width - speed_width - 4 : rect.width, rect.height};
-  const Controls controls = sizes(look, buttons.width - 16, low);
-  const bool above = !low && (rect.width + row_width(controls)) / 2 + 8 > margin + map.width - speed_width + 8;
-  const float row = controls.height;
-  const float bottom = rect.y + rect.height - foot - row;
-  const float beside = above ? words : bottom + row / 2;
-  const Rect at{low ? rect.x + rect.width - speed_width - 8 : map.left + map.width - speed_width + 8,
-                beside - speed_height / 2, speed_width, speed_height};
-  if (!low) {
+  const TimelineButtons buttons = timeline_buttons(look, rect);
+  const TimelineMap map{buttons.left, buttons.width, session.steps()};
+  draw_track(list, look, session, map, buttons.track);
+  const Rect& at = buttons.speed;
+  if (!buttons.low) {
     const std::string step = std::string(session.lesson().subject->step_word) + " " + std::to_string(session.step()) +
                              " of " + std::to_string(session.steps());
-    text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(words, look.px(kSize))}, p.muted, step);
+    text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(buttons.words, look.px(kSize))}, p.muted, step);
     const float said = measure(look, Face::kRegular, kSize, step).x;
-    const float legend = above ? at.x - 8 : map.left + map.width;
-    draw_legend(list, look, session, view.mark_words(session), legend, words, legend - map.left - said - 12);
+    const float legend = buttons.speed_among_words ? at.x - 8 : map.left + map.width;
+    draw_legend(list, look, session, view.mark_words(session), legend, buttons.words, legend - map.left - said - 12);
   }
-  draw_buttons(list, look, session, view, buttons, bottom, player, wish);
+  draw_buttons(list, look, session, view, buttons.player, player, wish);
+  const std::string speed = speed_text(player.speed);
   if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet}))
     ImGui::OpenPopup("speeds");
   wish.speed = speed_menu(look, at, player.speed);

@@ -26,7 +26,4 @@ inline constexpr std::array kSpeeds{0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 
 [[nodiscard]] PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view,
                                        const Rect& rect, const PlayerView& player);
 
-/// The height that the timeline needs.
-[[nodiscard]] float timeline_height(const Look& look);
-
 }  // namespace snug::app

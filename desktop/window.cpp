@@ -13,7 +13,7 @@
 #include "app/chart_pen.hpp"
 #include "app/cover.hpp"
 #include "app/look.hpp"
-#include "app/timeline.hpp"
+#include "app/timeline_buttons.hpp"
 #include "app/widgets.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/chart_picture.hpp"
