@@ -12,6 +12,7 @@
 #include "desktop/cli/files.hpp"
 #include "desktop/picture.hpp"
 #include "desktop/shell.hpp"
+#include "lesson/door_words.hpp"
 #include "lesson/say.hpp"
 #include "lesson/search.hpp"
 
@@ -22,14 +23,6 @@ using app::Face;
 
 constexpr float kGap = 20, kLeastCard = 220, kWideHero = 780;
 constexpr float kPicture = 300.0f / 480;  // a picture's height, of its width
-constexpr std::string_view kTitle = "Bounding volumes, by hand and eye";
-constexpr std::string_view kSays =
-    "Drag points, turn boxes, and watch each algorithm answer at once: how a volume is fitted, how tight it is, what "
-    "it costs, and where the arithmetic breaks.";
-
-constexpr std::string_view kGalleryTitle = "Gallery of hard cases",
-                           kGallerySays = "Small inputs on which programs fail, and the places where they did. Each "
-                                          "opens on the stage, a naive method beside a careful one.";
 
 /// How far one is, in a mark and a word.
 struct Progress {
@@ -40,7 +33,7 @@ struct Progress {
 
 Progress progress_of(const app::Look& look, const LessonFile& file, const KeptLesson* kept) {
   using Kind = Progress::Kind;
-  if (kept == nullptr) return {Kind::kOpen, "Not begun", look->muted};
+  if (kept == nullptr) return {Kind::kOpen, std::string(lesson::kNotBegunWord), look->muted};
   if (kept->done) return {Kind::kDone, kept->task ? "Done, task too" : "Done", look->optimum_text};
   if (kept->answered > 0)
     return {Kind::kBegun,
@@ -84,9 +77,10 @@ void draw_blank(const app::Look& look, const app::Rect& place, bool all_round) {
 float draw_gallery_words(const app::Look& look, float x, float y, float width) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float room = std::min(width, look.px(640));
-  const float said = app::paragraph(list, look, Face::kSemiBold, 20, 28, {x, y}, room, look->ink, kGalleryTitle);
+  const float said =
+      app::paragraph(list, look, Face::kSemiBold, 20, 28, {x, y}, room, look->ink, lesson::kGalleryTitle);
   return said + 4 +
-         app::paragraph(list, look, Face::kRegular, 15, 24, {x, y + said + 4}, room, look->ink, kGallerySays);
+         app::paragraph(list, look, Face::kRegular, 15, 24, {x, y + said + 4}, room, look->ink, lesson::kGallerySays);
 }
 
 /// How high a case's card is so that none of these is cut.
@@ -160,12 +154,14 @@ void CourseScreen::draw_hero(Shell& shell, const app::Rect& place, float& y) {
   const app::Rect words{place.x, y, place.width - image - (image > 0 ? look.px(48) : 0), 0};
   const float top = y, picture_height = std::floor(image * 23 / 42);
   const float says_width = std::min(words.width, look.px(540));
-  const auto says = app::lines_of(look, Face::kRegular, 15, kSays, says_width).size();
-  const auto title = app::lines_of(look, Face::kSemiBold, 34, kTitle, words.width).size();
+  const auto says = app::lines_of(look, Face::kRegular, 15, lesson::kCourseSays, says_width).size();
+  const auto title = app::lines_of(look, Face::kSemiBold, 34, lesson::kCourseTitle, words.width).size();
   const float all = look.px(42) * static_cast<float>(title) + look.px(24) * static_cast<float>(says) + look.px(44) + 32;
   y += std::max(0.0f, (picture_height - all) / 2);
-  y += app::paragraph(list, look, Face::kSemiBold, 34, 42, {place.x, y}, words.width, look->ink, kTitle) + 12;
-  y += app::paragraph(list, look, Face::kRegular, 15, 24, {place.x, y}, says_width, look->ink, kSays) + 20;
+  y += app::paragraph(list, look, Face::kSemiBold, 34, 42, {place.x, y}, words.width, look->ink, lesson::kCourseTitle) +
+       12;
+  y +=
+      app::paragraph(list, look, Face::kRegular, 15, 24, {place.x, y}, says_width, look->ink, lesson::kCourseSays) + 20;
   draw_start(shell, words, y);
   if (image == 0) return;
   const app::Rect shown{place.x + place.width - image, top, image, picture_height};
@@ -233,7 +229,7 @@ void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from
   y += look.px(36);
   app::text(list, look, Face::kSemiBold, 16, {grid.left, y}, look->ink, lessons[from].chapter);
   app::text_right(list, look, Face::kRegular, 13, {grid.left + grid.width, y + look.px(2)}, look->muted,
-                  lessons[from].is_case ? "Hard cases"
+                  lessons[from].is_case ? std::string(lesson::kCasesWord)
                                         : std::to_string(done) + " of " + std::to_string(to - from) + " done");
   y += look.px(26);
   app::rule(list, grid.left, y, grid.width, look->line);
@@ -253,14 +249,14 @@ void CourseScreen::draw_found(Shell& shell, const app::Rect& place, float& y) {
   int found = 0;
   for (std::size_t i = 0; i < shell.lessons().size(); ++i)
     found += lesson::is_found(text_of(shell, i), asked()) ? 1 : 0;
-  constexpr std::string_view kAll = "Show all lessons";
-  const float height = look.px(34), width = app::measure(look, Face::kSemiBold, 14, kAll).x + look.px(28);
+  const float height = look.px(34),
+              width = app::measure(look, Face::kSemiBold, 14, lesson::kShowAllWord).x + look.px(28);
   app::text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 15,
             {place.x, app::middle_of(y + height / 2, look.px(15))}, look->ink, lesson::found_text(found, asked()));
   if (app::button(ImGui::GetWindowDrawList(), look,
                   {.id = "all lessons",
                    .rect = {place.x + place.width - width, y, width, height},
-                   .words = kAll,
+                   .words = lesson::kShowAllWord,
                    .kind = app::ButtonKind::kOutlined}))
     asked_ = {};
   y += height;
@@ -316,7 +312,7 @@ void CourseScreen::draw_search(Shell& shell, const app::Rect& bar) {
   ImGui::PopStyleColor();
   ImGui::PopFont();
   search_ = ImGui::GetItemID();
-  app::offer_field("Search the lessons");
+  app::offer_field(lesson::kSearchWord);
   if (entered && !cards_.empty()) shell.focus.go_to(cards_.front().id);
 }
 

@@ -10,6 +10,7 @@
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
 #include "desktop/column.hpp"
+#include "lesson/door_words.hpp"
 #include "lesson/say.hpp"
 
 namespace snug::desktop {
@@ -18,7 +19,6 @@ namespace {
 using app::Face;
 
 constexpr std::array kTextScales{0.9f, 1.0f, 1.15f, 1.3f, 1.5f};
-constexpr std::array<std::string_view, 4> kThemes{"Light", "Dark", "High contrast", "Projector"};
 constexpr float kBrandMargin = 24;
 
 void next_text_scale(app::Settings& settings) {
@@ -31,11 +31,13 @@ void next_theme(app::Settings& settings) {
 }
 
 std::string text_size_words(const app::Settings& settings) {
-  return "Text size: " + std::to_string(static_cast<int>(std::lround(settings.text_scale * 100))) + " %";
+  return std::string(lesson::kTextSizeWord) + ": " +
+         std::to_string(static_cast<int>(std::lround(settings.text_scale * 100))) + " %";
 }
 
 std::string theme_words(const app::Settings& settings) {
-  return "Theme: " + std::string(kThemes[static_cast<std::size_t>(settings.theme)]);
+  return std::string(lesson::kThemeWord) + ": " +
+         std::string(lesson::kThemeWords[static_cast<std::size_t>(settings.theme)]);
 }
 
 /// What is kept on this device, and the two presses that take it away.
@@ -74,6 +76,7 @@ void draw_settings(Shell& shell, ImVec2 corner) {
 }
 
 struct Tool {
+  enum class Kind { kSettings, kTheme, kTextSize, kKeys, kPresent } kind;
   const char* id;
   std::string_view words;
   app::Icon icon = app::Icon::kNone;
@@ -81,9 +84,12 @@ struct Tool {
 
 /// The tools at the bar's right end, the last one first.
 std::vector<Tool> tools_of(const Shell& shell) {
-  std::vector<Tool> tools{
-      {"Settings", {}, app::Icon::kSettings}, {"Theme", {}, app::Icon::kTheme}, {"Text size", "Aa"}, {"Keys", "Keys"}};
-  if (!shell.course_shown) tools.push_back({"Present", "Present"});
+  using Kind = Tool::Kind;
+  std::vector<Tool> tools{{Kind::kSettings, "settings", {}, app::Icon::kSettings},
+                          {Kind::kTheme, "theme", {}, app::Icon::kTheme},
+                          {Kind::kTextSize, "text size", "Aa"},
+                          {Kind::kKeys, "keys", "Keys"}};
+  if (!shell.course_shown) tools.push_back({Kind::kPresent, "present", lesson::kPresentWord});
   return tools;
 }
 
@@ -98,12 +104,26 @@ float tools_left(const Shell& shell, const app::Look& look, const app::Rect& rec
   return left;
 }
 
-void use_tool(Shell& shell, std::string_view tool) {
-  if (tool == "Settings") ImGui::OpenPopup("settings panel");
-  else if (tool == "Theme") next_theme(shell.app().settings());
-  else if (tool == "Text size") next_text_scale(shell.app().settings());
-  else if (tool == "Keys") shell.keys_shown = !shell.keys_shown;
-  else shell.present(true);
+void use_tool(Shell& shell, Tool::Kind tool) {
+  switch (tool) {
+    case Tool::Kind::kSettings: return ImGui::OpenPopup("settings panel");
+    case Tool::Kind::kTheme: return next_theme(shell.app().settings());
+    case Tool::Kind::kTextSize: return next_text_scale(shell.app().settings());
+    case Tool::Kind::kKeys: shell.keys_shown = !shell.keys_shown; return;
+    case Tool::Kind::kPresent: return shell.present(true);
+  }
+}
+
+/// What the keyboard's focus calls it.
+std::string name_of(const Tool& tool, const app::Settings& settings) {
+  switch (tool.kind) {
+    case Tool::Kind::kSettings: return std::string(lesson::kSettingsWord);
+    case Tool::Kind::kTheme: return theme_words(settings);
+    case Tool::Kind::kTextSize: return text_size_words(settings);
+    case Tool::Kind::kKeys:
+    case Tool::Kind::kPresent: break;
+  }
+  return std::string(tool.words);
 }
 
 void draw_tools(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
@@ -113,9 +133,7 @@ void draw_tools(Shell& shell, const app::Look& look, ImDrawList* list, const app
   std::reverse(tools.begin(), tools.end());
   for (const Tool& tool : tools) {
     const float width = width_of(look, tool);
-    const std::string_view id = tool.id;
-    const app::Settings& settings = shell.app().settings();
-    const std::string name = id == "Theme" ? theme_words(settings) : id == "Text size" ? text_size_words(settings) : "";
+    const std::string name = name_of(tool, shell.app().settings());
     if (app::button(list, look,
                     {.id = tool.id,
                      .rect = {x + 4, y, width, height},
@@ -123,7 +141,7 @@ void draw_tools(Shell& shell, const app::Look& look, ImDrawList* list, const app
                      .icon = tool.icon,
                      .kind = app::ButtonKind::kQuiet,
                      .name = name}))
-      use_tool(shell, id);
+      use_tool(shell, tool.kind);
     x += width + 4;
   }
   draw_settings(shell, {rect.x + rect.width - 16, rect.y + rect.height - 4});

@@ -5,6 +5,7 @@
 
 #include "app/look.hpp"
 #include "app/widgets.hpp"
+#include "lesson/door_words.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -46,10 +47,10 @@ void draw_presentation(Shell& shell, const app::Rect& stage) {
                         .enabled = enabled});
   };
   const auto before = shell.beside(-1), after = shell.beside(1);
-  const bool leave = press("Leave presentation (Esc)", Icon::kClose, true, false);
-  const bool back = press("Previous lesson (P)", Icon::kPreviousLesson, before.has_value(), false);
-  const bool on = press("Next lesson (N)", Icon::kNextLesson, after.has_value(), false);
-  if (press("The lesson’s text (T)", Icon::kText, true, shell.text_shown)) shell.text_shown = !shell.text_shown;
+  const bool leave = press(lesson::kLeaveKeyed, Icon::kClose, true, false);
+  const bool back = press(lesson::kPreviousKeyed, Icon::kPreviousLesson, before.has_value(), false);
+  const bool on = press(lesson::kNextKeyed, Icon::kNextLesson, after.has_value(), false);
+  if (press(lesson::kTextKeyed, Icon::kText, true, shell.text_shown)) shell.text_shown = !shell.text_shown;
   if (back && before) shell.open_at_place(*before);
   if (on && after) shell.open_at_place(*after);
   if (leave) shell.present(false);

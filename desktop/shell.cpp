@@ -7,8 +7,10 @@
 #include "app/cover_picture.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/files.hpp"
+#include "lesson/door_words.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/playground.hpp"
+#include "lesson/say.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -69,15 +71,15 @@ std::pair<std::size_t, std::string> Shell::lead() const {
   std::size_t last = lessons_.size();
   for (std::size_t i = 0; i < course_size(); ++i)
     if (lessons_[i].lesson.id == kept_.last() && kept_.lesson(kept_.last()) != nullptr) last = i;
-  if (last == lessons_.size()) return {0, "Start here"};
+  if (last == lessons_.size()) return {0, std::string(lesson::kStartWord)};
   const auto done = [&](std::size_t i) {
     const KeptLesson* const kept = kept_.lesson(lessons_[i].lesson.id);
     return kept != nullptr && kept->done;
   };
-  if (!done(last)) return {last, "Continue"};
+  if (!done(last)) return {last, std::string(lesson::kContinueWord)};
   for (std::size_t i = last + 1; i < course_size(); ++i)
-    if (!done(i)) return {i, "Next lesson"};
-  return {last, "Continue"};
+    if (!done(i)) return {i, std::string(lesson::kNextLessonWord)};
+  return {last, std::string(lesson::kContinueWord)};
 }
 
 void Shell::go_to_kept_place() {

@@ -6,6 +6,7 @@
 #include "desktop/cli/files.hpp"
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
+#include "lesson/door_words.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/situations.hpp"
@@ -94,7 +95,7 @@ void draw_scalar(Shell& shell, Column& column) {
   if (!session.subject().takes_float()) return;
   const bool in_float = session.subject().in_float();
   column.gap(12);
-  column.heading("Computed in");
+  column.heading(lesson::kScalarWord);
   const int clicked = column.buttons("scalar", {"double", "float"}, in_float ? 1 : 0);
   if (clicked >= 0) shell.tell(session.set_float(clicked == 1));
   if (in_float) column.words("Every number is rounded to float.", Face::kRegular, 14, column.look()->muted);
