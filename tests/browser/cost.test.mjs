@@ -1,7 +1,7 @@
-// What the page costs: bytes on the wire, and the program's time for a frame while dragging and while 2,000 bodies move (told,
-// and held to no time).
+// What the page costs: bytes on the wire, the way from lesson to lesson, and the program's time for a frame while dragging and
+// while 2,000 bodies move (told, and held to no time).
 import { after, before, test } from "node:test";
-import { assert, handles, lesson_with, load, pixels_of, start, state, still, stop, until } from "./support.mjs";
+import { assert, choose, handles, kinds, lesson_with, load, pixels_of, start, state, still, stop, text_of, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -14,6 +14,34 @@ test("a first view is at most 1,360 kB on the wire", async (t) => {
   t.diagnostic(`${total} bytes in ${site.sent.size} files; the program ${site.sent.get("snug.wasm")}`);
   assert.ok(site.sent.size > 10 && total > 100_000, "it was counted");
   assert.ok(total <= 1_360_000, `${total} bytes`);
+});
+
+const middle_of = (times) => [...times].sort((a, b) => a - b)[Math.floor(times.length / 2)];
+
+test("from lesson to lesson, and back and forward, half of the ways take less than 300 ms", async (t) => {
+  const all = (await kinds()).map(({ id }) => id);
+  const page = await load(t, `?lesson=${all[0]}`);
+  const told = (id, took, way) => t.diagnostic(`${id}: ${took.toFixed(0)} ms, ${way}`) ?? took;
+  const first = [], back = [], forward = [];
+  for (const id of all.slice(1)) {
+    await still(page);
+    const took = told(id, await choose(page, id), "the first time");
+    // A mesh is loaded as well, thousands of bodies take time of their own, and a chart takes the stage's place.
+    if (!/^(mesh|chart) = |^objects = /m.test(await text_of(id))) first.push(took);
+  }
+  for (const id of all.slice(0, -1).reverse()) {
+    await still(page);
+    back.push(told(id, await choose(page, id, "back"), "back"));
+  }
+  for (const id of all.slice(1)) {
+    await still(page);
+    forward.push(told(id, await choose(page, id, "forward"), "forward"));
+  }
+  assert.ok(first.length > 5, `${first.length} lessons were timed`);
+  for (const [way, times] of Object.entries({ first, back, forward })) {
+    t.diagnostic(`${way}: median ${middle_of(times).toFixed(0)} ms, at most ${Math.max(...times).toFixed(0)} ms`);
+    assert.ok(middle_of(times) < 300, `${way}: ${middle_of(times)} ms`);
+  }
 });
 
 test("no layer nearly as large as the canvas is drawn over it", async (t) => {

@@ -184,6 +184,24 @@ export async function kinds(of = site) {
   return [...first.values()];
 }
 
+/** Goes to a lesson by a link in the menu or, by = "back" or "forward", in the history; the milliseconds until it has been drawn. */
+export async function choose(page, id, by = "menu") {
+  if (by === "menu") await page.locator("#picker").click();
+  return page.evaluate(([to, by]) => new Promise((resolve) => {
+    const link = document.querySelector(`#lessons a[href="?lesson=${to}"]`);
+    const { framesDrawn } = window.snug.state();
+    const from = performance.now();
+    if (by === "menu") link.click();
+    else history[by]();
+    const look = () => {
+      const now = window.snug.state();
+      if (now.lesson === to && now.framesDrawn > framesDrawn) resolve(performance.now() - from);
+      else requestAnimationFrame(look);
+    };
+    look();
+  }), [id, by]);
+}
+
 /** Until no frame is drawn any more. */
 export async function still(page) {
   await page.evaluate(() => new Promise((resolve, reject) => {

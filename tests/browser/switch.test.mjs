@@ -1,7 +1,7 @@
 // From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays, and
 // what is the page's or the student's does.
 import { after, before, test } from "node:test";
-import { assert, handles, kinds, lessons, load, pixels_of, ready, start, state, still, stop, text_of, until } from "./support.mjs";
+import { assert, choose, handles, kinds, lessons, load, pixels_of, ready, start, state, still, stop, text_of, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -17,23 +17,6 @@ function watch_requests(page) {
     if (path !== "icon.svg") asked.push(path);
   });
   return asked;
-}
-
-/** Chooses a lesson in the menu; the milliseconds until it has been drawn. */
-async function choose(page, id) {
-  await page.locator("#picker").click();
-  return page.evaluate((to) => new Promise((resolve) => {
-    const link = document.querySelector(`#lessons a[href="?lesson=${to}"]`);
-    const { framesDrawn } = window.snug.state();
-    const from = performance.now();
-    link.click();
-    const look = () => {
-      const now = window.snug.state();
-      if (now.lesson === to && now.framesDrawn > framesDrawn) resolve(performance.now() - from);
-      else requestAnimationFrame(look);
-    };
-    look();
-  }), id);
 }
 
 /** What is on the page, as far as it is the lesson's: words, fields, names, handles' places. */
@@ -97,8 +80,7 @@ test("a lesson of every kind opens in place of another as it would by itself, fo
     const fresh = id !== all[0] && !asked.includes(`lessons/${id}.toml`);
     if (!fresh) await erase_answers(page); // it would open where it was left
     const before = asked.length;
-    const took = await choose(page, id);
-    t.diagnostic(`${id}: ${took.toFixed(0)} ms${fresh ? "" : ", again"}`);
+    await choose(page, id);
     const mesh = mesh_of(await text_of(id));
     const may = fresh ? [`lessons/${id}.toml`, ...(mesh ? [`meshes/${mesh}.ply`] : [])] : [];
     assert.deepEqual(asked.slice(before).filter((path) => !may.includes(path)), [], `${id} fetches no more than it needs`);
