@@ -30,10 +30,17 @@ export const followed_here = (follow) => (event) => {
   follow(event);
 };
 
+/** Words as they are read: their names whole, and r_A with a subscript, as on the canvas. */
+export const spelled = (text) =>
+  whole_names(text).split(/(?<!\w)([A-Za-z]_[A-Z])(?!\w)/).filter(Boolean).flatMap((piece) => {
+    const name = /^([A-Za-z])_([A-Z])$/.exec(piece);
+    return name ? [name[1], element("sub", {}, name[2])] : [piece];
+  });
+
 /** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
 export function set_text(node, text) {
-  const whole = whole_names(text);
-  if (node.textContent !== whole) node.textContent = whole;
+  const pieces = spelled(text);
+  if (node.textContent !== pieces.map((piece) => piece.textContent ?? piece).join("")) node.replaceChildren(...pieces);
 }
 
 export function set_hidden(node, hidden) {

@@ -1,6 +1,6 @@
 // The questions, at the bottom of the stage: each question, its outcome, and at the end a summary of all of them.
 // Every sentence comes from the program, so that the window has the same ones.
-import { by_id, button, element, followed_here, set_text, whole_names } from "./dom.js";
+import { by_id, button, element, followed_here, set_text, spelled, whole_names } from "./dom.js";
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 
@@ -162,7 +162,7 @@ export class QuestionCard {
       kicker(`${kMarks[kind]} ${verdict}`, place, kind),
       element("p", { class: "asked" }, ...this.#texts.of(promptWords)),
       ...marked,
-      element("p", {}, whole_names(says)), element("p", {}, ...this.#texts.of(becauseWords)),
+      element("p", {}, ...spelled(says)), element("p", {}, ...this.#texts.of(becauseWords)),
       row(...show,
         ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
         element("span", { class: "gap" }),
@@ -207,7 +207,7 @@ export class QuestionCard {
     const line = right ? happened : `${this.#words.answer}: ${happened}`;
     return element("div", { class: `card outcome told ${kind}` },
       element("details", {}, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
-        ...this.#said(outcome), element("p", {}, whole_names(says)), element("p", {}, ...this.#texts.of(becauseWords))));
+        ...this.#said(outcome), element("p", {}, ...spelled(says)), element("p", {}, ...this.#texts.of(becauseWords))));
   }
 
   #score_card(score) {
