@@ -252,10 +252,11 @@ test("the step's sentence is HTML, and the same as the state's", async (t) => {
   assert.equal(await page.locator("#caption").textContent(), start_of_it.caption);
 });
 
-test("in the step's sentence r_A has its subscript, as in the lesson's text", async (t) => {
+test("in the step's sentence and in the pseudocode r_A has its subscript, as in the lesson's text", async (t) => {
   const page = await visit(t, "?lesson=obb-sat&step=2");
   const { caption } = await state(page);
   assert.match(caption, /r_A\u00a0\+\u00a0r_B/);
   assert.deepEqual(await page.locator("#caption sub").allTextContents(), ["A", "B"]);
+  assert.deepEqual(await page.locator(".lines [aria-current] sub").allTextContents(), ["A", "B"]);
   assert.equal(await page.locator("#caption").textContent(), caption.replace(/r_(?=[AB])/g, "r"));
 });

@@ -1,5 +1,5 @@
 // The algorithm, the one beside it, and the pseudocode with the line that the step belongs to.
-import { by_id, element, set_text } from "./dom.js";
+import { by_id, element, set_text, spelled } from "./dom.js";
 import { notice } from "./messages.js";
 
 export class Code {
@@ -61,7 +61,7 @@ export class Code {
     if (this.#shown.algorithm !== view.algorithm) {
       this.#lines.replaceChildren(...view.code.map((line) => {
         const text = line.trimStart();
-        const item = element("li", {}, element("code", {}, text));
+        const item = element("li", {}, element("code", {}, ...spelled(text)));
         item.style.setProperty("--depth", (line.length - text.length) / 2);
         return item;
       }));
