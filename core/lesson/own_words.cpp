@@ -11,14 +11,19 @@ namespace snug::lesson {
 namespace {
 
 constexpr std::array<std::string_view, 2> kThis{"this", "these"};
+// What a student moves, scatters or replaces.
+constexpr std::array<std::string_view, 20> kThings{
+    "point", "points", "box",    "boxes",  "circle",  "circles", "sphere", "spheres",  "cloud",   "clouds",
+    "cube",  "body",   "bodies", "volume", "volumes", "pair",    "pairs",  "vertices", "triples", "tetrahedron"};
 constexpr std::array<std::string_view, 10> kIs{"is",       "are",   "has",     "have", "overlap",
                                                "overlaps", "touch", "touches", "lie",  "lies"};
+// After these, "this" only says which one is meant: "the sum of these points is".
+constexpr std::array<std::string_view, 10> kPrepositions{"of", "along", "around", "beside", "in",
+                                                         "on", "to",    "from",   "than",   "with"};
 constexpr std::array<std::string_view, 9> kFourAndMore{"four", "five", "six",    "seven", "eight",
                                                        "nine", "ten",  "twelve", "twenty"};
-constexpr std::array<std::string_view, 8> kThings{"points",   "bodies",  "boxes",   "pairs",
-                                                  "vertices", "circles", "spheres", "triples"};
-constexpr std::array<std::string_view, 3> kMany{"dozens", "hundreds", "thousands"};
-constexpr std::size_t kLongestName = 3;  // words of what "this" points at: "this long box"
+constexpr std::array<std::string_view, 2> kMany{"dozens", "hundreds"};
+constexpr std::size_t kAdjectives = 2;  // between "this" and what it points at: "these small slender boxes"
 
 struct Word {
   std::string text;  // in lower case
@@ -59,10 +64,11 @@ bool is_count(const Word& word) {
 /// The last word of what is said of the run in words that begin with "this" or "these"; 0 for nothing.
 std::size_t end_of_pointing(const std::vector<Word>& words, std::size_t from) {
   if (!is_among(kThis, words[from].text)) return 0;
-  for (std::size_t i = from + 1; i < words.size() && i <= from + kLongestName + 1; ++i) {
-    if (words[i - 1].stops) return 0;
-    if (i == from + 1 && is_count(words[i])) return i;
-    if (is_among(kIs, words[i].text)) return i > from + 1 ? i : 0;
+  if (from + 1 < words.size() && is_count(words[from + 1])) return from + 1;
+  if (from > 0 && !words[from - 1].stops && is_among(kPrepositions, words[from - 1].text)) return 0;
+  for (std::size_t i = from + 1; i + 1 < words.size() && i <= from + 1 + kAdjectives; ++i) {
+    if (words[i - 1].stops || words[i].stops) return 0;
+    if (is_among(kThings, words[i].text)) return is_among(kIs, words[i + 1].text) ? i + 1 : 0;
   }
   return 0;
 }
@@ -77,7 +83,9 @@ std::string words_of_one_run(std::string_view text) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (const std::size_t end = end_of_pointing(words, i); end != 0) return said(i, end);
     const bool follows = i + 1 < words.size() && !words[i].stops;
-    if (follows && is_count(words[i]) && is_digit(words[i].text.front()) && is_among(kThings, words[i + 1].text))
+    const bool divides = text.substr(0, words[i].begin).ends_with("/ ");  // in a formula
+    if (follows && !divides && is_count(words[i]) && is_digit(words[i].text.front()) &&
+        is_among(kThings, words[i + 1].text))
       return said(i, i + 1);
     if (follows && is_among(kMany, words[i].text) && words[i + 1].text == "of") return said(i, i + 1);
   }

@@ -24,7 +24,10 @@ TEST_CASE("the speed stands beside the buttons and over none of them, however na
           look.fingers = fingers, look.text_scale = scale;
           const Rect rect{371, 648, width, on_side ? 104 : timeline_height(look)};
           const TimelineButtons buttons = timeline_buttons(look, rect);
-          CAPTURE(width), CAPTURE(scale), CAPTURE(fingers), CAPTURE(on_side);
+          CAPTURE(width);
+          CAPTURE(scale);
+          CAPTURE(fingers);
+          CAPTURE(on_side);
           REQUIRE(is_inside(buttons.speed, rect));
           for (std::size_t i = 0; i < buttons.player.size(); ++i) {
             REQUIRE(is_inside(buttons.player[i], rect));

@@ -26,7 +26,7 @@ TEST_CASE("words that are true of every run are not taken for such") {
        {"This is the first axis.", "Which row of this test is the first?", "None of these is tighter.",
         "This, too, is a sphere.", "These two meet in an edge.", "Of n points there are n (n − 1) / 2 pairs.",
         "Frame 60 begins. Which effects run?", "This test adds the radius.", "Three points support it."})
-    CHECK_MESSAGE(words_of_one_run(fine).empty(), fine);
+    CHECK_MESSAGE(words_of_one_run(fine).empty(), std::string(fine));
 }
 
 TEST_CASE("a question's words of one run are warned of, unless it is asked of the lesson's own run alone") {
