@@ -7,6 +7,7 @@
 
 #include "lesson/own_words.hpp"
 #include "lesson/prose.hpp"
+#include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
 
 namespace snug::lesson {
