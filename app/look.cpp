@@ -8,12 +8,17 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_of_name(char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '9'); }
 
-/// Whether that letter is an underscore between a letter and one capital that are a name by themselves.
-bool lowers_next(std::string_view words, std::size_t at) {
-  if (words[at] != '_' || at == 0 || at + 1 >= words.size()) return false;
-  const char next = words[at + 1];
-  return is_letter(words[at - 1]) && next >= 'A' && next <= 'Z' && (at < 2 || !is_of_name(words[at - 2])) &&
-         (at + 2 == words.size() || !is_of_name(words[at + 2]));
+constexpr std::size_t kLongestSubscript = 3;  // "max"
+
+/// How many letters are lowered after that one, if it is the underscore of a name that is a letter and its subscript.
+std::size_t lowered_after(std::string_view words, std::size_t at) {
+  if (words[at] != '_' || at == 0) return 0;
+  const bool is_sign = (words[at - 1] & 0x80) != 0;  // "∑_i"
+  if (!is_sign && (!is_letter(words[at - 1]) || (at > 1 && is_of_name(words[at - 2])))) return 0;
+  std::size_t end = at + 1;
+  while (end < words.size() && words[end] != '_' && is_of_name(words[end])) ++end;
+  const std::size_t letters = end - at - 1;
+  return letters <= kLongestSubscript && (end == words.size() || words[end] != '_') ? letters : 0;
 }
 
 float advance(ImFont* font, float size, std::string_view words) {
@@ -37,10 +42,11 @@ std::vector<Letters> with_subscripts(std::string_view words) {
   std::vector<Letters> pieces;
   std::size_t begin = 0;
   for (std::size_t at = words.find('_'); at != std::string_view::npos; at = words.find('_', at + 1)) {
-    if (!lowers_next(words, at)) continue;
+    const std::size_t letters = lowered_after(words, at);
+    if (letters == 0) continue;
     pieces.push_back({words.substr(begin, at - begin)});
-    pieces.push_back({words.substr(at + 1, 1), true});
-    begin = at + 2;
+    pieces.push_back({words.substr(at + 1, letters), true});
+    begin = at + 1 + letters;
   }
   if (begin < words.size()) pieces.push_back({words.substr(begin)});
   return pieces;

@@ -48,8 +48,9 @@ struct Letters {
   bool lowered = false;
   bool operator==(const Letters&) const = default;
 };
-/// "r_A = 2" has three pieces: r, a lowered A, and the rest. All that measures or draws words goes by them. A letter
-/// and one capital are such a name, and nothing else: "a_min", "FILE_A" and "r_AB" are words as they stand.
+/// "r_A = 2" has three pieces: r, a lowered A, and the rest. All that measures or draws words goes by them. A single
+/// letter or sign and at most three lowered ones are such a name, "a_min" and "∑_i", and nothing else: "min_max" and
+/// "x_axis" are words as they stand.
 [[nodiscard]] std::vector<Letters> with_subscripts(std::string_view words);
 
 /// What ImGui calls the size of a font whose em is of this size at text scale 1.

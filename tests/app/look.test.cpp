@@ -5,11 +5,13 @@
 
 namespace snug::app {
 
-TEST_CASE("a letter and one capital are a name with a subscript, and no other underscore is") {
+TEST_CASE("a letter and up to three after an underscore are a name with a subscript, and no other underscore is") {
   CHECK(with_subscripts("r_A = 0.97") == std::vector<Letters>{{"r"}, {"A", true}, {" = 0.97"}});
   CHECK(with_subscripts("> r_A + r_B") == std::vector<Letters>{{"> r"}, {"A", true}, {" + r"}, {"B", true}});
   CHECK(with_subscripts("\u00a0r_B") == std::vector<Letters>{{"\u00a0r"}, {"B", true}});
-  for (const char* plain : {"distance", "a_min", "FILE_A", "r_AB", "_A", "r_", "x_1"})
+  CHECK(with_subscripts("a_max < b_min") == std::vector<Letters>{{"a"}, {"max", true}, {" < b"}, {"min", true}});
+  CHECK(with_subscripts("r = ∑_i e_i") == std::vector<Letters>{{"r = ∑"}, {"i", true}, {" e"}, {"i", true}});
+  for (const char* plain : {"distance", "min_max", "FILE_A", "x_axis", "_A", "r_", "a_b_c"})
     CHECK(with_subscripts(plain) == std::vector<Letters>{{plain}});
   CHECK(with_subscripts("").empty());
 }

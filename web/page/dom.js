@@ -32,8 +32,8 @@ export const followed_here = (follow) => (event) => {
 
 /** Words as they are read: their names whole, and r_A with a subscript, as on the canvas. */
 export const spelled = (text) =>
-  whole_names(text).split(/(?<!\w)([A-Za-z]_[A-Z])(?!\w)/).filter(Boolean).flatMap((piece) => {
-    const name = /^([A-Za-z])_([A-Z])$/.exec(piece);
+  whole_names(text).split(/(?<!\w)([A-Za-z]_[A-Za-z0-9]{1,3})(?!\w)/).filter(Boolean).flatMap((piece) => {
+    const name = /^([A-Za-z])_([A-Za-z0-9]{1,3})$/.exec(piece);
     return name ? [name[1], element("sub", {}, name[2])] : [piece];
   });
 
