@@ -21,7 +21,7 @@ RowSizes row_sizes(const Look& look, float width, bool low) {
 
 }  // namespace
 
-float timeline_height(const Look& look) { return look.fingers ? 158.0f : 100 + look.px(36); }
+float timeline_height(const Look& look) { return look.fingers ? 110 + look.px(48) : 60 + look.px(76); }
 
 TimelineButtons timeline_buttons(const Look& look, const Rect& rect) {
   TimelineButtons buttons;

@@ -17,7 +17,7 @@ bool is_inside(const Rect& inner, const Rect& outer) {
 TEST_CASE("the speed stands beside the buttons and over none of them, however narrow the timeline") {
   int among_words = 0, in_row = 0;
   for (const bool fingers : {false, true})
-    for (const float scale : {1.0f, 1.4f})
+    for (const float scale : {0.9f, 1.0f, 1.4f, 1.5f})
       for (float width = 300; width <= 1300; ++width)
         for (const bool on_side : {false, true}) {
           Look look;

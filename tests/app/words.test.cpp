@@ -70,7 +70,7 @@ std::vector<lesson::Lesson> all_lessons() {
     if (entry.path().extension() != ".toml" || entry.path().filename() == "course.toml") continue;
     auto lesson =
         lesson::read_lesson(bytes_of(entry.path()), entry.path().filename().string(), lesson::Checked::kAsWritten);
-    REQUIRE(lesson.has_value());
+    REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
     lessons.push_back(*std::move(lesson));
   }
   return lessons;
