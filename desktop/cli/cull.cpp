@@ -9,6 +9,7 @@
 #include "desktop/cli/json_lines.hpp"
 #include "desktop/cli/trace_file.hpp"
 #include "desktop/cli/volume_json.hpp"
+#include "hierarchy/build.hpp"
 #include "query/classify.hpp"
 #include "query/classify_corners.hpp"
 #include "query/frustum_sat.hpp"
@@ -23,6 +24,7 @@ struct CullOptions {
   int dim = 0;
   std::string test = "planes";
   std::string tree;
+  std::int64_t leaf = hierarchy::Options().most_in_leaf;
   std::string steps;
   std::string file = "-", name;  // a file's path; a case's name, in place of it
   std::int64_t survey = 0;       // spheres; 0 for none
@@ -262,7 +264,7 @@ Json json_of_cost(const CullCost& cost) {
 }
 
 template <class Scalar, int Dim>
-CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& rule, TraceFile& trace) {
+CommandResult cull_scene(const std::vector<CullLine>& scene, const TreeRule& rule, TraceFile& trace) {
   const auto frustum = *frustum_of<Scalar, Dim>(scene[0].frustum);  // scene_of() has checked it
   std::vector<Volume<Scalar, Dim>> volumes;
   for (const CullLine& line : scene) {
@@ -277,8 +279,10 @@ CommandResult cull_scene(const std::vector<CullLine>& scene, const std::string& 
   Printed printed;
   for (const query::Culling culling : culled->classes)
     printed.text += line_of({{"class", query::kCullingNames[static_cast<std::size_t>(culling)]}});
-  printed.text += line_of({{"tree", rule},
+  printed.text += line_of({{"tree", rule.name},
                            {"nodes", culled->nodes},
+                           {"depth", culled->depth},
+                           {"cost", culled->cost},
                            {"nodes_visited", culled->nodes_visited},
                            {"by_tree", json_of_cost(culled->by_tree)},
                            {"without_masks", json_of_cost(culled->without_masks)},
@@ -292,11 +296,10 @@ CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
   if (!scene) return tl::unexpected(scene.error());
   if (scene->empty()) return Printed{};
   const bool as_float = options.scalar == "float";
+  const TreeRule rule{options.tree, options.leaf};
   if ((*scene)[0].dim == 2)
-    return as_float ? cull_scene<float, 2>(*scene, options.tree, trace)
-                    : cull_scene<double, 2>(*scene, options.tree, trace);
-  return as_float ? cull_scene<float, 3>(*scene, options.tree, trace)
-                  : cull_scene<double, 3>(*scene, options.tree, trace);
+    return as_float ? cull_scene<float, 2>(*scene, rule, trace) : cull_scene<double, 2>(*scene, rule, trace);
+  return as_float ? cull_scene<float, 3>(*scene, rule, trace) : cull_scene<double, 3>(*scene, rule, trace);
 }
 
 // ---- a survey
@@ -367,9 +370,11 @@ constexpr const char* kCullFooterEnd = R"(It has the frustum's dimension.
 --test corners classifies by the box's vertices: outside if all are outside one plane. corners_outside says outside if
 all are outside the frustum, which is wrong for boxes wider than the frustum: class then differs from exact.
 --tree RULE builds a tree over the volumes of all lines, which must be of one kind with one frustum, by median,
-surface_area, bottom_up or insertion, and culls with it. It prints {"class":..} for each, the same as without a tree, and
-then one more object:
+surface_area (both with up to --leaf volumes in a leaf), bottom_up or insertion, and culls with it. It prints
+{"class":..} for each, the same as without a tree, and then one more object:
   tree, nodes      the rule, and the number of nodes; nodes_visited: how many the frustum was tested against
+  depth, cost      the largest number of nodes on a path from the root to a leaf; the tests that a line is expected to
+                   take once it meets the root, by the surface-area heuristic
   by_tree          volume_tests (nodes and bodies) and planes_tested; without_masks: the same if children are also
                    tested against planes that their parent is inside; one_by_one: without the tree
 
@@ -402,6 +407,9 @@ void add_cull(Commands& commands) {
       ->capture_default_str();
   command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")
       ->check(CLI::IsMember(kTreeRules));
+  command.add_option("--leaf", options->leaf, "The most volumes in a leaf, of the trees by median and surface_area")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
+      ->capture_default_str();
   command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
   command.add_option("--survey", options->survey, "Test so many random spheres instead, and count the false positives")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));

@@ -2,6 +2,7 @@
 
 #include "desktop/cli/fact_json.hpp"
 #include "hierarchy/build.hpp"
+#include "hierarchy/cost.hpp"
 #include "hierarchy/cull.hpp"
 
 namespace snug::desktop {
@@ -16,10 +17,11 @@ concept Mergeable = requires(const Kind& a, const Kind& b) {
 };
 
 template <class Kind>
-hierarchy::Tree<Kind> build(const std::string& rule, std::span<const Kind> volumes, Recorder<Step>& steps) {
-  if (rule == "median") return hierarchy::build_median<Kind>(volumes, {}, steps);
-  if (rule == "surface_area") return hierarchy::build_surface_area<Kind>(volumes, {}, steps);
-  if (rule == "bottom_up") return hierarchy::build_bottom_up<Kind>(volumes, steps);
+hierarchy::Tree<Kind> build(const TreeRule& rule, std::span<const Kind> volumes, Recorder<Step>& steps) {
+  const hierarchy::Options options{.most_in_leaf = static_cast<Index>(rule.most_in_leaf)};
+  if (rule.name == "median") return hierarchy::build_median<Kind>(volumes, options, steps);
+  if (rule.name == "surface_area") return hierarchy::build_surface_area<Kind>(volumes, options, steps);
+  if (rule.name == "bottom_up") return hierarchy::build_bottom_up<Kind>(volumes, steps);
   return hierarchy::build_by_insertion<Kind>(volumes, steps);
 }
 
@@ -29,13 +31,15 @@ void write(TraceFile& trace, std::string_view doing, const Recorder<Step>& steps
 }
 
 template <class Scalar, int Dim, class Kind>
-CulledByTree cull_kind(const std::string& rule, const Frustum<Scalar, Dim>& frustum, const std::vector<Kind>& volumes,
+CulledByTree cull_kind(const TreeRule& rule, const Frustum<Scalar, Dim>& frustum, const std::vector<Kind>& volumes,
                        TraceFile& trace) {
   Recorder<Step> building, going;
   const std::span<const Kind> all(volumes);
   const hierarchy::Tree<Kind> tree = build<Kind>(rule, all, building);
   CulledByTree result{.classes = std::vector(volumes.size(), query::Culling::kOutside),
-                      .nodes = static_cast<std::int64_t>(tree.nodes.size())};
+                      .nodes = static_cast<std::int64_t>(tree.nodes.size()),
+                      .depth = tree.depth(),
+                      .cost = hierarchy::expected_cost(tree)};
   const auto take = [&](Index body, query::Culling culling) { result.classes[body] = culling; };
   const auto cost_of = [](const hierarchy::Culled& culled) {
     return CullCost{culled.counts.volume_tests(), culled.planes_tested};
@@ -57,7 +61,7 @@ CulledByTree cull_kind(const std::string& rule, const Frustum<Scalar, Dim>& frus
 }  // namespace
 
 template <class Scalar, int Dim>
-std::optional<CulledByTree> cull_by_tree(const std::string& rule, const Frustum<Scalar, Dim>& frustum,
+std::optional<CulledByTree> cull_by_tree(const TreeRule& rule, const Frustum<Scalar, Dim>& frustum,
                                          std::span<const Volume<Scalar, Dim>> volumes, TraceFile& trace) {
   if (volumes.empty()) return CulledByTree();
   return std::visit(
@@ -72,13 +76,13 @@ std::optional<CulledByTree> cull_by_tree(const std::string& rule, const Frustum<
       volumes.front());
 }
 
-template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<float, 2>&,
+template std::optional<CulledByTree> cull_by_tree(const TreeRule&, const Frustum<float, 2>&,
                                                   std::span<const Volume<float, 2>>, TraceFile&);
-template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<float, 3>&,
+template std::optional<CulledByTree> cull_by_tree(const TreeRule&, const Frustum<float, 3>&,
                                                   std::span<const Volume<float, 3>>, TraceFile&);
-template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<double, 2>&,
+template std::optional<CulledByTree> cull_by_tree(const TreeRule&, const Frustum<double, 2>&,
                                                   std::span<const Volume<double, 2>>, TraceFile&);
-template std::optional<CulledByTree> cull_by_tree(const std::string&, const Frustum<double, 3>&,
+template std::optional<CulledByTree> cull_by_tree(const TreeRule&, const Frustum<double, 3>&,
                                                   std::span<const Volume<double, 3>>, TraceFile&);
 
 }  // namespace snug::desktop

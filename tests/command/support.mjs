@@ -14,7 +14,7 @@ export const folder = mkdtempSync(join(tmpdir(), "snug-"));
 after(() => rmSync(folder, { recursive: true }));
 
 export function snug(args, input = "") {
-  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder });
+  const done = spawnSync(program, args, { input, encoding: "utf8", cwd: folder, maxBuffer: 2 ** 28 });
   if (done.error?.code !== "EPIPE") assert.equal(done.error, undefined); // it may refuse without having read what it is given
   return { out: done.stdout, err: done.stderr, status: done.status };
 }
