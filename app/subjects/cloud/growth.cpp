@@ -1,4 +1,6 @@
 // Draws the lengths of Ritter's formula where a sphere grows: all on the line through its centre and the point.
+#include "app/subjects/cloud/growth.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -34,7 +36,34 @@ void draw_measure(Brush& brush, const Point3& from, const Point3& to, ImVec2 asi
   brush.label({(a.x + b.x) / 2, (a.y + b.y) / 2}, 4, aside, std::move(words), text, Face::kSemiBold, 13);
 }
 
+std::pair<Color, Color> colors_of(GrowthLength::Of of, const Palette& p) {
+  switch (of) {
+    case GrowthLength::Of::kPoint: return {p.examined, p.examined_text};
+    case GrowthLength::Of::kBefore: return {p.previous, p.previous_text};
+    case GrowthLength::Of::kMove: return {p.support, p.support_text};
+    case GrowthLength::Of::kNow: break;
+  }
+  return {p.current, p.current_text};
+}
+
+/// The end of the old sphere that is farthest from the point.
+Point3 back_of(const fit::Sphere3& ball, const Point3& point) {
+  const Point3 away = ball.center - point;
+  return ball.center + away * (ball.radius / away.norm());
+}
+
 }  // namespace
+
+std::vector<GrowthLength> growth_lengths(const fit::Sphere3& before, const fit::Sphere3& now, const Point3& point) {
+  const auto number = [](double value) { return lesson::number_text(value); };
+  const double dist = (point - before.center).norm(), grown = now.radius - before.radius;
+  if (!(dist > 0)) return {};
+  using Of = GrowthLength::Of;
+  return {{Of::kPoint, before.center, point, true, "dist = " + number(dist)},
+          {Of::kBefore, back_of(before, point), before.center, true, "radius = " + number(before.radius)},
+          {Of::kMove, before.center, now.center, false, "k · dist = " + number(grown / dist) + " · dist"},
+          {Of::kNow, now.center, point, false, "r = " + number(now.radius)}};
+}
 
 void draw_growth(Brush& brush, const CloudShown& shown) {
   const fit::Sphere3* now = ball_in(shown.volume);
@@ -42,17 +71,16 @@ void draw_growth(Brush& brush, const CloudShown& shown) {
   const Palette& p = brush.p;
   const fit::Sphere3& old = shown.grown->before;
   const Point3 point = brush.session.point(shown.grown->point);
-  const double dist = (point - old.center).norm();
-  if (!(dist > 0)) return;
-  const Point3 back = old.center - (point - old.center) * (old.radius / dist);
+  const std::vector<GrowthLength> lengths = growth_lengths(old, *now, point);
+  if (lengths.empty()) return;
+  const Point3 back = back_of(old, point);
   draw_line(brush.canvas, back, point, {Stroke::kSolid, p.muted, brush.stroke(0.6f)});
   plus(brush.list, brush.at(old.center), 5 * p.mark, p.previous, brush.stroke(0.7f));
-  const auto number = [](double value) { return lesson::number_text(value); };
   const ImVec2 up = aside_of(brush.at(back), brush.at(point)), down{-up.x, -up.y};
-  draw_measure(brush, old.center, point, up, "dist = " + number(dist), p.examined, p.examined_text);
-  draw_measure(brush, back, old.center, up, "radius = " + number(old.radius), p.previous, p.previous_text);
-  draw_measure(brush, old.center, now->center, down, "k · dist = " + number(now->radius - old.radius), p.support,
-               p.support_text);
+  for (const GrowthLength& one : lengths) {
+    const auto [color, text] = colors_of(one.of, p);
+    draw_measure(brush, one.from, one.to, one.above ? up : down, one.words, color, text);
+  }
 }
 
 }  // namespace snug::app
