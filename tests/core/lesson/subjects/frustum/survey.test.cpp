@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "core/lesson/lesson_files.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 
@@ -52,4 +53,20 @@ TEST_CASE("an edit ends the survey, and without a clock it is done at once") {
   CHECK(subject.survey()->counts().spheres == kSurveySpheres);
   REQUIRE(subject.move(0, Point3(1, 1, 0)).has_value());
   CHECK(subject.survey() == nullptr);
+}
+
+TEST_CASE("the survey of the lesson on spheres counts what snug cull --survey prints for its frustum") {
+  Session session = test::session_of("frustum-sphere");
+  const auto counted = [&](const char* situation) {
+    REQUIRE(session.show_situation(situation).has_value());
+    auto survey = FrustumSurvey::make(as<FrustumSubject>(session.subject())->boxes(), session.seed());
+    REQUIRE(survey.has_value());
+    while (!survey->done()) survey->step();
+    return survey->counts();
+  };
+  using Counts = query::SurveyCounts;
+  const Counts flat = counted("own");
+  CHECK(flat == Counts{1'000'000, 157'719, 548'001, 294'280, flat.false_at_two, flat.false_at_more});
+  CHECK(flat.false_positives() == 6168);
+  CHECK(counted("edge") == Counts{1'000'000, 60'035, 510'409, 429'556, 9939, 7049});
 }
