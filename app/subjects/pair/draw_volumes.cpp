@@ -1,6 +1,8 @@
 // Draws two volumes of any kind, and what the step of their test is about.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/box_marks.hpp"
 #include "app/polytope.hpp"
@@ -48,6 +50,32 @@ struct Drawing {
       return;
     }
     draw_knob(brush, handle.kind == Kind::kTurn ? center : at, at, handle.kind == Kind::kTurn);
+  }
+
+  /// Draws the cylinder on a capsule's axis: both rims, and the outline of all.
+  void cylinder(int side) const {
+    const auto* capsule = std::get_if<Capsule<double, 3>>(&pair.held[side].volume);
+    if (capsule == nullptr || capsule->a == capsule->b) return;
+    const Color color = brush.p.previous;
+    std::vector<ImVec2> all;
+    for (const Point3& end : {capsule->a, capsule->b}) {
+      const std::vector<ImVec2> rim = rim_around(end, capsule->b - capsule->a, capsule->radius);
+      path(brush.list, rim, true, Stroke::kDashed, color, brush.stroke(0.7f));
+      all.insert(all.end(), rim.begin(), rim.end());
+    }
+    path(brush.list, convex_outline(all), true, Stroke::kDashed, color, brush.stroke(0.9f));
+  }
+
+  /// The circle of a radius around an axis, on the screen.
+  std::vector<ImVec2> rim_around(const Point3& center, const Point3& axis, double radius) const {
+    constexpr int kParts = 48;
+    const Point3 u = axis.unitOrthogonal() * radius, v = axis.normalized().cross(u);
+    std::vector<ImVec2> rim;
+    for (int i = 0; i < kParts; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kParts;
+      rim.push_back(brush.at(center + std::cos(angle) * u + std::sin(angle) * v));
+    }
+    return rim;
   }
 
   /// Draws the core.
@@ -188,6 +216,8 @@ std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, dou
 void draw_volumes(Brush& brush, lesson::PairSteps steps) {
   const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair()};
   for (const int side : {0, 1}) drawing.volume(side);
+  if (drawing.pair.cylinders)
+    for (const int side : {0, 1}) drawing.cylinder(side);
   if (steps.empty()) return;
   const auto is_box = [&](int side) { return std::holds_alternative<Aabb<double, 3>>(drawing.pair.held[side].volume); };
   if (is_box(0) && is_box(1))  // their intervals stay beside the axes

@@ -57,6 +57,14 @@ struct FieldReader {
   void operator()(std::string_view name, std::vector<Point3>& vertices) const { vertices = table.points(name, dim); }
 };
 
+/// Reads whether cylinders stand beside the capsules.
+bool read_cylinders(TomlTable& table, int dim) {
+  if (!table.has("beside")) return table.allow("beside"), false;
+  if (table.text("beside") != "cylinders") table.wrong("beside", "must be \"cylinders\"");
+  else if (dim != 3) table.wrong("beside", "is for capsules in space");
+  return true;
+}
+
 /// Reads which of the two volumes are shown as they are stored.
 std::array<bool, 2> read_stored(TomlTable& table) {
   constexpr std::array<std::string_view, 2> kSides{"a", "b"};
@@ -95,6 +103,7 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   const int dim = tables->pair.dim = lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
   tables->stored = read_stored(own);
   tables->pair.any = own.flag_or("any", false);
+  tables->pair.cylinders = read_cylinders(own, dim);
   const std::size_t before = complaints.count();
   double reach = 0;
   for (const std::size_t side : {0, 1}) {
@@ -112,6 +121,12 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   if (complaints.count() == before && own.has("a") && own.has("b") &&
       tables->pair.held[0].volume.index() > tables->pair.held[1].volume.index())
     own.wrong("a", "must be of the kind that comes first: " + one_of(kVolumeNames));
+  const auto is_capsule = [](const HeldVolume& held) {
+    return std::holds_alternative<Capsule<double, 3>>(held.volume);
+  };
+  if (complaints.count() == before && tables->pair.cylinders &&
+      !std::all_of(tables->pair.held.begin(), tables->pair.held.end(), is_capsule))
+    own.wrong("beside", "is for two capsules");
   own.refuse_others();
   lesson.tables = std::move(tables);
 }

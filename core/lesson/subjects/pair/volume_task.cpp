@@ -1,6 +1,7 @@
-// What tasks on two axis-aligned boxes or two spheres ask for.
+// What tasks on two axis-aligned boxes, two spheres or two capsules ask for.
 #include <algorithm>
 
+#include "lesson/figures.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 #include "query/overlaps_spheres.hpp"
 
@@ -48,6 +49,10 @@ Spheres spheres_of(const VolumePair& pair) {
 
 bool VolumesSubject::reaches(std::string_view goal) const {
   if (goal == "sum_of_squares") return spheres_of(pair_).overlap && !spheres_of(pair_).by_squares;
+  if (goal == "cylinders_apart") {
+    const auto cylinders = as_cylinders(pair_);
+    return cylinders && !cylinders->overlap && !separation_of(pair_);
+  }
   const std::vector<Along> axes = along_axes(pair_);
   const auto so = [&](Along along) { return std::count(axes.begin(), axes.end(), along); };
   const auto others = static_cast<std::ptrdiff_t>(axes.size()) - 1;
@@ -62,6 +67,12 @@ std::string VolumesSubject::goal_says(std::string_view goal) const {
     if (!both) return "There are no two spheres.";
     return std::string("The spheres ") + (overlap ? "overlap" : "are apart") + "; by the sum of the squares they " +
            (by_squares ? "overlap." : "are apart.");
+  }
+  if (goal == "cylinders_apart") {
+    const auto cylinders = as_cylinders(pair_);
+    if (!cylinders) return "There are no two capsules whose axes have a length.";
+    return std::string("The capsules ") + (separation_of(pair_) ? "are apart" : "overlap") + "; the cylinders " +
+           (cylinders->overlap ? "overlap." : "are apart by " + gap_text(cylinders->gap) + " units.");
   }
   const std::vector<Along> axes = along_axes(pair_);
   std::string text;

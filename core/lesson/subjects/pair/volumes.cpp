@@ -88,6 +88,17 @@ std::vector<Figure> squares_of(const VolumePair& pair, double radii, bool known)
           square("Squared sum of the radii", "radii_squared", radii * radii)};
 }
 
+/// What GJK says of the cylinders, once the test of the capsules is at its end.
+void add_cylinders(std::vector<Figure>& figures, const VolumePair& pair, bool at_end) {
+  const auto found = at_end ? as_cylinders(pair) : std::nullopt;
+  const bool apart = found && !found->overlap;
+  figures.push_back(
+      length("Separation of the cylinders", "cylinder_gap", apart ? std::optional(found->gap) : std::nullopt));
+  const int simplices = found ? found->simplices : 0;
+  figures.push_back({"Simplices for the cylinders", "cylinder_simplices", found ? std::to_string(simplices) : "—",
+                     static_cast<double>(simplices), "", found.has_value()});
+}
+
 Point3 random_place(Random& random, double reach, int dim) {
   Point3 place = Point3::Zero();
   for (int i = 0; i < dim; ++i) place[i] = random.between(-reach, reach);
@@ -321,6 +332,7 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
     figures = compared_along(*standing.slab, view.method().name);
   figures.push_back(length("Separation", "gap", standing.gap));
   figures.push_back(count(view.method().name == "gjk" ? "Simplices so far" : "Tests so far"));
+  if (pair_.cylinders) add_cylinders(figures, pair_, view.at_end());
   if (pair_.any) figures.push_back(operations_figure(steps.first(view.step)));
   return figures;
 }

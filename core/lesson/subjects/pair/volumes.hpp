@@ -17,7 +17,8 @@ inline constexpr std::string_view kVolumePair = "volume_pair";
 struct VolumePair {
   int dim = 2;
   std::array<HeldVolume, 2> held;
-  bool any = false;  // whether students choose the kinds
+  bool any = false;        // whether students choose the kinds
+  bool cylinders = false;  // whether the cylinders on the axes of these two capsules stand beside them
 };
 
 /// The kinds of both, as indices of kVolumeNames.
@@ -60,10 +61,21 @@ using Kinds = std::array<std::size_t, 2>;
 /// The same for the cores alone, without the radii.
 [[nodiscard]] std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair);
 
+/// What GJK says of the cylinders on the axes of two capsules, with their radii.
+struct AsCylinders {
+  bool overlap = false;
+  double gap = 0;     // 0 where they overlap
+  int simplices = 0;  // that GJK took
+};
+/// pair: two capsules. None where the ends of an axis are one point.
+[[nodiscard]] std::optional<AsCylinders> as_cylinders(const VolumePair& pair);
+
 /// "only_last_axis": axis-aligned boxes that only the last coordinate axis separates; "touch_on_one_axis": those whose
 /// intervals have just one number in common along one axis, and more along every other; "sum_of_squares": spheres that
-/// overlap, and that would not if their squared radii were added instead of squaring their sum.
-inline constexpr std::array<std::string_view, 3> kVolumeGoals{"only_last_axis", "touch_on_one_axis", "sum_of_squares"};
+/// overlap, and that would not if their squared radii were added instead of squaring their sum; "cylinders_apart":
+/// capsules that overlap while the cylinders on their axes do not.
+inline constexpr std::array<std::string_view, 4> kVolumeGoals{"only_last_axis", "touch_on_one_axis", "sum_of_squares",
+                                                              "cylinders_apart"};
 
 class VolumesSubject final : public Subject {
  public:

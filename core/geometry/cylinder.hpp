@@ -1,0 +1,45 @@
+// The cylinder: no bounding volume here, for the flat ends make it expensive to test. It stands beside the capsule on
+// the same axis, to be compared with it.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "geometry/core.hpp"
+#include "geometry/vector.hpp"
+
+namespace snug {
+
+/// All p between the planes across the axis through its ends a and b, which are two points, and no farther than radius
+/// from it. In 2-D a rectangle.
+template <class Scalar, int Dim>
+struct Cylinder {
+  Vector<Scalar, Dim> a = Vector<Scalar, Dim>::Zero();
+  Vector<Scalar, Dim> b = Vector<Scalar, Dim>::UnitX();
+  Scalar radius = 0;  // >= 0
+  static constexpr std::array<std::string_view, 3> kFields{"a", "b", "radius"};
+  static auto tie(auto& own) { return std::tie(own.a, own.b, own.radius); }
+};
+
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> anchor(const Cylinder<Scalar, Dim>& cylinder) {
+  return cylinder.a;
+}
+
+/// A point of a rim. Across the axis twice: where the direction is nearly along it, once leaves mostly rounding.
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<double, Dim> core_support(const Cylinder<Scalar, Dim>& cylinder, const Vector<Scalar, Dim>& origin,
+                                               const Vector<double, Dim>& direction) {
+  const Vector<double, Dim> axis = difference(cylinder.b, cylinder.a).normalized();
+  const double along = direction.dot(axis);
+  const Vector<double, Dim> end = difference(along > 0 ? cylinder.b : cylinder.a, origin);
+  Vector<double, Dim> across = direction - axis * along;
+  const double length = across.norm();
+  if (!(length > 0)) return end;
+  across /= length;
+  across -= axis * across.dot(axis);
+  return end + static_cast<double>(cylinder.radius) * across;
+}
+
+}  // namespace snug
