@@ -29,7 +29,7 @@ TEST_CASE("cylinders end where their axes do: end to end they can be apart while
   CHECK_FALSE(separation_of(pair_of(a, {{-0.5, 0, 0}, {2, 0, 0}, 1})));
   const VolumesSubject subject(pair_of(a, {{-0.5, 0, 0}, {2, 0, 0}, 1}), 1);
   CHECK(subject.reaches("cylinders_apart"));
-  CHECK(subject.goal_says("cylinders_apart") == "The capsules overlap; the cylinders are apart by 0.5 units.");
+  CHECK(subject.goal_says("cylinders_apart") == "The capsules overlap; the cylinders are apart by 0.500 units.");
 }
 
 TEST_CASE("side by side cylinders are as far apart as their capsules") {
