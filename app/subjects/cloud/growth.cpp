@@ -40,10 +40,9 @@ std::pair<Color, Color> colors_of(GrowthLength::Of of, const Palette& p) {
   switch (of) {
     case GrowthLength::Of::kPoint: return {p.examined, p.examined_text};
     case GrowthLength::Of::kBefore: return {p.previous, p.previous_text};
-    case GrowthLength::Of::kMove: return {p.support, p.support_text};
-    case GrowthLength::Of::kNow: break;
+    case GrowthLength::Of::kMove: break;
   }
-  return {p.current, p.current_text};
+  return {p.support, p.support_text};
 }
 
 /// The end of the old sphere that is farthest from the point.
@@ -59,10 +58,10 @@ std::vector<GrowthLength> growth_lengths(const fit::Sphere3& before, const fit::
   const double dist = (point - before.center).norm(), grown = now.radius - before.radius;
   if (!(dist > 0)) return {};
   using Of = GrowthLength::Of;
-  return {{Of::kPoint, before.center, point, true, "dist = " + number(dist)},
-          {Of::kBefore, back_of(before, point), before.center, true, "radius = " + number(before.radius)},
-          {Of::kMove, before.center, now.center, false, "k · dist = " + number(grown / dist) + " · dist"},
-          {Of::kNow, now.center, point, false, "r = " + number(now.radius)}};
+  return {
+      {Of::kPoint, before.center, point, true, "dist = " + number(dist)},
+      {Of::kBefore, back_of(before, point), before.center, true, "radius = " + number(before.radius)},
+      {Of::kMove, before.center, now.center, false, "k · dist = " + number(grown) + ", k = " + number(grown / dist)}};
 }
 
 void draw_growth(Brush& brush, const CloudShown& shown) {
