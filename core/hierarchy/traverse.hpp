@@ -104,6 +104,12 @@ inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
 /// Which of two children that are both hit is taken first. kFar shows what the order is worth.
 enum class ChildOrder : std::uint8_t { kNear, kFar };
 
+/// Whether the right one of two children is taken first; of two at the same t the left one is.
+template <class Scalar>
+[[nodiscard]] bool is_right_first(ChildOrder order, Scalar left, Scalar right) {
+  return order == ChildOrder::kNear ? right < left : left < right;
+}
+
 template <class Scalar>
 struct Hit {
   Index body = kNoIndex;  // kNoIndex: none was hit
@@ -113,16 +119,21 @@ struct Hit {
 
 /// The body that is hit first; of several at the same t the one of the least index. hit(volume) ->
 /// std::optional<Scalar>: the t of the hit; a node's must be no later than that of anything in it (as query::ray_enters
-/// guarantees for boxes).
-template <class Scalar, class VolumeType, class HitTest, StepObserver<Step> Observer = Ignore>
+/// guarantees for boxes). order: a ChildOrder, or right_first(node, t of its left child, t of its right one) -> bool,
+/// which is asked at each node whose children are both hit. Whatever the order, the same body is found.
+template <class Scalar, class VolumeType, class HitTest, StepObserver<Step> Observer = Ignore, class Order = ChildOrder>
 Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const VolumeType>> volumes,
-                      HitTest&& hit, Observer&& observe = {}, ChildOrder order = ChildOrder::kNear) {
+                      HitTest&& hit, Observer&& observe = {}, Order&& order = ChildOrder::kNear) {
   struct Open {
     Index node;
     Scalar t;
   };
   Hit<Scalar> best;
   std::vector<Open> open;
+  const auto right_first_at = [&](Index node, Scalar left, Scalar right) {
+    if constexpr (std::is_invocable_v<Order&, Index, Scalar, Scalar>) return order(node, left, right);
+    else return is_right_first(order, left, right);
+  };
   const auto is_beyond = [&](Scalar t) { return best.body != kNoIndex && t > best.t; };
   const auto test = [&](Index node) -> std::optional<Scalar> {
     const std::optional<Scalar> t = hit(tree.nodes[node].volume);
@@ -140,7 +151,7 @@ Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::sp
     const Node<VolumeType>& node = tree.nodes[now.node];
     if (!node.is_leaf()) {
       const auto left = test(node.first), right = test(node.first + 1);
-      const bool right_first = left && right && (order == ChildOrder::kNear ? *right < *left : *left < *right);
+      const bool right_first = left && right && right_first_at(now.node, *left, *right);
       if (right && !right_first) open.push_back({node.first + 1, *right});
       if (left) open.push_back({node.first, *left});
       if (right && right_first) open.push_back({node.first + 1, *right});

@@ -75,3 +75,37 @@ test("a tree that is built by hand is in the address: its mergers, and what it c
   assert.ok(readout.of_sah <= 100);
   assert.ok(grade);
 });
+
+test("a ray's order is chosen by two buttons beside the stage, is in the address, and is taken back", async (t) => {
+  const page = await visit(t, "?lesson=bvh-traverse&situation=misled&a=ray_by_hand&step=9");
+  if ((await state(page)).asked) await answer(page, "Only how many tests are needed");
+  const due = await until(page, (now) => now.step === now.steps && now.asked === null);
+  assert.match(due.caption, /choose which one comes next/);
+  assert.equal(due.readout.of_near_first, undefined);
+  const whole = await visit(t, "?lesson=bvh-traverse&situation=misled&a=ray_by_hand&step=99&moved=13,2,0,0");
+  const end = await until(whole, (now) => now.step === now.steps && now.readout.of_near_first !== undefined);
+  assert.equal(end.readout.of_near_first, 80);
+  assert.equal(end.readout.found, 1);
+});
+
+test("two trees: the stack holds pairs, a drag of R moves the copy, and every pair is found", async (t) => {
+  const page = await visit(t, "?lesson=bvh-traverse&situation=copies&a=two_trees&step=99");
+  const own = await until(page, (now) => now.step === now.steps && now.asked === null);
+  assert.equal(own.readout.found, 2);
+  assert.equal(own.readout.left_out + own.readout.box_tests, 64);
+  await drag(page, "R", 150, 0);
+  const now = await until(page, (view, tests) => view.readout.tests !== tests, own.readout.tests);
+  assert.equal(now.readout.left_out + now.readout.box_tests, 64);
+});
+
+test("circles and oriented boxes as nodes: the same tree, at another cost", async (t) => {
+  const costs = [];
+  for (const situation of ["own", "circles"]) {
+    const page = await visit(t, `?lesson=bvh-build&situation=${situation}&a=insertion&step=99`);
+    const { readout } = await until(page, (now) => now.step === now.steps);
+    costs.push(readout.cost);
+    assert.equal(readout.nodes, 19);
+    assert.equal(readout.of_aabb === undefined, situation === "own");
+  }
+  assert.notEqual(costs[0], costs[1]);
+});

@@ -13,7 +13,8 @@ using lesson::Branch;
 using lesson::Forest;
 using lesson::Point2;
 
-constexpr float kRimStep = 4;  // how much farther out the outline of a node is than those of its children, pixels
+constexpr float kCopyWords = 13;  // the names of a copy's boxes
+constexpr float kRimStep = 4;     // how much farther out the outline of a node is than those of its children, pixels
 
 Point3 in_plane(const Point2& p) { return {p[0], p[1], 0}; }
 
@@ -49,24 +50,30 @@ int rank_of(const Forest& forest, Index i) {
   return 1 + std::max(rank_of(forest, branch.children[0]), rank_of(forest, branch.children[1]));
 }
 
-/// Draws the nodes that have more than one box, the current one over the others.
-void draw_nodes(Brush& brush, const TreeShown& shown) {
-  const Forest& forest = shown.forest();
+/// Draws the nodes that have more than one box, the current one over the others; those of a copy dotted.
+void draw_nodes(Brush& brush, const TreeShown& shown, TreeSide side) {
+  const Forest& forest = forest_on(shown, side);
+  const Index current = branch_on(shown, side);
   const auto node = [&](Index i, bool now) {
     if (forest.at(i).boxes.size() < 2) return;
     const ScreenBox box = on_screen(brush, forest.at(i).box, kRimStep * static_cast<float>(rank_of(forest, i)));
-    const TreeInk ink = ink_of(brush.p, shown, i);
+    const TreeInk ink = ink_of(brush.p, shown, i, side);
+    const bool dotted = ink.pale || side == TreeSide::kCopy;
+    if (shown.run->nodes() != lesson::NodeKind::kAabb)
+      return draw_volume(brush.canvas, lesson::volume_in_space(forest.at(i).volume),
+                         {ink.pale ? Stroke::kDotted : Stroke::kSolid, now ? ink.line : with_alpha(ink.line, 0.8f),
+                          brush.stroke(now ? 1.4f : 0.6f), now ? brush.p.fill : 0});
     if (now || ink.crossed) brush.list->AddRectFilled(box.low, box.high, with_alpha(ink.line, brush.p.fill), 3);
     if (ink.crossed) hatch_box(brush, box, ink.line);
-    draw_rim(brush, box, ink.pale ? Stroke::kDotted : Stroke::kSolid, now ? ink.line : with_alpha(ink.line, 0.8f),
+    draw_rim(brush, box, dotted ? Stroke::kDotted : Stroke::kSolid, now ? ink.line : with_alpha(ink.line, 0.8f),
              brush.stroke(now        ? 1.4f
                           : ink.pale ? 0.4f
                                      : 0.6f));
   };
   std::vector<Index> there = forest.there();
   for (const Index i : there)
-    if (i != shown.branch) node(i, false);
-  if (std::find(there.begin(), there.end(), shown.branch) != there.end()) node(shown.branch, true);
+    if (i != current) node(i, false);
+  if (std::find(there.begin(), there.end(), current) != there.end()) node(current, true);
 }
 
 /// Draws the volumes that nodes have got by merging: the last one with its children's, and with the one around the
@@ -106,14 +113,20 @@ void draw_built(Brush& brush, const lesson::TreeStage& stage) {
   }
 }
 
-void draw_boxes(Brush& brush, const TreeShown& shown) {
-  for (std::size_t i = 0; i < shown.run->boxes().size(); ++i) {
-    const ScreenBox box = on_screen(brush, shown.run->boxes()[i], 0);
-    const TreeInk ink = ink_of_box(brush.p, shown, static_cast<Index>(i));
+void draw_boxes(Brush& brush, const TreeShown& shown, TreeSide side) {
+  const std::vector<Box2>& boxes = side == TreeSide::kOwn ? shown.run->boxes() : shown.run->pairing()->moved;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const ScreenBox box = on_screen(brush, boxes[i], 0);
+    const TreeInk ink = ink_of_box(brush.p, shown, static_cast<Index>(i), side);
     brush.list->AddRectFilled(box.low, box.high, with_alpha(ink.line, ink.fill > 0 ? 3 * ink.fill : 0.1f), 2);
     if (ink.crossed) hatch_box(brush, box, ink.line);
     const bool waits = static_cast<Index>(i) == shown.incoming;
-    draw_rim(brush, box, ink.pale ? Stroke::kDotted : Stroke::kSolid, ink.line, brush.stroke(waits ? 1.4f : 0.8f));
+    const bool dotted = ink.pale || side == TreeSide::kCopy;
+    draw_rim(brush, box, dotted ? Stroke::kDotted : Stroke::kSolid, ink.line, brush.stroke(waits ? 1.4f : 0.8f));
+    if (side == TreeSide::kCopy)
+      text_middle(brush.list, brush.look, Face::kSemiBold, kCopyWords,
+                  {(box.low.x + box.high.x) / 2, middle_of((box.low.y + box.high.y) / 2, brush.look.px(kCopyWords))},
+                  ink.words, lesson::small(lesson::box_name(static_cast<Index>(i))));
   }
 }
 
@@ -172,6 +185,12 @@ void draw_query(Brush& brush, const lesson::QueryPlaces& query, std::string_view
       break;
     }
     case lesson::QueryShape::kFrustum: draw_frustum_query(brush, query, color); break;
+    case lesson::QueryShape::kMove: {
+      line(brush.list, from, to, Stroke::kLongDashed, color, brush.stroke(0.9f));
+      arrow(brush.list, from, to, color, brush.stroke(0.9f));
+      brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
+      break;
+    }
   }
 }
 
@@ -186,8 +205,17 @@ Box2 stage_room(const lesson::Session& session) {
     for (const Box2& box : stage.aabbs_built()) take(box);
   if (stage.query)
     for (const Point2& at : stage.query->at) take({at, at});
-  if (stage.query && lesson::shape_of_query(session.method(0)->name) == lesson::QueryShape::kFrustum)
+  if (stage.nodes != lesson::NodeKind::kAabb) {  // a circle reaches farther than the boxes in it
+    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    for (const Index root : run.forest(run.steps()).roots)
+      take(lesson::bounds_of(run.forest(run.steps()).at(root).volume));
+  }
+  if (!stage.query) return all;
+  const lesson::QueryShape shape = lesson::shape_of_query(session.method(0)->name);
+  if (shape == lesson::QueryShape::kFrustum)
     for (const Point2& at : lesson::corners_of_query(*stage.query)) take({at, at});
+  if (shape == lesson::QueryShape::kMove)
+    for (const Box2& box : lesson::moved_by(*stage.query, stage.aabbs())) take(box);
   return all;
 }
 
@@ -202,13 +230,16 @@ Box2 tree_room(const lesson::Session& session) {
 
 void draw_tree(Brush& brush, const TreeShown& shown) {
   const auto& stage = lesson::as<lesson::TreeSubject>(brush.session.subject())->stage();
-  draw_boxes(brush, shown);
+  const bool paired = shown.run->pairing() != nullptr;
+  if (paired) draw_boxes(brush, shown, TreeSide::kCopy);
+  draw_boxes(brush, shown, TreeSide::kOwn);
   if (shown.run->is_update()) draw_built(brush, stage);
+  if (paired) draw_nodes(brush, shown, TreeSide::kCopy);
   if (shown.run->is_merging()) draw_merged(brush, shown);
-  else draw_nodes(brush, shown);
+  else draw_nodes(brush, shown, TreeSide::kOwn);
   draw_border(brush, shown);
   draw_tree_below(brush, shown);
-  if (shown.run->is_query() && stage.query) draw_query(brush, *stage.query, brush.session.method(0)->name);
+  if ((shown.run->is_query() || paired) && stage.query) draw_query(brush, *stage.query, brush.session.method(0)->name);
 }
 
 }  // namespace snug::app

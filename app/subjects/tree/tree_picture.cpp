@@ -13,6 +13,7 @@ using lesson::Branch;
 using lesson::Forest;
 
 constexpr float kTreeRow = 46, kInnerRadius = 6, kLeafRadius = 10, kNodeWords = 13, kPanelHead = 24;
+constexpr float kLeafShare = 0.46f;  // of a leaf's slot, half its mark at most
 
 /// Where each branch is in the picture: a slot for each box, a row for each level.
 struct TreeLayout {
@@ -24,10 +25,10 @@ struct TreeLayout {
   float slots = 0;
   int rows = 1;
 
-  explicit TreeLayout(const TreeShown& shown) : forest_(shown.forest()) {
+  TreeLayout(const Forest& forest, lesson::Growth::Way way) : forest_(forest) {
     places.resize(forest_.branches.size());
     for (const Index root : forest_.roots) put(root, 0);
-    if (shown.run->way() != lesson::Growth::Way::kUp) return;
+    if (way != lesson::Growth::Way::kUp) return;
     for (const Index i : forest_.there()) at(i).row = rows - 1 - height_of(i);  // the leaves in one row
   }
   Place& at(Index i) { return places[static_cast<std::size_t>(i)]; }
@@ -50,13 +51,15 @@ struct TreeLayout {
 
 class TreePicture {
  public:
-  TreePicture(Brush& brush, const TreeShown& shown, const Rect& room)
-      : brush_(brush), look_(brush.look), shown_(shown), list_(brush.list), layout_(shown), room_(room),
-        row_(layout_.rows > 1 ? std::min(look_.px(kTreeRow), room.height / static_cast<float>(layout_.rows - 1)) : 0) {}
+  TreePicture(Brush& brush, const TreeShown& shown, const Rect& room, TreeSide side)
+      : brush_(brush), look_(brush.look), shown_(shown), side_(side), forest_(forest_on(shown, side)),
+        list_(brush.list), layout_(forest_, shown.run->way()), room_(room),
+        row_(layout_.rows > 1 ? std::min(look_.px(kTreeRow), room.height / static_cast<float>(layout_.rows - 1)) : 0),
+        leaf_(std::min(look_.px(kLeafRadius), kLeafShare * room.width / std::max(layout_.slots, 1.0f))) {}
 
   void draw() {
-    for (const Index i : shown_.forest().there()) edges(i);
-    for (const Index i : shown_.forest().there()) node(i);
+    for (const Index i : forest_.there()) edges(i);
+    for (const Index i : forest_.there()) node(i);
     brush_.canvas.obstacles.taken.push_back(
         {room_.x, room_.y - look_.px(kLeafRadius), room_.width, room_.height + 2 * look_.px(kLeafRadius)});
   }
@@ -69,25 +72,26 @@ class TreePicture {
   }
 
   void edges(Index i) {
-    const Branch& branch = shown_.forest().at(i);
+    const Branch& branch = forest_.at(i);
     if (!branch.divides()) return;
     for (const Index child : branch.children) {
-      const TreeInk ink = ink_of(*look_.palette, shown_, child);
-      line(list_, place_of(i), place_of(child), ink.pale ? Stroke::kDotted : Stroke::kSolid,
+      const TreeInk ink = ink_of(*look_.palette, shown_, child, side_);
+      const bool dotted = ink.pale || side_ == TreeSide::kCopy;
+      line(list_, place_of(i), place_of(child), dotted ? Stroke::kDotted : Stroke::kSolid,
            with_alpha(ink.line, ink.pale ? 0.5f : 0.8f), 1.5f);
     }
   }
 
   void node(Index i) {
-    const Branch& branch = shown_.forest().at(i);
+    const Branch& branch = forest_.at(i);
     const Palette& p = *look_.palette;
-    const bool now = i == shown_.branch;
+    const bool now = i == branch_on(shown_, side_);
     const bool alone = branch.boxes.size() == 1;
-    TreeInk ink = ink_of(p, shown_, i);
+    TreeInk ink = ink_of(p, shown_, i, side_);
     if (alone && branch.boxes.front() == shown_.incoming) ink = {p.examined, p.examined_text};
     if (!alone && !branch.divides()) return group(i, ink, now);
     const ImVec2 at = place_of(i);
-    const float radius = alone ? look_.px(kLeafRadius) : look_.px(kInnerRadius) * (now ? 1.4f : 1);
+    const float radius = alone ? leaf_ : look_.px(kInnerRadius) * (now ? 1.4f : 1);
     disc(list_, at, radius + (now ? 2.5f : 1), p.panel);
     if (!alone) disc(list_, at, radius, ink.pale ? with_alpha(ink.line, 0.5f) : ink.line);
     else {
@@ -95,7 +99,8 @@ class TreePicture {
                            with_alpha(ink.line, now || ink.fill > 0 ? 0.22f : 0.08f), 4);
       list_->AddRect({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, ink.line, 4, 0, now ? 2.0f : 1.0f);
       text_middle(list_, look_, Face::kSemiBold, kNodeWords, {at.x, middle_of(at.y, look_.px(kNodeWords))}, ink.words,
-                  lesson::box_name(branch.boxes.front()));
+                  side_ == TreeSide::kOwn ? lesson::box_name(branch.boxes.front())
+                                          : lesson::small(lesson::box_name(branch.boxes.front())));
     }
     if (now) ring(list_, at, radius + 4, ink.line, 2);
     if (ink.crossed)
@@ -123,16 +128,18 @@ class TreePicture {
     list_->AddRectFilled({at.x - half, at.y - high}, {at.x + half, at.y + high}, with_alpha(ink.line, 0.1f), 4);
     list_->AddRect({at.x - half, at.y - high}, {at.x + half, at.y + high}, ink.line, 4, 0, now ? 2.0f : 1.0f);
     text_middle(list_, look_, Face::kSemiBold, kNodeWords, {at.x, middle_of(at.y, look_.px(kNodeWords))}, ink.words,
-                words_of(shown_.forest().at(i).boxes, 2 * half));
+                words_of(forest_.at(i).boxes, 2 * half));
   }
 
   Brush& brush_;
   const Look& look_;
   const TreeShown& shown_;
+  TreeSide side_;
+  const Forest& forest_;
   ImDrawList* list_;
   TreeLayout layout_;
   Rect room_;
-  float row_;
+  float row_, leaf_;
 };
 
 /// The nodes that wait, the next one first.
@@ -144,12 +151,31 @@ std::string waiting_words(const TreeShown& shown) {
   return words.empty() ? "empty" : words;
 }
 
+/// The pairs of nodes that wait, the next one first: "BDE fg, A fg".
+std::string waiting_pairs(const TreeShown& shown) {
+  const Forest& copy = shown.run->pairing()->copy;
+  const auto name = [&](const Forest& forest, Index node) {
+    const std::string own = shown.run->name_of(forest, node);
+    return own == "the root" ? std::string("root") : own;
+  };
+  std::string words;
+  const auto& waiting = shown.pairs()->waiting;
+  for (auto pair = waiting.rbegin(); pair != waiting.rend(); ++pair)
+    words +=
+        (words.empty() ? "" : ", ") + name(shown.forest(), (*pair)[0]) + "–" + lesson::small(name(copy, (*pair)[1]));
+  return words.empty() ? "empty" : words;
+}
+
 }  // namespace
 
 void draw_tree_below(Brush& brush, const TreeShown& shown) {
-  const lesson::Box2 room = tree_room(brush.session);
-  const ImVec2 low = brush.at({room.min[0], room.max[1], 0}), high = brush.at({room.max[0], room.min[1], 0});
-  TreePicture(brush, shown, {low.x, low.y, high.x - low.x, high.y - low.y}).draw();
+  const lesson::Box2 place = tree_room(brush.session);
+  const ImVec2 low = brush.at({place.min[0], place.max[1], 0}), high = brush.at({place.max[0], place.min[1], 0});
+  const Rect room{low.x, low.y, high.x - low.x, high.y - low.y};
+  if (shown.run->pairing() == nullptr) return TreePicture(brush, shown, room, TreeSide::kOwn).draw();
+  const float half = room.width / 2;
+  TreePicture(brush, shown, {room.x, room.y, half, room.height}, TreeSide::kOwn).draw();
+  TreePicture(brush, shown, {room.x + half, room.y, half, room.height}, TreeSide::kCopy).draw();
 }
 
 float draw_tree_panel(const Look& look, const TreeShown& shown, ImVec2 at, float width) {
@@ -162,6 +188,9 @@ float draw_tree_panel(const Look& look, const TreeShown& shown, ImVec2 at, float
   if (shown.query() != nullptr) {
     heading("Stack, the next node first");
     y += paragraph(list, look, Face::kMono, 13, 20, {at.x, y}, width, look->ink, waiting_words(shown));
+  } else if (shown.pairs() != nullptr) {
+    heading("Stack, the next pair first");
+    y += paragraph(list, look, Face::kMono, 13, 20, {at.x, y}, width, look->ink, waiting_pairs(shown));
   } else if (shown.priced != nullptr) {
     heading("Expected tests at each split");
     y += draw_cost_curve(look, *shown.priced, {at.x, y}, width);

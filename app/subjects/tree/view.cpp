@@ -22,18 +22,38 @@ class TreeView final : public SubjectView {
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    const TreeShown shown = tree_shown_at(session);  // an edit in this frame has ended the run that was drawn
-    if (shown.run->is_by_hand() && session.asked() == nullptr)
-      return draw_hand_panel(look, session, shown, at, width, first_);
-    return draw_tree_panel(look, shown, at, width);
+    float y = draw_hands(look, session, at, width);
+    const float gap = y > 0 ? 12.0f : 0;
+    const float high = draw_tree_panel(look, tree_shown_at(session), {at.x, at.y + y + gap}, width);
+    y += high > 0 ? gap + high : 0;
+    if (!shows_times(session)) return times_.pause(), y;
+    times_.measure(session);
+    const float above = y > 0 ? 16.0f : 0;
+    return y + above + draw_times_panel(look, session, times_, {at.x, at.y + y + above}, width);
   }
+  /// What is chosen by hand must be in view, and so must the times.
+  [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
+    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    return run.is_by_hand() || run.is_steered() || shows_times(session);
+  }
+  [[nodiscard]] bool working() const override { return times_.working(); }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
-    const bool query = lesson::tree_run(session.run(0)).is_query();
-    return {.grew = "node made", .replaced = query ? "box met" : "rotation", .best = "left out or taken"};
+    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    if (run.pairing() != nullptr) return {.replaced = "boxes overlap", .best = "left out"};
+    return {.grew = "node made", .replaced = run.is_query() ? "box met" : "rotation", .best = "left out or taken"};
   }
 
  private:
+  /// What is done by hand. Returns the height.
+  float draw_hands(const Look& look, lesson::Session& session, ImVec2 at, float width) const {
+    const TreeShown shown = tree_shown_at(session);  // an edit in this frame has ended the run that was drawn
+    if (session.asked() != nullptr) return 0;
+    if (shown.run->is_by_hand()) return draw_hand_panel(look, session, shown, at, width, first_);
+    return shown.run->is_steered() ? draw_order_panel(look, session, shown, at, width) : 0;
+  }
+
   TreeShown shown_;
+  mutable TreeTimes times_;
   mutable Index first_ = kNoIndex;  // of two nodes that are to be merged by hand
 };
 

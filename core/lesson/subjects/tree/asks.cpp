@@ -183,4 +183,10 @@ Truth found_truth(const Asked& asked, const Run& run) {
   return fact.answer == hierarchy::Answer::kPrune ? no("The query misses " + box) : yes("The query meets " + box);
 }
 
+Truth pair_apart_truth(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<hierarchy::PairTested>(asked, run);
+  const std::string what = fact.bodies ? "The two boxes " : "The boxes of the two nodes ";
+  return fact.overlap ? no(what + "overlap.") : yes(what + "are apart along an axis.");
+}
+
 }  // namespace snug::lesson

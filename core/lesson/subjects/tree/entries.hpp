@@ -20,6 +20,7 @@ Truth beside_truth(const Asked& asked, const Run& run);
 Truth rotates_truth(const Asked& asked, const Run& run);
 Truth left_out_truth(const Asked& asked, const Run& run);
 Truth found_truth(const Asked& asked, const Run& run);
+Truth pair_apart_truth(const Asked& asked, const Run& run);
 Truth loses_truth(const Asked& asked, const Run& run);
 
 /// How much larger a node's merged volume is than the one around the vertices, 0.1 for 10 per cent; 0 where rounding
@@ -32,6 +33,11 @@ Truth loses_truth(const Asked& asked, const Run& run);
   if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
   return text;
 }
+/// "1 test", "12 tests".
+[[nodiscard]] inline std::string tests_text(std::int64_t tests) {
+  return std::to_string(tests) + (tests == 1 ? " test" : " tests");
+}
+
 template <>
 struct Entry<hierarchy::SplitsPriced> : EntryDefaults {
   using Fact = hierarchy::SplitsPriced;
@@ -206,10 +212,51 @@ struct Entry<hierarchy::BodyTested> : EntryDefaults {
 };
 
 template <>
+struct Entry<hierarchy::PairTested> : EntryDefaults {
+  using Fact = hierarchy::PairTested;
+  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &pair_apart_truth}};
+  static std::string sentence(const Fact& fact, const TreeWhere& where) {
+    const TreePairing& pairing = *where.run.pairing();
+    if (fact.bodies)
+      return "Boxes " + box_name(fact.a) + " and " + small(box_name(fact.b)) + " are tested: they " +
+             (fact.overlap ? "overlap." : "are apart.");
+    const Forest &own = where.before(), &copy = pairing.copy;
+    const Branch &a = own.at(fact.a), &b = copy.at(fact.b);
+    const std::string names = capital(pair_name(own, copy, {fact.a, fact.b}));
+    if (!fact.overlap)
+      return names + " are apart, so the " + std::to_string(a.boxes.size() * b.boxes.size()) +
+             " pairs of boxes below are left out.";
+    if (a.divides() && b.divides())
+      return names + " overlap, so each child of the one is paired with each child of the other.";
+    const std::string leaf = a.divides() ? small(box_name(b.boxes.front())) : box_name(a.boxes.front());
+    return names + " overlap, so " + leaf + " is paired with both children of the other.";
+  }
+  static std::vector<Index> handles(const Fact& fact, const TreeWhere&) {
+    return fact.bodies ? std::vector<Index>{fact.a} : std::vector<Index>{};
+  }
+  static std::string predicate(const Fact&, const TreeWhere&, bool) { return "is tested"; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const TreeWhere&) {
+    if (fact.bodies) return fact.overlap ? std::optional(Mark::Kind::kReplaced) : std::nullopt;
+    return fact.overlap ? std::nullopt : std::optional(Mark::Kind::kBest);
+  }
+};
+
+template <>
 struct Entry<hierarchy::Done> : EntryDefaults {
   using Fact = hierarchy::Done;
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const TreeRun& run = where.run;
+    if (const TreePairing* pairing = run.pairing()) {
+      const std::size_t found = pairing->found().size(), boxes = run.boxes().size();
+      return "The end: " + tests_text(fact.volume_tests) + " found " +
+             (found == 0   ? "no pair of boxes that overlaps"
+              : found == 1 ? "one pair of boxes that overlaps: " + pair_names(pairing->found())
+                           : std::to_string(found) + " pairs of boxes that overlap") +
+             "; testing each box with each takes " + std::to_string(boxes * boxes) + ".";
+    }
+    if (run.undecided() != kNoIndex)
+      return "The ray meets both children of " + where.beside_name(run.undecided()) +
+             ": beside the stage, choose which one comes next.";
     if (!run.is_merging() && !run.is_query() && !run.is_whole())
       return "There are " + std::to_string(where.before().roots.size()) +
              " nodes without a parent: beside the stage, choose two of them to merge.";
@@ -217,10 +264,11 @@ struct Entry<hierarchy::Done> : EntryDefaults {
       return "Every node has its " + std::string(run.volume_word()) + ", after " + std::to_string(fact.nodes / 2) +
              " mergers; each keeps its children.";
     if (!run.is_query())
-      return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each with the box around its children.";
-    return "The end: " + std::to_string(fact.volume_tests) + (fact.volume_tests == 1 ? " test" : " tests") + " found " +
-           box_names(run.result().found) + "; testing the boxes one by one takes " +
-           std::to_string(run.boxes().size()) + ".";
+      return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each with the " +
+             (run.nodes() == NodeKind::kAabb ? std::string("box") : std::string(word_of(run.nodes()))) +
+             " around its children.";
+    return "The end: " + tests_text(fact.volume_tests) + " found " + box_names(run.result().found) +
+           "; testing the boxes one by one takes " + std::to_string(run.boxes().size()) + ".";
   }
   /// What a query found.
   static std::vector<Index> handles(const Fact&, const TreeWhere& where) {

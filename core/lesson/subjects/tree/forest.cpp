@@ -14,6 +14,15 @@ Box2 around(std::span<const Index> below, std::span<const Box2> boxes) {
   return all;
 }
 
+/// The tests below each node, times its perimeter, added up: in proportion to what lines at random make.
+double tests_times_perimeters(const Forest& forest) {
+  double sum = 0;
+  for (const Index i : forest.there())
+    sum += (forest.at(i).divides() ? 2.0 : static_cast<double>(forest.at(i).boxes.size())) *
+           half_perimeter_of(forest.at(i).volume);
+  return sum;
+}
+
 }  // namespace
 
 std::vector<Index> Forest::there() const {
@@ -33,7 +42,7 @@ Index Forest::parent_of(Index i) const {
   return kNoIndex;
 }
 
-Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes) {
+Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind) {
   Forest forest;
   forest.branches.resize(tree.nodes.size());
   forest.roots = {0};
@@ -45,19 +54,39 @@ Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes) {
     branch.box = around(branch.boxes, boxes);
     if (!tree.nodes[i].is_leaf()) branch.children = {tree.nodes[i].first, tree.nodes[i].first + 1};
   }
+  for (auto branch = forest.branches.rbegin(); branch != forest.branches.rend(); ++branch)  // children come first
+    branch->volume = kind == NodeKind::kAabb || !branch->divides()
+                         ? volume_around(kind, branch->box)
+                         : merged(forest.at(branch->children[0]).volume, forest.at(branch->children[1]).volume);
   return forest;
 }
 
-Growth::Growth(Way way, const TreeOfBoxes& tree, std::span<const Box2> boxes) : boxes_(boxes) {
+double expected_cost(const Forest& whole) {
+  const double root = half_perimeter_of(whole.at(whole.roots.front()).volume);
+  double tests = 0;
+  if (root > 0) return tests_times_perimeters(whole) / root;
+  for (const Index i : whole.there())
+    tests += whole.at(i).divides() ? 2.0 : static_cast<double>(whole.at(i).boxes.size());
+  return tests;
+}
+
+double tests_of_lines(const Forest& one, const Forest& other) {
+  const double tests = tests_times_perimeters(other);
+  return tests > 0 ? tests_times_perimeters(one) / tests : 1;
+}
+
+Growth::Growth(Way way, const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind)
+    : boxes_(boxes), kind_(kind) {
   const auto count = static_cast<Index>(boxes.size());
   if (way == Way::kDown) {
-    whole_ = now_ = forest_of(tree, boxes);
+    whole_ = now_ = forest_of(tree, boxes, kind);
     for (Branch& branch : now_.branches) branch.children = {kNoIndex, kNoIndex};
     return;
   }
   now_.branches.resize(2 * boxes.size());
   for (Index i = 0; i < count; ++i) {
     at(i).boxes = {i}, at(i).box = boxes[static_cast<std::size_t>(i)];
+    at(i).volume = volume_around(kind, at(i).box);
     if (way == Way::kUp) now_.roots.push_back(i);
   }
 }
@@ -91,7 +120,7 @@ void Growth::join(Index made, Index left, Index right) {
   refresh(made);
 }
 
-/// Finds anew what is below a branch, and the box around it.
+/// Finds anew what is below a branch, and the volumes around it.
 void Growth::refresh(Index i) {
   Branch& branch = at(i);
   branch.boxes.clear();
@@ -99,6 +128,8 @@ void Growth::refresh(Index i) {
     branch.boxes.insert(branch.boxes.end(), at(child).boxes.begin(), at(child).boxes.end());
   std::sort(branch.boxes.begin(), branch.boxes.end());
   branch.box = around(branch.boxes, boxes_);
+  branch.volume = kind_ == NodeKind::kAabb ? NodeVolume(branch.box)
+                                           : merged(at(branch.children[0]).volume, at(branch.children[1]).volume);
 }
 
 }  // namespace snug::lesson

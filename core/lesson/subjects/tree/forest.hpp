@@ -6,7 +6,7 @@
 
 #include "hierarchy/steps.hpp"
 #include "hierarchy/tree.hpp"
-#include "lesson/subjects/tree/tree_stage.hpp"
+#include "lesson/subjects/tree/node_volume.hpp"
 
 namespace snug::lesson {
 
@@ -16,6 +16,7 @@ struct Branch {
   std::array<Index, 2> children{kNoIndex, kNoIndex};
   std::vector<Index> boxes;  // those below, rising
   Box2 box;                  // around them
+  NodeVolume volume;         // that of the node: the box, or another around its children's
   [[nodiscard]] bool divides() const { return children[0] != kNoIndex; }
 };
 
@@ -31,8 +32,14 @@ struct Forest {
 
 using TreeOfBoxes = hierarchy::Tree<Box2>;
 
-/// The whole tree.
-[[nodiscard]] Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes);
+/// The whole tree, with the volumes of a kind that its nodes have.
+[[nodiscard]] Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind = NodeKind::kAabb);
+
+/// By the surface-area heuristic, the expected number of tests once a line meets the root (hierarchy/cost.hpp), by the
+/// perimeters of the nodes' own volumes. whole: with a single root.
+[[nodiscard]] double expected_cost(const Forest& whole);
+/// How many tests the same lines at random make in one tree, of those that they make in the other: 1 for as many.
+[[nodiscard]] double tests_of_lines(const Forest& one, const Forest& other);
 
 /// Follows the construction of a tree, step by step.
 class Growth {
@@ -43,7 +50,7 @@ class Growth {
     kInserting  // box by box
   };
   /// tree: the finished one.
-  Growth(Way way, const TreeOfBoxes& tree, std::span<const Box2> boxes);
+  Growth(Way way, const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind = NodeKind::kAabb);
   [[nodiscard]] const Forest& forest() const { return now_; }
 
   void operator()(const hierarchy::SplitChosen& fact);
@@ -58,6 +65,7 @@ class Growth {
   void refresh(Index i);
 
   std::span<const Box2> boxes_;
+  NodeKind kind_ = NodeKind::kAabb;
   Forest whole_;  // of a tree from the root down
   Forest now_;
 };

@@ -1,6 +1,5 @@
 #include "lesson/subjects/tree/tree.hpp"
 
-#include "hierarchy/cost.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/tree/entries.hpp"
@@ -18,10 +17,10 @@ std::span<const Method> tree_methods(std::string_view volume) {
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_tree(const Lesson& lesson, std::optional<io::PointFile>,
-                                                             Clock) {
+                                                             Clock clock) {
   const auto& tables = static_cast<const TreeTables&>(*lesson.tables);
   if (const Done fine = check_stage(tables.stage); !fine) return tl::unexpected(fine.error());
-  return std::make_unique<TreeSubject>(tables, lesson.seed);
+  return std::make_unique<TreeSubject>(tables, lesson.seed, clock);
 }
 
 std::vector<double> numbers_of(const Point2& p) { return {p[0], p[1]}; }
@@ -38,8 +37,8 @@ const SubjectRow kTreeRow{.name = "tree",
                           .read_model = &read_tree_model,
                           .open = &open_tree};
 
-TreeSubject::TreeSubject(const TreeTables& tables, std::uint64_t seed)
-    : lesson_seed_(seed), recipe_(tables.recipe), rule_(tables.rule), stage_(tables.stage) {
+TreeSubject::TreeSubject(const TreeTables& tables, std::uint64_t seed, Clock clock)
+    : clock_(clock), lesson_seed_(seed), recipe_(tables.recipe), rule_(tables.rule), stage_(tables.stage) {
   origin_.seed = seed;
 }
 
@@ -115,14 +114,25 @@ void TreeSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
 }
 
 std::unique_ptr<Run> TreeSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  if (method.name == kByHand) return std::make_unique<TreeRun>(stage_.aabbs(), mergers());
-  if (method.volume == kTreeBuild) return std::make_unique<TreeRun>(method.name, stage_.aabbs());
+  if (method.name == kByHand) return std::make_unique<TreeRun>(stage_.aabbs(), mergers(), stage_.nodes);
+  if (method.volume == kTreeBuild) return std::make_unique<TreeRun>(method.name, stage_.aabbs(), stage_.nodes);
   if (method.volume == kTreeUpdate) return std::make_unique<TreeRun>(method.name, stage_.aabbs(), stage_.aabbs_built());
-  return std::make_unique<TreeRun>(method.name, stage_.aabbs(), rule_, *stage_.query);
+  return std::make_unique<TreeRun>(method.name, stage_.aabbs(), rule_, *stage_.query, choices());
+}
+
+std::span<const Index> TreeSubject::choices() const {
+  return stage_.order ? std::span<const Index>(*stage_.order) : std::span<const Index>();
 }
 
 std::span<const HandPair> TreeSubject::mergers() const {
   return stage_.by_hand ? std::span<const HandPair>(*stage_.by_hand) : std::span<const HandPair>();
+}
+
+TreeTime TreeSubject::timed(const Method& method) const {
+  const std::vector<Box2> crowd = crowd_of(stage_.aabbs());
+  if (method.volume == kTreeBuild) return time_of_building(method.name, crowd, clock_);
+  if (!merges(method.name)) return time_of_building("top_down_sah", crowd, clock_);
+  return time_of_refitting(crowd_of(stage_.aabbs_built()), crowd, clock_);
 }
 
 std::string TreeSubject::opening(const Method& method) const {
@@ -137,11 +147,12 @@ std::vector<Proof> TreeSubject::proofs(const View& view) const {
 
 std::optional<double> TreeSubject::result_size(const Method& method, bool, const View&) const {
   if (method.volume != kTreeBuild) return std::nullopt;
+  const std::vector<Box2> boxes = stage_.aabbs();
   if (method.name == kByHand) {
     if (mergers().size() + 1 != stage_.boxes.size()) return std::nullopt;
-    return hierarchy::expected_cost(tree_by_hand(mergers(), stage_.aabbs()));
+    return cost_of_tree(tree_by_hand(mergers(), boxes), boxes, stage_.nodes);
   }
-  return hierarchy::expected_cost(build_tree(method.name, stage_.aabbs()));
+  return cost_of_tree(build_tree(method.name, boxes), boxes, stage_.nodes);
 }
 
 std::vector<Rival> TreeSubject::rivals(const Lesson& lesson, const View& view) const {

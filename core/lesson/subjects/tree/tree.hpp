@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lesson/subjects/tree/tree_run.hpp"
+#include "lesson/subjects/tree/tree_times.hpp"
 
 namespace snug::lesson {
 
@@ -10,8 +11,11 @@ extern const SubjectRow kTreeRow;
 class TreeSubject final : public Subject {
  public:
   static constexpr const SubjectRow& kRow = kTreeRow;
-  TreeSubject(const TreeTables& tables, std::uint64_t seed);
+  /// clock: times the ways to build; null for none.
+  TreeSubject(const TreeTables& tables, std::uint64_t seed, Clock clock = nullptr);
   [[nodiscard]] const TreeStage& stage() const { return stage_; }
+  /// What a method of building, refitting or rebuilding costs with a crowd in place of each box.
+  [[nodiscard]] TreeTime timed(const Method& method) const;
   [[nodiscard]] Index boxes() const { return static_cast<Index>(stage_.boxes.size()); }
 
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
@@ -43,7 +47,9 @@ class TreeSubject final : public Subject {
  private:
   Done become(TreeStage next);
   [[nodiscard]] std::span<const HandPair> mergers() const;
+  [[nodiscard]] std::span<const Index> choices() const;
 
+  Clock clock_;
   std::uint64_t lesson_seed_;
   BoxRecipe recipe_;
   std::string rule_;

@@ -44,21 +44,42 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
       count(done ? "Nodes" : "Nodes so far", "nodes", static_cast<std::int64_t>(forest.there().size())),
       count(done ? "Depth" : "Depth so far", "depth", depth)};
   if (run.is_update()) return add_costs(figures, run, done), figures;
-  const double cost = run.cost(), median = hierarchy::expected_cost(build_tree("top_down_median", run.boxes()));
+  const auto other = [&](std::string_view rule) {
+    return cost_of_tree(build_tree(rule, run.boxes()), run.boxes(), run.nodes());
+  };
+  const double cost = run.is_whole() ? run.cost() : 0, median = other("top_down_median");
   const double share = 100 * (cost / median);
   figures.push_back(at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done));
   figures.push_back(at_end("Against the median tree", "of_median", number_text(share) + " %", share, "%", done));
-  if (!run.is_by_hand()) return figures;
-  const double of_sah = 100 * (cost / hierarchy::expected_cost(build_tree("top_down_sah", run.boxes())));
-  figures.push_back(at_end("Against the SAH tree", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
+  if (run.is_by_hand()) {
+    const double of_sah = 100 * (cost / other("top_down_sah"));
+    figures.push_back(at_end("Against the SAH tree", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
+  }
+  if (run.nodes() == NodeKind::kAabb) return figures;
+  const double of_aabb = done ? 100 * tests_of_lines(forest, forest_of(run.tree(), run.boxes())) : 0;
+  figures.push_back(at_end("Against AABBs as nodes", "of_aabb", number_text(of_aabb) + " %", of_aabb, "%", done));
   return figures;
 }
 
-/// How many tests front to back, of those that back to front takes.
-Figure share_of_far_first(const TreeRun& run, int step) {
-  const auto far = run_query("ray_far_first", run.query(), run.tree(), run.boxes()).counts.volume_tests();
-  const double share = 100 * (static_cast<double>(run.state(run.steps()).tests()) / static_cast<double>(far));
-  return at_end("Against back to front", "of_far_first", number_text(share) + " %", share, "%", step == run.steps());
+/// How many tests the run takes, of those that another order takes.
+Figure share_of_order(const TreeRun& run, int step, std::string_view other, std::string name, std::string key) {
+  const auto tests = run_query(other, run.query(), run.tree(), run.boxes()).counts.volume_tests();
+  const double share = 100 * (static_cast<double>(run.state(run.steps()).tests()) / static_cast<double>(tests));
+  const bool done = step == run.steps() && run.undecided() == kNoIndex;
+  return at_end(std::move(name), std::move(key), number_text(share) + " %", share, "%", done);
+}
+
+std::vector<Figure> figures_of_pairing(const TreeRun& run, int step) {
+  const PairState& state = run.pairing()->states[static_cast<std::size_t>(step)];
+  const auto all = static_cast<double>(run.boxes().size() * run.boxes().size());
+  const double share = 100 * (static_cast<double>(state.tests()) / all);
+  return {count("Pairs visited", "visited", state.visited),
+          count("Tests of nodes", "node_tests", state.node_tests),
+          count("Tests of boxes", "box_tests", state.box_tests),
+          count("Tests in all", "tests", state.tests()),
+          at_end("Against each with each", "of_all", number_text(share) + " %", share, "%", step == run.steps()),
+          count("Pairs left out untested", "left_out", state.left_out),
+          count("Pairs that overlap", "found", static_cast<std::int64_t>(state.found.size()))};
 }
 
 std::vector<Figure> figures_of_query(const TreeRun& run, int step) {
@@ -66,14 +87,16 @@ std::vector<Figure> figures_of_query(const TreeRun& run, int step) {
   const auto taken = std::count(state.boxes.begin(), state.boxes.end(), Met::kTaken);
   const auto left_out =
       std::count_if(state.boxes.begin(), state.boxes.end(), [](Met met) { return met == Met::kUnder; });
-  std::vector<Figure> figures{count("Nodes visited", "visited", state.visited),
-                              count("Tests of nodes", "node_tests", state.node_tests),
-                              count("Tests of boxes", "box_tests", state.box_tests),
-                              count("Tests in all", "tests", state.tests()),
-                              count("Boxes left out untested", "left_out", left_out),
-                              count("Boxes taken untested", "taken", taken),
-                              count("Boxes met", "found", static_cast<std::int64_t>(state.found().size()))};
-  if (run.tests_before()) figures.push_back(share_of_far_first(run, step));
+  std::vector<Figure> figures{
+      count("Nodes visited", "visited", state.visited), count("Tests of nodes", "node_tests", state.node_tests),
+      count("Tests of boxes", "box_tests", state.box_tests), count("Tests in all", "tests", state.tests()),
+      count("Boxes left out untested", "left_out", left_out)};
+  if (!run.tests_before()) figures.push_back(count("Boxes taken untested", "taken", taken));
+  figures.push_back(count("Boxes met", "found", static_cast<std::int64_t>(state.found().size())));
+  if (run.is_steered())
+    figures.push_back(share_of_order(run, step, "ray_nearest", "Against front to back", "of_near_first"));
+  else if (run.tests_before())
+    figures.push_back(share_of_order(run, step, "ray_far_first", "Against back to front", "of_far_first"));
   return figures;
 }
 
@@ -130,15 +153,28 @@ bool has_point(const fit::Volume3& volume, const Point3& p) {
       volume);
 }
 
-/// Whether each node's volume has every vertex of the boxes below it, but for rounding where it is no box along the
-/// axes.
+/// Whether a volume has every vertex of some boxes, but for rounding where it is no box along the axes.
+bool contains_boxes(const fit::Volume3& volume, std::span<const Index> below, std::span<const Box2> boxes) {
+  bool holds = true;
+  for (const Index box : below) {
+    const Box2& own = boxes[static_cast<std::size_t>(box)];
+    for (const double x : {own.min[0], own.max[0]})
+      for (const double y : {own.min[1], own.max[1]}) holds = holds && has_point(volume, {x, y, 0});
+  }
+  return holds;
+}
+
+/// Whether each node's volume has every vertex of the boxes below it.
 Proof contains_all(const TreeRun& run) {
   bool holds = true;
-  for (std::size_t i = 0; i < run.tree().nodes.size(); ++i)
-    for (const Index box : run.tree().bodies_below(static_cast<Index>(i))) {
-      const Box2& own = run.boxes()[box];
-      for (const double x : {own.min[0], own.max[0]})
-        for (const double y : {own.min[1], own.max[1]}) holds = holds && has_point(run.volumes().merged[i], {x, y, 0});
+  if (run.is_merging())
+    for (std::size_t i = 0; i < run.tree().nodes.size(); ++i)
+      holds =
+          holds && contains_boxes(run.volumes().merged[i], run.tree().bodies_below(static_cast<Index>(i)), run.boxes());
+  else
+    for (const Index i : run.forest(run.steps()).there()) {
+      const Branch& branch = run.forest(run.steps()).at(i);
+      holds = holds && contains_boxes(volume_in_space(branch.volume), branch.boxes, run.boxes());
     }
   return {"each node's volume contains all vertices of the boxes below it", holds, true};
 }
@@ -147,6 +183,7 @@ Proof contains_all(const TreeRun& run) {
 
 std::vector<Figure> tree_figures(const View& view) {
   const TreeRun& run = tree_run(view.run());
+  if (run.pairing() != nullptr) return figures_of_pairing(run, view.step);
   if (run.is_query()) return figures_of_query(run, view.step);
   return run.is_merging() ? figures_of_merging(run, view.step) : figures_of_growth(run, view.step);
 }
@@ -155,7 +192,16 @@ std::vector<Proof> tree_proofs(const View& view, const QueryPlaces* query) {
   if (!view.at_end()) return {};
   const TreeRun& run = tree_run(view.run());
   if (run.is_merging()) return {contains_all(run)};
+  if (const TreePairing* pairing = run.pairing()) {
+    std::vector<NodePair> found = pairing->found();
+    std::sort(found.begin(), found.end());
+    const bool same = found == pairs_one_by_one(run.boxes(), *query);
+    return {{same ? "testing each box with each finds the same pairs" : "testing each box with each finds other pairs",
+             same, true}};
+  }
+  if (run.undecided() != kNoIndex) return {};
   if (!run.is_query() && !run.is_whole()) return {};
+  if (!run.is_query() && run.nodes() != NodeKind::kAabb) return {contains_all(run)};
   if (!run.is_query())
     return {
         {"each box is in one leaf, and each node's box is the smallest around those below it", is_sound(run), true}};

@@ -25,15 +25,6 @@ constexpr std::array kUpdateMethods{
            hierarchy::kSurfaceAreaPseudocode},
 };
 
-Sphere<double, 2> around(const Box2& box, const Sphere<double, 2>*) {
-  const Point2 center = (box.min + box.max) / 2;
-  return {center, std::max((box.max - center).norm(), (box.min - center).norm())};
-}
-Obb<double, 2> around(const Box2& box, const Obb<double, 2>*) {
-  return {(box.min + box.max) / 2, Matrix<double, 2>::Identity(), (box.max - box.min) / 2};
-}
-Box2 around(const Box2& box, const Box2*) { return box; }
-
 /// The smallest volume around the vertices of some boxes.
 fit::Volume3 tight_around(std::string_view kind, std::span<const Index> below, std::span<const Box2> boxes) {
   std::vector<Point2> vertices;
@@ -47,12 +38,13 @@ fit::Volume3 tight_around(std::string_view kind, std::span<const Index> below, s
 }
 
 template <class Kind>
-std::vector<fit::Volume3> merged(const TreeOfBoxes& tree, std::span<const Box2> boxes, TreeTrace* trace) {
+std::vector<fit::Volume3> merge_kind(NodeKind kind, const TreeOfBoxes& tree, std::span<const Box2> boxes,
+                                     TreeTrace* trace) {
   hierarchy::Tree<Kind> own;
   own.bodies = tree.bodies;
   for (const auto& node : tree.nodes) own.nodes.push_back({Kind(), node.first, node.count});
   std::vector<Kind> volumes;
-  for (const Box2& box : boxes) volumes.push_back(around(box, static_cast<const Kind*>(nullptr)));
+  for (const Box2& box : boxes) volumes.push_back(std::get<Kind>(volume_around(kind, box)));
   Recorder<hierarchy::Step> recorder;
   hierarchy::refit(own, std::span<const Kind>(volumes), recorder);
   if (trace != nullptr)
@@ -73,9 +65,9 @@ MergedVolumes merge_volumes(std::string_view method, const TreeOfBoxes& tree, st
                             TreeTrace* trace) {
   const std::string_view kind = method.substr(std::string_view("merge_").size());
   MergedVolumes all;
-  all.merged = kind == "sphere" ? merged<Sphere<double, 2>>(tree, boxes, trace)
-               : kind == "obb"  ? merged<Obb<double, 2>>(tree, boxes, trace)
-                                : merged<Box2>(tree, boxes, trace);
+  all.merged = kind == "sphere" ? merge_kind<Sphere<double, 2>>(NodeKind::kSphere, tree, boxes, trace)
+               : kind == "obb"  ? merge_kind<Obb<double, 2>>(NodeKind::kObb, tree, boxes, trace)
+                                : merge_kind<Box2>(NodeKind::kAabb, tree, boxes, trace);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i)
     all.tight.push_back(tight_around(kind, tree.bodies_below(static_cast<Index>(i)), boxes));
   return all;

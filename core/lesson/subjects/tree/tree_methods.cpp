@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "hierarchy/build.hpp"
+#include "hierarchy/cost.hpp"
 #include "hierarchy/cull.hpp"
 #include "hierarchy/shape.hpp"
+#include "hierarchy/traverse_pair.hpp"
 #include "query/contains.hpp"
 #include "query/overlaps.hpp"
 #include "query/ray_aabb.hpp"
@@ -47,6 +49,13 @@ constexpr auto kFarFirstPseudocode = [] {
   return lines;
 }();
 
+constexpr auto kYourOrderPseudocode = [] {
+  auto lines = hierarchy::kFirstHitPseudocode;
+  lines[1] = "while a node is open: take the last";
+  lines[5] = "  open those hit, the one that you choose first";
+  return lines;
+}();
+
 constexpr std::string_view kEricsonOnTrees = "C. Ericson, Real-Time Collision Detection, 2005, 6.3";
 constexpr std::array kQueryMethods{
     Method{kTreeQuery, "point_query", "Point query", kEricsonOnTrees, hierarchy::kTraversePseudocode},
@@ -56,8 +65,15 @@ constexpr std::array kQueryMethods{
            "T. L. Kay, J. T. Kajiya, Ray tracing complex scenes, 1986", kFarFirstPseudocode},
     Method{kTreeQuery, "ray_nearest", "Ray: front to back", "T. L. Kay, J. T. Kajiya, Ray tracing complex scenes, 1986",
            hierarchy::kFirstHitPseudocode},
+    Method{.volume = kTreeQuery,
+           .name = kRayByHand,
+           .title = "Ray: your order",
+           .source = "your own choice of the next child",
+           .pseudocode = kYourOrderPseudocode,
+           .by_hand = true},
     Method{kTreeQuery, "frustum_query", "Frustum query",
            "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000", hierarchy::kTraversePseudocode},
+    Method{kTreeQuery, kTwoTrees, "Two trees", kEricsonOnTrees, hierarchy::kOverlapPseudocode},
 };
 
 /// Appends the steps that a lesson shows. That every node gets its volume is told by the last step alone.
@@ -95,9 +111,59 @@ hierarchy::Answer answer_of(QueryShape shape, const QueryPlaces& query, const Bo
     case QueryShape::kRay: return met(query::ray_enters(box, ray_of(query)).has_value());
     case QueryShape::kBox:
       return has_inside(box_of(query), box) ? hierarchy::Answer::kAccept : met(query::overlaps(box, box_of(query)));
-    case QueryShape::kFrustum: break;
+    case QueryShape::kFrustum:
+    case QueryShape::kMove: break;
   }
   return met(query::classify(frustum_of(query).value(), box).verdict != query::Culling::kOutside);
+}
+
+/// Which of two children that a ray meets is taken first: by a rule or, by hand, as it was chosen.
+struct FirstChild {
+  std::string_view method;
+  std::span<const Index> choices;
+  const BuildRecorder& recorder;
+  QueryResult& result;
+  std::size_t known = 0;  // how many steps there are before the choice that is due
+
+  bool operator()(Index node, double left, double right) {
+    const bool by_rule = hierarchy::is_right_first(
+        method == "ray_far_first" ? hierarchy::ChildOrder::kFar : hierarchy::ChildOrder::kNear, left, right);
+    const bool right_first = method == kRayByHand ? chosen(node) : by_rule;
+    if (right_first) result.right_first.push_back(node);
+    return right_first;
+  }
+
+ private:
+  bool chosen(Index node) {
+    if (result.undecided != kNoIndex) return false;
+    if (result.chosen < choices.size()) return choices[result.chosen++] == 1;
+    result.undecided = node;
+    known = recorder.entries.size();
+    return false;
+  }
+};
+
+/// Looks for the first box on a ray. Where a choice by hand is due, the steps end.
+QueryResult first_box(std::string_view method, const QueryPlaces& query, const TreeOfBoxes& tree,
+                      std::span<const Box2> boxes, std::span<const Index> choices, BuildRecorder& recorder) {
+  QueryResult result;
+  FirstChild first{method, choices, recorder, result};
+  const auto enters = [&](const Box2& box) { return query::ray_enters(box, ray_of(query)); };
+  const auto hit = hierarchy::first_hit<double>(tree, boxes, enters, recorder, first);
+  result.counts = hit.counts;
+  if (result.undecided == kNoIndex) {
+    if (hit.body != kNoIndex) result.found = {hit.body};
+    return result;
+  }
+  recorder.entries.erase(recorder.entries.begin() + static_cast<std::ptrdiff_t>(first.known), recorder.entries.end());
+  result.counts = {};
+  for (const auto& entry : recorder.entries)
+    ++(std::holds_alternative<hierarchy::BodyTested>(entry.step.fact) ? result.counts.body_tests
+                                                                      : result.counts.node_tests);
+  result.counts.nodes_visited =
+      result.counts.body_tests + result.counts.node_tests / 2;  // two tests for each but the root
+  recorder(hierarchy::Step{5, hierarchy::Done{result.counts.nodes_visited, result.counts.volume_tests()}});
+  return result;
 }
 
 }  // namespace
@@ -121,6 +187,10 @@ TreeOfBoxes tree_by_hand(std::span<const HandPair> pairs, std::span<const Box2> 
                                ignore);
 }
 
+double cost_of_tree(const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind) {
+  return kind == NodeKind::kAabb ? hierarchy::expected_cost(tree) : expected_cost(forest_of(tree, boxes, kind));
+}
+
 Growth::Way way_of(std::string_view method) {
   return method == "bottom_up"   ? Growth::Way::kUp
          : method == "insertion" ? Growth::Way::kInserting
@@ -131,6 +201,7 @@ QueryShape shape_of_query(std::string_view method) {
   return method == "point_query"     ? QueryShape::kPoint
          : method == "box_query"     ? QueryShape::kBox
          : method == "frustum_query" ? QueryShape::kFrustum
+         : method == kTwoTrees       ? QueryShape::kMove
                                      : QueryShape::kRay;
 }
 
@@ -154,18 +225,13 @@ std::array<Point2, 4> corners_of_query(const QueryPlaces& query) {
 Box2 box_of(const QueryPlaces& query) { return {query.at[0].cwiseMin(query.at[1]), query.at[0].cwiseMax(query.at[1])}; }
 
 QueryResult run_query(std::string_view method, const QueryPlaces& query, const TreeOfBoxes& tree,
-                      std::span<const Box2> boxes, TreeTrace* trace) {
+                      std::span<const Box2> boxes, TreeTrace* trace, std::span<const Index> choices) {
   BuildRecorder recorder;
   QueryResult result;
   const QueryShape shape = shape_of_query(method);
   const auto take = [&](Index box, auto) { result.found.push_back(box); };
   if (finds_first(method)) {
-    const auto enters = [&](const Box2& box) { return query::ray_enters(box, ray_of(query)); };
-    const auto hit = hierarchy::first_hit<double>(tree, boxes, enters, recorder,
-                                                  method == "ray_nearest" ? hierarchy::ChildOrder::kNear
-                                                                          : hierarchy::ChildOrder::kFar);
-    result.counts = hit.counts;
-    if (hit.body != kNoIndex) result.found = {hit.body};
+    result = first_box(method, query, tree, boxes, choices, recorder);
   } else if (shape == QueryShape::kFrustum) {
     const auto culled = hierarchy::cull(tree, boxes, frustum_of(query).value(), nullptr, take, {}, recorder);
     result.counts = culled.counts, result.planes_tested = culled.planes_tested;

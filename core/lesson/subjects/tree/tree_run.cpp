@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "hierarchy/cost.hpp"
-#include "query/ray_aabb.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -12,8 +11,6 @@ namespace {
 struct Follower {
   const TreeRun& run;
   bool first;  // whether it looks for the first box: then a node is tested before it waits
-  hierarchy::ChildOrder order;
-  Ray<double, 2> ray;
   QueryState now = {};
 
   [[nodiscard]] const Forest& forest() const { return run.forest(0); }
@@ -38,6 +35,7 @@ struct Follower {
     of(leaf) = of_box(fact.body) = fact.answer != hierarchy::Answer::kPrune ? Met::kMet : Met::kMissed;
   }
   void operator()(const hierarchy::Done&) {
+    if (run.undecided() != kNoIndex) return;  // both children wait for a choice
     for (const Index beyond : now.waiting) mark(beyond, Met::kUnder);
     now.waiting.clear();
   }
@@ -56,7 +54,8 @@ struct Follower {
     ++now.visited;
   }
 
-  /// A child is tested when its parent is taken, and waits if the ray meets it; of two, the order says which is next.
+  /// A child is tested when its parent is taken, and waits if the ray meets it; of two, the left one is tested first,
+  /// and the order says which is next.
   void test_before(Index node, bool met) {
     const Index parent = forest().parent_of(node);
     if (parent != kNoIndex && of(parent) == Met::kOpen) take(parent);
@@ -64,9 +63,8 @@ struct Follower {
     open(node);
     const std::size_t count = now.waiting.size();
     if (count < 2 || forest().parent_of(now.waiting[count - 2]) != parent) return;
-    const auto at = [&](Index i) { return *query::ray_enters(forest().at(i).box, ray); };
-    const double own = at(node), other = at(now.waiting[count - 2]);
-    if (order == hierarchy::ChildOrder::kNear ? !(own < other) : !(other < own))
+    const auto& right_first = run.result().right_first;
+    if (std::find(right_first.begin(), right_first.end(), parent) == right_first.end())
       std::swap(now.waiting[count - 2], now.waiting[count - 1]);
   }
 
@@ -93,6 +91,7 @@ struct BranchOf {
   Index operator()(const hierarchy::BodyInserted& fact) const { return fact.made; }
   Index operator()(const hierarchy::Rotated& fact) const { return fact.group; }
   Index operator()(const hierarchy::BodyTested& fact) const { return run.leaf_of(fact.body); }
+  Index operator()(const hierarchy::PairTested& fact) const { return fact.bodies ? run.leaf_of(fact.a) : fact.a; }
 };
 
 }  // namespace
@@ -104,13 +103,14 @@ std::vector<Index> QueryState::found() const {
   return all;
 }
 
-TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes) : boxes_(std::move(boxes)), way_(way_of(method)) {
+TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, NodeKind kind)
+    : boxes_(std::move(boxes)), nodes_(kind), way_(way_of(method)) {
   tree_ = build_tree(method, boxes_, &trace_);
   follow_growth();
 }
 
-TreeRun::TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs)
-    : boxes_(std::move(boxes)), way_(Growth::Way::kUp) {
+TreeRun::TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs, NodeKind kind)
+    : boxes_(std::move(boxes)), nodes_(kind), way_(Growth::Way::kUp) {
   Growth growth(way_, {}, boxes_);
   auto made = static_cast<Index>(boxes_.size());
   for (const HandPair& pair : pairs) {
@@ -126,13 +126,17 @@ TreeRun::TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs)
   follow_growth();
 }
 
-TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query)
-    : boxes_(std::move(boxes)), first_(finds_first(method)),
-      order_(method == "ray_far_first" ? hierarchy::ChildOrder::kFar : hierarchy::ChildOrder::kNear), query_(query) {
+TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query,
+                 std::span<const Index> choices)
+    : boxes_(std::move(boxes)), first_(finds_first(method)), steered_(method == kRayByHand), query_(query) {
   tree_ = build_tree(rule, boxes_);
-  result_ = run_query(method, query, tree_, boxes_, &trace_);
   forests_ = {forest_of(tree_, boxes_)};
-  follow_query(query);
+  if (method == kTwoTrees) {
+    pairing_ = pair_with_copy(tree_, boxes_, query, trace_);
+    return;
+  }
+  result_ = run_query(method, query, tree_, boxes_, &trace_, choices);
+  follow_query();
 }
 
 TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::span<const Box2> built)
@@ -152,7 +156,7 @@ TreeRun::TreeRun(std::string_view method, std::vector<Box2> boxes, std::span<con
 }
 
 void TreeRun::follow_growth() {
-  Growth growth(way_, tree_, boxes_);
+  Growth growth(way_, tree_, boxes_, nodes_);
   forests_ = {growth.forest()};
   for (const auto& entry : trace_) {
     std::visit(growth, entry.step.fact);
@@ -160,8 +164,8 @@ void TreeRun::follow_growth() {
   }
 }
 
-void TreeRun::follow_query(const QueryPlaces& query) {
-  Follower follower{*this, first_, order_, {query.at[0], query.at[1] - query.at[0]}};
+void TreeRun::follow_query() {
+  Follower follower{*this, first_};
   follower.now.nodes.assign(tree_.nodes.size(), Met::kNot);
   follower.now.boxes.assign(boxes_.size(), Met::kNot);
   if (!first_) follower.open(0);
@@ -172,7 +176,7 @@ void TreeRun::follow_query(const QueryPlaces& query) {
   }
 }
 
-double TreeRun::cost() const { return hierarchy::expected_cost(tree_); }
+double TreeRun::cost() const { return cost_of_tree(tree_, boxes_, nodes_); }
 
 Index TreeRun::branch_of(int step) const { return std::visit(BranchOf{*this}, trace_[step].step.fact); }
 

@@ -4,6 +4,7 @@
 #include "hierarchy/traverse.hpp"
 #include "lesson/facts.hpp"
 #include "lesson/subjects/tree/tree_merge.hpp"
+#include "lesson/subjects/tree/tree_pair.hpp"
 
 namespace snug::lesson {
 
@@ -29,12 +30,14 @@ struct QueryState {
 
 class TreeRun final : public FactRun<TreeRun, TreeStep> {
  public:
-  /// Builds a tree.
-  TreeRun(std::string_view method, std::vector<Box2> boxes);
+  /// Builds a tree. kind: that of its nodes' volumes.
+  TreeRun(std::string_view method, std::vector<Box2> boxes, NodeKind kind = NodeKind::kAabb);
   /// Builds a tree by the mergers that were chosen by hand; it may not be finished. pairs: of groups that are there.
-  TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs);
-  /// Sends a query through a tree that is built by a rule.
-  TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query);
+  TreeRun(std::vector<Box2> boxes, std::span<const HandPair> pairs, NodeKind kind = NodeKind::kAabb);
+  /// Sends a query through a tree that is built by a rule; or tests the tree against its copy. choices: by hand, of the
+  /// children that come first.
+  TreeRun(std::string_view method, std::vector<Box2> boxes, std::string_view rule, const QueryPlaces& query,
+          std::span<const Index> choices = {});
 
   /// Merges the volumes of a tree, or rebuilds it, after its boxes have moved. built: as they were when it was built.
   TreeRun(std::string_view method, std::vector<Box2> boxes, std::span<const Box2> built);
@@ -47,6 +50,11 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
   /// Whether the tree is finished at the end; by hand, it may not be.
   [[nodiscard]] bool is_whole() const { return !tree_.nodes.empty(); }
   [[nodiscard]] bool is_query() const { return !states_.empty(); }
+  /// Two trees against each other; null for anything else.
+  [[nodiscard]] const TreePairing* pairing() const { return pairing_ ? &*pairing_ : nullptr; }
+  /// Whether the student chooses which child comes next; and the node at which a choice is due, kNoIndex for none.
+  [[nodiscard]] bool is_steered() const { return steered_; }
+  [[nodiscard]] Index undecided() const { return result_.undecided; }
   /// Whether it merges volumes: then the tree stands from the beginning, and its nodes get their volumes.
   [[nodiscard]] bool is_merging() const { return !volumes_.merged.empty(); }
   /// Whether it is about a tree whose boxes have moved.
@@ -62,7 +70,8 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
   /// "AABB", "circle", "OBB".
   [[nodiscard]] std::string_view volume_word() const { return word_; }
   [[nodiscard]] Growth::Way way() const { return way_; }
-  /// The finished tree, and its cost (hierarchy::expected_cost).
+  [[nodiscard]] NodeKind nodes() const { return nodes_; }
+  /// The finished tree, and its cost (hierarchy::expected_cost; expected_cost where its nodes are no AABBs).
   [[nodiscard]] const TreeOfBoxes& tree() const { return tree_; }
   [[nodiscard]] double cost() const;
   /// What stands after so many steps. A tree that is not being built stands from the beginning.
@@ -94,17 +103,18 @@ class TreeRun final : public FactRun<TreeRun, TreeStep> {
 
  private:
   void follow_growth();
-  void follow_query(const QueryPlaces& query);
+  void follow_query();
 
   std::vector<Box2> boxes_;
+  NodeKind nodes_ = NodeKind::kAabb;
   Growth::Way way_ = Growth::Way::kDown;
-  bool by_hand_ = false, first_ = false;
-  hierarchy::ChildOrder order_ = hierarchy::ChildOrder::kNear;
+  bool by_hand_ = false, first_ = false, steered_ = false;
   TreeTrace trace_;
   TreeOfBoxes tree_;
   std::vector<Forest> forests_;
   std::vector<QueryState> states_;  // of a query
   QueryResult result_;
+  std::optional<TreePairing> pairing_;
   QueryPlaces query_;
   struct Before {
     Forest forest;

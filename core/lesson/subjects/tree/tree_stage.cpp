@@ -9,6 +9,7 @@
 #include "lesson/lesson.hpp"
 #include "lesson/names.hpp"
 #include "lesson/rows.hpp"
+#include "lesson/subjects/tree/node_volume.hpp"
 #include "lesson/subjects/tree/tree.hpp"
 
 namespace snug::lesson {
@@ -60,6 +61,12 @@ BoxRecipe read_recipe(TomlTable& table) {
   return recipe;
 }
 
+/// Whether a method of a volume is among the lesson's.
+bool offers(const Lesson& lesson, std::string_view volume, std::string_view method) {
+  return (lesson.volume == volume && is_among(lesson.algorithms, method)) ||
+         is_among(lesson.algorithms, std::string(volume) + '/' + std::string(method));
+}
+
 /// Whether one of the lesson's methods is a query.
 bool asks_queries(const Lesson& lesson) {
   if (is_query(lesson.volume)) return true;
@@ -93,6 +100,16 @@ void read_built(TomlTable& table, const Lesson& lesson, TreeStage& stage) {
     table.wrong("built", "is for lessons with volume = \"" + std::string(kTreeUpdate) + "\"");
   else if (!stage.boxes.empty() && stage.built.size() != stage.boxes.size())
     table.wrong("built", "must be as many as the boxes");
+}
+
+/// Reads what the nodes of the trees have around what is below them.
+void read_nodes(TomlTable& table, const Lesson& lesson, TreeStage& stage) {
+  const std::string name = table.text_or("nodes", node_kinds().front());
+  check_name(table, "nodes", name, node_kinds());
+  const auto kind = std::find(node_kinds().begin(), node_kinds().end(), name);
+  if (kind != node_kinds().end()) stage.nodes = static_cast<NodeKind>(kind - node_kinds().begin());
+  if (lesson.volume != kTreeBuild && stage.nodes != NodeKind::kAabb)
+    table.wrong("nodes", "is for lessons with volume = \"" + std::string(kTreeBuild) + "\"");
 }
 
 }  // namespace
@@ -189,9 +206,13 @@ Rows rows_of(const TreeStage& stage) {
     see_query(*stage.query, writer);
     rows.push_back(writer.take());
   }
-  if (!stage.by_hand) return rows;
-  std::vector<double>& mergers = rows.emplace_back(1, static_cast<double>(stage.by_hand->size()));
-  for (const HandPair& pair : *stage.by_hand) mergers.insert(mergers.end(), pair.begin(), pair.end());
+  if (stage.by_hand) {
+    std::vector<double>& mergers = rows.emplace_back(1, static_cast<double>(stage.by_hand->size()));
+    for (const HandPair& pair : *stage.by_hand) mergers.insert(mergers.end(), pair.begin(), pair.end());
+  }
+  if (!stage.order) return rows;
+  std::vector<double>& order = rows.emplace_back(1, static_cast<double>(stage.order->size()));
+  order.insert(order.end(), stage.order->begin(), stage.order->end());
   return rows;
 }
 
@@ -212,17 +233,33 @@ std::optional<std::vector<HandPair>> pairs_in(std::span<const double> row) {
   return pairs;
 }
 
+/// The choices of a child in a row of numbers; none if it has none.
+std::optional<std::vector<Index>> order_in(std::span<const double> row) {
+  if (row.empty() || row.size() > kMostBoxes || row[0] != static_cast<double>(row.size() - 1)) return std::nullopt;
+  std::vector<Index> order;
+  for (const double choice : row.subspan(1)) {
+    if (choice != 0 && choice != 1) return std::nullopt;
+    order.push_back(choice == 1 ? 1 : 0);
+  }
+  return order;
+}
+
 }  // namespace
 
 tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows& all_rows) {
-  const std::size_t own = like.query ? 1 : 0;
-  if (all_rows.size() <= own + (like.by_hand ? 1 : 0)) return refused("these are not the rows of boxes");
+  const std::size_t own = like.query ? 1 : 0, hands = (like.by_hand ? 1 : 0) + (like.order ? 1 : 0);
+  if (all_rows.size() <= own + hands) return refused("these are not the rows of boxes");
   TreeStage next = like;
-  const std::span<const std::vector<double>> rows(all_rows.data(), all_rows.size() - (like.by_hand ? 1 : 0));
+  const std::span<const std::vector<double>> rows(all_rows.data(), all_rows.size() - hands);
   if (like.by_hand) {
-    auto pairs = pairs_in(all_rows.back());
+    auto pairs = pairs_in(all_rows[rows.size()]);
     if (!pairs) return refused("mergers are their number, and two groups each");
     next.by_hand = *std::move(pairs);
+  }
+  if (like.order) {
+    auto order = order_in(all_rows.back());
+    if (!order) return refused("an order is the number of its choices, and 0 or 1 for each");
+    next.order = *std::move(order);
   }
   next.boxes.assign(rows.size() - own, HeldBox());
   bool fits = true;
@@ -245,11 +282,13 @@ void read_tree(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   if (own.has("generate")) tables->recipe = read_recipe(own);
   else tables->stage.boxes = read_boxes(own);
   read_built(own, lesson, tables->stage);
+  read_nodes(own, lesson, tables->stage);
   own.refuse_others();
   if (complaints.count() == before && !tables->recipe.kind.empty())
     tables->stage.boxes = boxes_by(tables->recipe, lesson.seed);
   read_query(table, lesson, *tables, complaints);
-  if (is_among(lesson.algorithms, kByHand)) tables->stage.by_hand.emplace();
+  if (offers(lesson, kTreeBuild, kByHand)) tables->stage.by_hand.emplace();
+  if (offers(lesson, kTreeQuery, kRayByHand)) tables->stage.order.emplace();
   if (complaints.count() == before)
     if (const Done fine = check_stage(tables->stage); !fine)
       own.wrong(tables->recipe.kind.empty() ? "center" : "generate", fine.error().what);
@@ -266,6 +305,11 @@ Rows read_tree_model(TomlTable& task, const Lesson& lesson, Complaints& complain
   if (stage.by_hand && own.has("mergers"))
     for (const Point3& pair : own.points("mergers", 2))
       stage.by_hand->push_back({static_cast<Index>(pair[0]), static_cast<Index>(pair[1])});
+  if (stage.order && own.has("order"))
+    for (const double choice : own.numbers("order")) {
+      if (choice != 0 && choice != 1) own.wrong("order", "must be numbers 0 (the left child) and 1 (the right one)");
+      stage.order->push_back(choice == 1 ? 1 : 0);
+    }
   if (stage.query && own.has("from")) read_place(own, "from", stage.query->at[0]);
   if (stage.query && own.has("to")) read_place(own, "to", stage.query->at[1]);
   own.refuse_others();

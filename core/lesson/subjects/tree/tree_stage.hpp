@@ -39,13 +39,25 @@ struct BoxRecipe {
   std::array<double, 2> size{0.08, 0.25};  // least and greatest half extent
 };
 
+/// What a tree's nodes have around what is below them (node_volume.hpp).
+enum class NodeKind : std::uint8_t { kAabb, kSphere, kObb };
+
 struct TreeStage {
   std::vector<HeldBox> boxes;
   std::optional<QueryPlaces> query = {};
   std::vector<Point2> built = {};  // where the centres were when the tree was built; empty: where they are
   std::optional<std::vector<HandPair>> by_hand = {};  // the mergers so far, in a lesson with that method
+  /// Of a ray whose order is chosen by hand, in a lesson with that method: for each node whose children are both met, 0
+  /// if the left one comes first, 1 if the right one does.
+  std::optional<std::vector<Index>> order = {};
+  NodeKind nodes = NodeKind::kAabb;  // of trees that are built
   [[nodiscard]] std::vector<Box2> aabbs() const;
   [[nodiscard]] std::vector<Box2> aabbs_built() const;
+  /// Whether it has places where the boxes were before.
+  [[nodiscard]] bool has_moved() const { return !built.empty(); }
+  /// Which of its rows has the mergers by hand, and which the order.
+  [[nodiscard]] std::size_t row_of_mergers() const { return boxes.size() + (query ? 1 : 0); }
+  [[nodiscard]] std::size_t row_of_order() const { return row_of_mergers() + (by_hand ? 1 : 0); }
 };
 
 /// The subject's tables in a lesson's file.
@@ -74,8 +86,9 @@ struct TreeTables final : Tables {
 /// The groups that have no parent yet, of so many boxes; none if these are no mergers of them.
 [[nodiscard]] std::optional<std::vector<Index>> groups_left(std::size_t boxes, std::span<const HandPair> pairs);
 
-/// A row for each box, of its centre and its half extents; one for the query, of both places; and one for the mergers
-/// by hand, of how many there are and two groups each.
+/// A row for each box, of its centre and its half extents; one for the query, of both places; one for the mergers by
+/// hand, of how many there are and two groups each; and one for the order by hand, of how many choices there are and
+/// the choices.
 [[nodiscard]] Rows rows_of(const TreeStage& stage);
 /// The stage with these rows. Errors: these are none of such a stage; those of check_stage.
 [[nodiscard]] tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows& rows);

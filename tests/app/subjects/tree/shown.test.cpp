@@ -74,4 +74,31 @@ TEST_CASE("what a query leaves out is crossed where it was tested, and pale belo
   CHECK(pale >= 4);
 }
 
+TEST_CASE(
+    "of two trees, the nodes that are tested are inked on both sides, and a question shows them before the answer") {
+  lesson::Session session = tree_session(lesson::kTreeQuery, std::string(lesson::kTwoTrees), "", nullptr);
+  CHECK(tree_shown_at(session).partner == kNoIndex);
+  session.go(1);
+  const TreeShown roots = tree_shown_at(session);
+  REQUIRE(roots.pairs() != nullptr);
+  CHECK(roots.branch == 0);
+  CHECK(roots.partner == 0);
+  const bool apart = roots.pairs()->apart;
+  for (const TreeSide side : {TreeSide::kOwn, TreeSide::kCopy}) CHECK(ink_of(kLight, roots, 0, side).crossed == apart);
+  session.go(session.steps());
+  const TreeShown end = tree_shown_at(session);
+  CHECK(end.branch == kNoIndex);
+  CHECK(end.partner == kNoIndex);
+  for (const Index i : end.forest().there())
+    for (const TreeSide side : {TreeSide::kOwn, TreeSide::kCopy}) CHECK_FALSE(ink_of(kLight, end, i, side).crossed);
+
+  lesson::Session asked = tree_session(lesson::kTreeQuery, std::string(lesson::kTwoTrees), "pair_tested", "apart");
+  REQUIRE(asked.asked() != nullptr);
+  const TreeShown before = tree_shown_at(asked);
+  CHECK(before.branch == 0);
+  CHECK(before.partner == 0);
+  for (const TreeSide side : {TreeSide::kOwn, TreeSide::kCopy})
+    CHECK(ink_of(kLight, before, 0, side).line == kLight.examined);
+}
+
 }  // namespace snug::app

@@ -6,77 +6,26 @@
 #include <algorithm>
 #include <set>
 
-#include "geometry/random.hpp"
+#include "core/lesson/subjects/tree/stages.hpp"
 #include "hierarchy/cost.hpp"
 #include "hierarchy/cull.hpp"
-#include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 #include "lesson/subjects/tree/tree_figures.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
-
-namespace {
-
-/// Boxes by chance: spread, in one another, in a row, some as flat as a line or in the same place.
-TreeStage any_stage(std::uint64_t seed) {
-  Random random(seed);
-  TreeStage stage;
-  const int count = kFewestBoxes + static_cast<int>(random.below(kMostBoxes - kFewestBoxes + 1));
-  const double wide = random.between(0, 3), high = seed % 5 == 0 ? 0 : 3;
-  for (int i = 0; i < count; ++i)
-    stage.boxes.push_back({{random.between(-wide, wide), random.between(-high, high)},
-                           {random.between(0, 0.7), seed % 7 == 0 ? 0 : random.between(0, 0.7)}});
-  if (seed % 6 == 0) stage.boxes[1] = stage.boxes[0];
-  const auto place = [&] { return Point2(random.between(-4, 4), random.between(-4, 4)); };
-  stage.query = QueryPlaces{{place(), place()}};
-  return stage;
-}
-
-Lesson lesson_on(const TreeStage& stage, std::string_view volume) {
-  Lesson lesson;
-  lesson.id = "test";
-  lesson.volume = volume;
-  auto tables = std::make_shared<TreeTables>();
-  tables->stage = stage;
-  if (volume == kTreeBuild) tables->stage.query.reset();
-  lesson.tables = std::move(tables);
-  for (const Method& method : volume == kTreeBuild ? build_methods() : query_methods())
-    lesson.algorithms.emplace_back(method.name);
-  return lesson;
-}
-
-Session session_on(const TreeStage& stage, std::string_view volume) {
-  auto session = Session::open(lesson_on(stage, volume));
-  REQUIRE_MESSAGE(session.has_value(), (session ? "" : session.error().message()));
-  return *std::move(session);
-}
-
-/// The nodes of a forest, by the boxes below each.
-std::set<std::vector<Index>> nodes_of(const Forest& forest) {
-  std::set<std::vector<Index>> all;
-  for (const Index i : forest.there()) all.insert(forest.at(i).boxes);
-  return all;
-}
-
-double figure(const Session& session, std::string_view key) {
-  for (const Figure& figure : session.figures())
-    if (figure.key == key && figure.known) return figure.value;
-  return -1;
-}
-
-}  // namespace
+using namespace snug::test;
 
 TEST_CASE("step by step, each way to build grows into the tree that it builds") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const std::vector<Box2> boxes = any_stage(seed).aabbs();
+    const std::vector<Box2> boxes = any_tree_stage(seed).aabbs();
     for (const Method& method : build_methods()) {
       CAPTURE(seed);
       CAPTURE(method.name);
       const TreeRun run(method.name, boxes);
       const TreeOfBoxes tree = build_tree(method.name, boxes);
-      CHECK(nodes_of(run.forest(run.steps())) == nodes_of(forest_of(tree, boxes)));
+      CHECK(tree_nodes_of(run.forest(run.steps())) == tree_nodes_of(forest_of(tree, boxes)));
       for (int step = 0; step <= run.steps(); ++step) {
         const Forest& forest = run.forest(step);
         std::set<Index> below;
@@ -95,17 +44,17 @@ TEST_CASE("step by step, each way to build grows into the tree that it builds") 
 
 TEST_CASE("the figures at the end are the tree's own") {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
-    const TreeStage stage = any_stage(seed);
-    Session session = session_on(stage, kTreeBuild);
+    const TreeStage stage = any_tree_stage(seed);
+    Session session = tree_session_on(stage, kTreeBuild);
     for (const Method& method : build_methods()) {
       REQUIRE(session.choose(0, method.name).has_value());
       session.last();
       const TreeOfBoxes tree = build_tree(method.name, stage.aabbs());
-      CHECK(figure(session, "nodes") == static_cast<double>(tree.nodes.size()));
-      CHECK(figure(session, "depth") == tree.depth());
+      CHECK(tree_figure(session, "nodes") == static_cast<double>(tree.nodes.size()));
+      CHECK(tree_figure(session, "depth") == tree.depth());
       REQUIRE(session.proofs().size() == 1);
       CHECK(session.proofs().front().holds);
-      if (method.name == "top_down_median") CHECK(figure(session, "of_median") == 100);
+      if (method.name == "top_down_median") CHECK(tree_figure(session, "of_median") == 100);
     }
   }
 }
@@ -113,10 +62,10 @@ TEST_CASE("the figures at the end are the tree's own") {
 TEST_CASE("a query through any tree finds what testing each box finds, and its state is what its steps say") {
   int missed = 0, found = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
-    const TreeStage stage = any_stage(seed);
+    const TreeStage stage = any_tree_stage(seed);
     const std::vector<Box2> boxes = stage.aabbs();
     const Method& rule = build_methods()[seed % build_methods().size()];
-    for (const Method& method : query_methods()) {
+    for (const Method& method : plain_queries()) {
       CAPTURE(seed);
       CAPTURE(method.name);
       const TreeRun run(method.name, boxes, rule.name, *stage.query);
@@ -145,8 +94,8 @@ TEST_CASE("a query through any tree finds what testing each box finds, and its s
 
 TEST_CASE("the stack's top is the node that is tested next, but for what lies beyond the first box") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const TreeStage stage = any_stage(seed);
-    for (const Method& method : query_methods()) {
+    const TreeStage stage = any_tree_stage(seed);
+    for (const Method& method : plain_queries()) {
       if (finds_first(method.name)) continue;
       const TreeRun run(method.name, stage.aabbs(), "insertion", *stage.query);
       for (int step = 0; step + 1 < run.steps(); ++step) {
@@ -159,7 +108,7 @@ TEST_CASE("the stack's top is the node that is tested next, but for what lies be
 
 TEST_CASE("a frustum goes through the tree as hierarchy::cull does") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const TreeStage stage = any_stage(seed);
+    const TreeStage stage = any_tree_stage(seed);
     const std::vector<Box2> boxes = stage.aabbs();
     const TreeOfBoxes tree = build_tree("top_down_sah", boxes);
     const auto result = run_query("frustum_query", *stage.query, tree, boxes);
@@ -181,7 +130,7 @@ TEST_CASE("a frustum goes through the tree as hierarchy::cull does") {
 TEST_CASE("merged volumes are of the kind, hold what is below, and lose nothing where they are AABBs") {
   double circles = 0, boxes_lost = 0;
   for (std::uint64_t seed = 1; seed < 60; ++seed) {
-    const TreeStage then = any_stage(seed), now = any_stage(seed + 100);
+    const TreeStage then = any_tree_stage(seed), now = any_tree_stage(seed + 100);
     TreeStage stage = then;
     stage.query.reset();
     for (const HeldBox& box : then.boxes) stage.built.push_back(box.center);
@@ -220,9 +169,9 @@ TEST_CASE("merged volumes are of the kind, hold what is below, and lose nothing 
 TEST_CASE("the pair that is merged is the smallest of all, and the question says so") {
   int asked_of = 0;
   for (std::uint64_t seed = 1; seed < 40; ++seed) {
-    const TreeStage stage = any_stage(seed);
+    const TreeStage stage = any_tree_stage(seed);
     if (stage.boxes.size() < 4) continue;
-    Lesson lesson = lesson_on(stage, kTreeBuild);
+    Lesson lesson = tree_lesson_on(stage, kTreeBuild);
     for (int nth = 1; nth + 1 < static_cast<int>(stage.boxes.size()); ++nth) {
       Question& question = lesson.questions.emplace_back();
       question.id = "pair" + std::to_string(nth);
@@ -254,7 +203,7 @@ TEST_CASE("the pair that is merged is the smallest of all, and the question says
 
 TEST_CASE("a tree by hand: mergers of any two groups, with the cost of the same tree built from the leaves up") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const std::vector<Box2> boxes = any_stage(seed).aabbs();
+    const std::vector<Box2> boxes = any_tree_stage(seed).aabbs();
     TreeTrace trace;
     const TreeOfBoxes tree = build_tree("bottom_up", boxes, &trace);
     std::vector<HandPair> pairs;
@@ -264,7 +213,7 @@ TEST_CASE("a tree by hand: mergers of any two groups, with the cost of the same 
     const TreeRun whole(boxes, pairs);
     CHECK(whole.is_whole());
     CHECK(whole.cost() == hierarchy::expected_cost(tree));
-    CHECK(nodes_of(whole.forest(whole.steps())) == nodes_of(forest_of(tree, boxes)));
+    CHECK(tree_nodes_of(whole.forest(whole.steps())) == tree_nodes_of(forest_of(tree, boxes)));
     pairs.pop_back();
     const TreeRun part(boxes, pairs);
     CHECK_FALSE(part.is_whole());
@@ -278,8 +227,8 @@ TEST_CASE("a tree by hand: mergers of any two groups, with the cost of the same 
 }
 
 TEST_CASE("boxes are moved, sized, scattered, undone and kept as rows") {
-  const TreeStage stage = any_stage(11);
-  Session session = session_on(stage, kTreeQuery);
+  const TreeStage stage = any_tree_stage(11);
+  Session session = tree_session_on(stage, kTreeQuery);
   const Rows own = session.subject().rows();
   REQUIRE(own.size() == stage.boxes.size() + 1);
   CHECK(session.name_of(0) == "A");
@@ -305,7 +254,7 @@ TEST_CASE("boxes are moved, sized, scattered, undone and kept as rows") {
 }
 
 TEST_CASE("what is no stage is refused, and nothing changes") {
-  Session session = session_on(any_stage(11), kTreeQuery);
+  Session session = tree_session_on(any_tree_stage(11), kTreeQuery);
   const Rows own = session.subject().rows();
   Rows few{own[0], own.back()}, negative = own, long_row = own, one_place = own;
   negative[0][2] = -0.1;
