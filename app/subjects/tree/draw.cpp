@@ -220,10 +220,12 @@ Box2 stage_room(const lesson::Session& session) {
 }
 
 Box2 tree_room(const lesson::Session& session) {
-  constexpr double kHeight = 0.4, kGap = 0.14, kNarrowest = 0.7;  // of the larger side of what is above
+  constexpr double kHeight = 0.4, kGap = 0.14, kOne = 0.7, kTwo = 1.35;  // of the larger side of what is above
   const Box2 above = stage_room(session);
   const Point2 size = above.max - above.min;
-  const double larger = size.maxCoeff(), half = std::max(size[0], kNarrowest * larger) / 2;
+  const double larger = size.maxCoeff(),
+               narrowest = lesson::tree_run(session.run(0)).pairing() != nullptr ? kTwo : kOne,
+               half = std::max(size[0], narrowest * larger) / 2;
   const double middle = (above.min[0] + above.max[0]) / 2, top = above.min[1] - kGap * larger;
   return {{middle - half, top - kHeight * larger}, {middle + half, top}};
 }

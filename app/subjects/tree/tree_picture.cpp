@@ -13,7 +13,8 @@ using lesson::Branch;
 using lesson::Forest;
 
 constexpr float kTreeRow = 46, kInnerRadius = 6, kLeafRadius = 10, kNodeWords = 13, kPanelHead = 24;
-constexpr float kLeafShare = 0.46f;  // of a leaf's slot, half its mark at most
+constexpr float kLeafShare = 0.46f;   // of a leaf's slot, half its mark at most
+constexpr float kLetterShare = 1.6f;  // of that half, the size of its letter at most
 
 /// Where each branch is in the picture: a slot for each box, a row for each level.
 struct TreeLayout {
@@ -98,7 +99,8 @@ class TreePicture {
       list_->AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius},
                            with_alpha(ink.line, now || ink.fill > 0 ? 0.22f : 0.08f), 4);
       list_->AddRect({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, ink.line, 4, 0, now ? 2.0f : 1.0f);
-      text_middle(list_, look_, Face::kSemiBold, kNodeWords, {at.x, middle_of(at.y, look_.px(kNodeWords))}, ink.words,
+      const float words = std::min(kNodeWords, kLetterShare * radius / look_.px(1));
+      text_middle(list_, look_, Face::kSemiBold, words, {at.x, middle_of(at.y, look_.px(words))}, ink.words,
                   side_ == TreeSide::kOwn ? lesson::box_name(branch.boxes.front())
                                           : lesson::small(lesson::box_name(branch.boxes.front())));
     }
