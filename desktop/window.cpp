@@ -102,7 +102,8 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
   const float title = lecture ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
-  const float code = std::min(shell.code_height, height * 0.52f);
+  // Where the numbers may need the whole column, as the graph of effects does, they have the most of it.
+  const float code = std::min(shell.code_height, height * (shell.app().figures_fill() ? 0.38f : 0.52f));
   const float below = lecture && cover ? std::min(shell.pinned_height, height * 0.52f) : code;
   parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
