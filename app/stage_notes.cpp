@@ -114,7 +114,7 @@ void Stage::draw_axis_cross(Brush& brush, const Rect& inset) const {
   // Above the room for the sentence.
   ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
   if (overlap(inset, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
-    origin.x = inset.x + inset.width + kReach;
+    origin = {inset.x + inset.width + kReach, camera_.free_bottom() - kReach - 8};  // nearer to the sentence's middle
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
   const int in_use = view_->axis_in_use(brush.session);
