@@ -67,8 +67,11 @@ struct Brush {
   return words.find_first_not_of("+\u2212") == std::string_view::npos;
 }
 
-/// Draws a sentence on a pill at the stage's foot, and adds it to the obstacles.
-void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
+/// How much of the stage's foot a cover leaves for its sentence. in_canvas: it is drawn there; on the page it is HTML,
+/// over a wide stage alone.
+float room_for_sentence(const Look& look, const Rect& stage, std::string_view sentence, bool in_canvas);
+/// Draws a sentence on a pill at the stage's foot, and adds it to the obstacles. Returns the place of the pill.
+Rect draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
                    std::string_view sentence);
 
 }  // namespace snug::app

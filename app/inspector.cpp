@@ -21,8 +21,12 @@ class Column {
         y_(rect.y + 24 - ImGui::GetScrollY()) {}
 
   void heading(std::string_view words) {
-    text(list_, look_, Face::kSemiBold, 13, {x_, y_ + look_.px(5)}, look_->muted, words);
-    y_ += look_.px(24);
+    constexpr float kSize = 13, kLeading = 18;
+    for (const std::string_view line : lines_of(look_, Face::kSemiBold, kSize, words, width_)) {
+      text(list_, look_, Face::kSemiBold, kSize, {x_, y_ + look_.px(5)}, look_->muted, line);
+      y_ += look_.px(kLeading);
+    }
+    y_ += look_.px(24 - kLeading);
   }
 
   /// Draws a figure. A name too long for its row is wrapped, never cut.

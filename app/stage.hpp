@@ -91,7 +91,7 @@ class Stage {
   void draw_tools(Brush& brush, Settings& settings, float y, float height);
   void draw_toggle(Brush& brush, Settings& settings, float right, float y, float height);
   /// inset: the second picture, which it keeps clear of.
-  void draw_axis_cross(Brush& brush, const Rect& inset) const;
+  void draw_axis_cross(Brush& brush, const Rect& inset, const Rect& sentence) const;
 
   SubjectView* view_ = nullptr;
   Camera camera_;

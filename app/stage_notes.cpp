@@ -12,28 +12,50 @@ void keep_free(Obstacles& obstacles, const Rect& rect) {
   obstacles.taken.push_back({rect.x - 4, rect.y - 4, rect.width + 8, rect.height + 8});
 }
 
+constexpr float kSentenceSize = 15, kSentenceLeading = 22, kBelowPill = 12;
+
+/// A sentence in lines, and the pill that it stands on.
+struct Pill {
+  std::vector<std::string_view> lines;
+  Rect rect;
+
+  Pill(const Look& look, const Rect& stage, std::string_view sentence) {
+    constexpr float kMargin = 24, kPad = 20;
+    const float widest = std::min(stage.width - 2 * kMargin, look.px(620));
+    lines = lines_of(look, Face::kRegular, kSentenceSize, sentence, widest - 2 * kPad);
+    float words = 0;
+    for (const std::string_view line : lines)
+      words = std::max(words, measure(look, Face::kRegular, kSentenceSize, line).x);
+    const float width = words + 2 * kPad + 4,
+                height = look.px(kSentenceLeading) * static_cast<float>(lines.size()) + 18;
+    rect = {stage.x + (stage.width - width) / 2, stage.y + stage.height - height - kBelowPill, width, height};
+  }
+};
+
 }  // namespace
 
-void draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
+float room_for_sentence(const Look& look, const Rect& stage, std::string_view sentence, bool in_canvas) {
+  constexpr float kWide = 560, kBare = 4;
+  const float room = stage.width >= kWide ? look.px(76) : kBare;
+  return in_canvas ? std::max(room, Pill(look, stage, sentence).rect.height + 2 * kBelowPill) : room;
+}
+
+Rect draw_sentence(ImDrawList* list, const Look& look, Obstacles& obstacles, const Rect& stage,
                    std::string_view sentence) {
-  constexpr float kSize = 15, kLeading = 22, kMargin = 24, kPad = 20;
-  if (sentence.empty()) return;
+  if (sentence.empty()) return {};
   const Palette& p = *look.palette;
-  const float widest = std::min(stage.width - 2 * kMargin, look.px(620));
-  const auto lines = lines_of(look, Face::kRegular, kSize, sentence, widest - 2 * kPad);
-  float words = 0;
-  for (const std::string_view line : lines) words = std::max(words, measure(look, Face::kRegular, kSize, line).x);
-  const float width = words + 2 * kPad + 4, height = look.px(kLeading) * static_cast<float>(lines.size()) + 18;
-  const Rect pill{stage.x + (stage.width - width) / 2, stage.y + stage.height - height - 12, width, height};
-  const float corner = std::min(height / 2, 20.0f);
-  list->AddRectFilled({pill.x, pill.y}, {pill.x + width, pill.y + height}, p.panel, corner);
-  list->AddRect({pill.x, pill.y}, {pill.x + width, pill.y + height}, p.line, corner, 0, 1);
-  float y = pill.y + 9 + (look.px(kLeading) - look.px(kSize)) / 2;
-  for (const std::string_view line : lines) {
-    text_middle(list, look, Face::kRegular, kSize, {pill.x + width / 2, y}, p.ink, line);
-    y += look.px(kLeading);
+  const Pill pill(look, stage, sentence);
+  const Rect& rect = pill.rect;
+  const float corner = std::min(rect.height / 2, 20.0f);
+  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, p.panel, corner);
+  list->AddRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, p.line, corner, 0, 1);
+  float y = rect.y + 9 + (look.px(kSentenceLeading) - look.px(kSentenceSize)) / 2;
+  for (const std::string_view line : pill.lines) {
+    text_middle(list, look, Face::kRegular, kSentenceSize, {rect.x + rect.width / 2, y}, p.ink, line);
+    y += look.px(kSentenceLeading);
   }
-  keep_free(obstacles, pill);
+  keep_free(obstacles, rect);
+  return rect;
 }
 
 void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) {
@@ -83,12 +105,13 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
   if (inset.width > 0) keep_free(brush.canvas.obstacles, inset);
   draw_close_up(brush, settings.tools || tools > 0 ? y + height + 10 : y);
   if (close_up_) keep_free(brush.canvas.obstacles, close_up_->panel);
-  if (camera_.dim() == 3) draw_axis_cross(brush, inset);
+  Rect sentence;
   if (look.foot > 0)
     keep_free(brush.canvas.obstacles,
               {brush.rect.x, brush.rect.y + brush.rect.height - look.foot, brush.rect.width, look.foot});
   else if (settings.prose_in_canvas)
-    draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
+    sentence = draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
+  if (camera_.dim() == 3) draw_axis_cross(brush, inset, sentence);
 }
 
 /// Draws the button that shows the smallest volume before the end.
@@ -109,12 +132,14 @@ void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, 
 }
 
 /// Draws the axis cross; the axis in use is thicker.
-void Stage::draw_axis_cross(Brush& brush, const Rect& inset) const {
+void Stage::draw_axis_cross(Brush& brush, const Rect& inset, const Rect& sentence) const {
   constexpr float kLength = 22, kReach = 36;
   // Above the room for the sentence.
   ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
   if (overlap(inset, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
     origin = {inset.x + inset.width + kReach, camera_.free_bottom() - kReach - 8};  // nearer to the sentence's middle
+  if (overlap(sentence, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
+    origin.y = sentence.y - kReach;  // a narrow stage breaks it into more lines than there is room for
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
   const int in_use = view_->axis_in_use(brush.session);

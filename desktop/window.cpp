@@ -85,7 +85,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float header = bar + strip;
   const float column =
       lecture && !shell.text_shown ? 0 : std::floor(std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale);
-  const float inspector = std::floor(std::clamp(extent.width * 0.22f, 230.0f, 290.0f) * scale);
+  const float inspector = std::floor(std::clamp(extent.width * 0.22f, 280.0f, 290.0f) * scale);
   const float timeline = app::timeline_height(look);
   const float height = extent.height - header, right = extent.width - inspector;
   Parts parts;

@@ -243,7 +243,8 @@ void ClaimsCover::draw(const Look& look, lesson::Session& session, const Rect& r
   follow(session);
   ImDrawList* const list = ImGui::GetWindowDrawList();
   // The button is above it, the sentence below.
-  const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
+  const float above = look.fingers ? 60 : look.px(44);
+  const float below = room_for_sentence(look, rect, caption(session), with_sentence);
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
   const Touch touch = pointer_area("claim", room);
   places_.clear();

@@ -137,7 +137,8 @@ std::string Costs::caption(const lesson::Session& session) const {
 void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   // The buttons are above it, the sentence below.
-  const float above = look.fingers ? 60 : look.px(44), below = rect.width >= 560 ? look.px(76) : 4;
+  const float above = look.fingers ? 60 : look.px(44);
+  const float below = room_for_sentence(look, rect, caption(session), with_sentence);
   const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
   const Touch touch = pointer_area("chart", room);
   places_.clear();

@@ -263,9 +263,12 @@ void mark_frustum(Brush& brush, const FrustumShown& shown) {
     const ImVec2 place = brush.at(brush.point(i));
     diamond(brush.list, place, kVertex * p.mark, p.support, p.ground);
     const float size = kVertex * p.mark / brush.look.text_scale;  // a mark does not grow with the text
-    if (lettered && overlap(brush.rect, {place.x, place.y, 0, 0}))
+    if (lettered && overlap(brush.rect, {place.x, place.y, 0, 0})) {
       text_middle(brush.list, brush.look, Face::kSemiBold, size, {place.x, place.y - 0.6f * kVertex * p.mark}, p.ground,
                   &i == shown.vertices.data() ? "p" : "n");
+      const float half = 0.6f * kVertex * p.mark;  // no label over the letter
+      brush.canvas.obstacles.taken.push_back({place.x - half, place.y - half, 2 * half, 2 * half});
+    }
     brush.canvas.obstacles.discs.push_back({place.x, place.y, kVertex * p.mark});
   }
 }
