@@ -107,7 +107,7 @@ void print_fitters(const Run& run, std::string_view volume) {
   std::vector<std::size_t> columns;
   const auto algorithms = fit::algorithms();
   for (std::size_t i = 0; i < algorithms.size(); ++i)
-    if (!algorithms[i].naive && algorithms[i].volume == volume) columns.push_back(i);
+    if (!algorithms[i].loses_points && algorithms[i].volume == volume) columns.push_back(i);
   std::printf("\n| %s | scalar |", std::string(volume).c_str());
   for (const std::size_t i : columns) std::printf(" %s |", std::string(algorithms[i].name).c_str());
   std::puts("");

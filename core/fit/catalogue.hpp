@@ -40,7 +40,8 @@ struct Algorithm {
   std::string_view name;                               // as scripts say it: "ritter_iterative"
   std::string_view title;                              // as people say it: "Iterative Ritter"
   bool exact;                                          // whether it guarantees the smallest volume of its kind
-  bool naive;                                          // as textbooks print it: rounding may leave points outside
+  bool naive;                                          // as textbooks print it: rounding may cost it its digits
+  bool loses_points;                                   // naive, and rounding may leave points outside its result
   bool plane, space;                                   // whether it takes 2-D points, 3-D points
   Index max_points;                                    // more are refused
   std::string_view source;                             // author, title, year

@@ -72,19 +72,27 @@ struct About {
   std::span<const std::string_view> plane_pseudocode = {};
   bool plane = true, space = true;
   Index max_points = kAny;
-  bool naive = false;
+  bool naive = false, loses_points = false;
 };
 
 /// kFitter: takes a PointSpan, Options and an observer. kExact: whether it guarantees the smallest.
 template <auto kFitter, bool kExact = false>
 constexpr Algorithm row(const About& about) {
-  return {about.volume,      about.name,
-          about.title,       kExact,
-          about.naive,       about.plane,
-          about.space,       about.max_points,
-          about.source,      about.theory,
-          about.pseudocode,  about.plane_pseudocode,
-          &fit_any<kFitter>, &watch_any<kFitter, kExact>};
+  return {about.volume,
+          about.name,
+          about.title,
+          kExact,
+          about.naive,
+          about.loses_points,
+          about.plane,
+          about.space,
+          about.max_points,
+          about.source,
+          about.theory,
+          about.pseudocode,
+          about.plane_pseudocode,
+          &fit_any<kFitter>,
+          &watch_any<kFitter, kExact>};
 }
 
 // Sources that several rows name.

@@ -29,7 +29,7 @@ void add_algorithms(Commands& commands) {
   command.footer(
       "JSON Lines: {\"volume\",\"algorithm\",\"dims\":[..],\"exact\":bool,\"source\",\"title\",\"naive\":bool};\n"
       "exact says whether the algorithm guarantees the smallest volume of its kind, naive whether it is as\n"
-      "textbooks print it: rounding may leave points outside its result.");
+      "textbooks print it: rounding may cost it all of its digits, or leave points outside.");
   command.callback([&commands] { commands.chosen = run_algorithms; });
 }
 

@@ -26,7 +26,8 @@ constexpr std::array kHullRows{
                    .pseudocode = kQuickhullRoundedPseudocode,
                    .space = false,
                    .max_points = kQuickhullNaiveLimit,
-                   .naive = true}),
+                   .naive = true,
+                   .loses_points = true}),
     row<kEpsilon>({.volume = "hull",
                    .name = "quickhull_epsilon",
                    .title = "Quickhull, epsilon (naive)",
@@ -35,7 +36,8 @@ constexpr std::array kHullRows{
                    .pseudocode = kQuickhullEpsilonPseudocode,
                    .space = false,
                    .max_points = kQuickhullNaiveLimit,
-                   .naive = true}),
+                   .naive = true,
+                   .loses_points = true}),
 };
 
 }  // namespace

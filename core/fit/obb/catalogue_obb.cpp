@@ -50,8 +50,13 @@ constexpr std::array kObbRows{
         {"obb", "sphere_axis", "Axis of the bounding sphere", kRomanick, kFewPasses, kObbSphereAxisPseudocode}),
     row<kPca>({"obb", "pca", "PCA of the points", kGottschalk, kFixedPasses, kObbPcaPseudocode}),
     row<kPcaSums>({"obb", "pca_sums", "PCA, point by point", kGottschalk, kFixedPasses, kObbPcaSumsPseudocode}),
-    row<kPcaOnePass>(
-        {"obb", "pca_one_pass", "PCA in one pass (naive)", kRomanick, kFixedPasses, kObbPcaOnePassPseudocode}),
+    row<kPcaOnePass>({.volume = "obb",
+                      .name = "pca_one_pass",
+                      .title = "PCA in one pass (naive)",
+                      .source = kRomanick,
+                      .theory = kFixedPasses,
+                      .pseudocode = kObbPcaOnePassPseudocode,
+                      .naive = true}),
     row<kPcaHull>({"obb", "pca_hull", "PCA of the hull", kGottschalk, kBalancedHull, kObbPcaHullPseudocode}),
     row<kPcaHullArea>(
         {"obb", "pca_hull_area", "PCA of the hull's surface", kGottschalk, kBalancedHull, kObbPcaHullAreaPseudocode}),

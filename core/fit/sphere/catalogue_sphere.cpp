@@ -89,7 +89,8 @@ constexpr std::array kSphereRows{
                       .theory = kStoppedInTime,
                       .pseudocode = kWelzlNaivePseudocode,
                       .max_points = kWelzlNaiveLimit,
-                      .naive = true}),
+                      .naive = true,
+                      .loses_points = true}),
     row<kWelzlEpsilon>({.volume = "sphere",
                         .name = "welzl_epsilon",
                         .title = "Welzl, absolute epsilon (naive)",
@@ -97,7 +98,8 @@ constexpr std::array kSphereRows{
                         .theory = kStoppedInTime,
                         .pseudocode = kWelzlEpsilonPseudocode,
                         .max_points = kWelzlNaiveLimit,
-                        .naive = true}),
+                        .naive = true,
+                        .loses_points = true}),
 };
 
 }  // namespace

@@ -347,7 +347,7 @@ void add_member(FamilyTally& tally, std::size_t family, std::uint64_t seed, bool
   ++tally.sets;
   tally.hard += families()[family].hard(member.traits(), sizeof(Scalar) == 4);
   for (std::size_t i = 0; i < algorithms.size(); ++i)
-    if (!algorithms[i].naive && fit::takes(algorithms[i], Dim) &&
+    if (!algorithms[i].loses_points && fit::takes(algorithms[i], Dim) &&
         static_cast<Index>(points.size()) <= algorithms[i].max_points)
       member.check(algorithms[i], tally.fitters[i], thorough);
   check_pair<Scalar, Dim>(tally.pairs, points, test::member<Scalar, Dim>(family, ~seed), seed);

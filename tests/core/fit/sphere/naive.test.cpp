@@ -120,5 +120,5 @@ TEST_CASE("naive algorithms are marked, guarantee nothing, and are never the ref
     CHECK(algorithm.title.ends_with("(naive)"));
     CHECK(fit::exact_algorithm(algorithm.volume) != &algorithm);
   }
-  CHECK(count == 4);  // two of spheres, two of hulls
+  CHECK(count == 5);  // two of spheres, two of hulls, one of oriented boxes
 }
