@@ -389,6 +389,15 @@ std::string fault_of(const HeldVolume& held) {
   return {};
 }
 
+HeldVolume rounded_to_float(const HeldVolume& held) {
+  HeldVolume next = held;
+  for (Point3& p : next.points) p = p.cast<float>().cast<double>();
+  next.volume = std::visit([](const auto& own) { return fit::Volume3(converted<double, 3>(converted<float, 3>(own))); },
+                           held.volume);
+  if (!next.points.empty()) settle(next);
+  return next;
+}
+
 HeldVolume placed(const HeldVolume& held, const Matrix<double, 3>& rotation, const Point3& by) {
   HeldVolume next = held;
   const Point3 middle = center_of(held);

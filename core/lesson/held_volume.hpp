@@ -45,6 +45,9 @@ struct HeldVolume {
 /// What is wrong with a volume that was read, as a sentence fragment; empty for nothing.
 [[nodiscard]] std::string fault_of(const HeldVolume& held);
 
+/// The volume with its numbers rounded to float; of a hull, the hull of the rounded points.
+[[nodiscard]] HeldVolume rounded_to_float(const HeldVolume& held);
+
 /// The volume rotated about its centre, if its kind can rotate, and moved.
 [[nodiscard]] HeldVolume placed(const HeldVolume& held, const Matrix<double, 3>& rotation, const Point3& by);
 

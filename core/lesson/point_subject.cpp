@@ -52,16 +52,11 @@ tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, 
   return io::to_point_set({dim, points, {}}, {}, 0, in_float);
 }
 
-namespace {
-
-/// Whether a lesson's file chooses float.
 bool read_scalar(TomlTable& table) {
   const std::string name = table.text_or("scalar", "double");
   if (name != "float" && name != "double") table.wrong("scalar", "must be \"float\" or \"double\"");
   return name == "float";
 }
-
-}  // namespace
 
 Points read_points(const toml::table& toml, Complaints& complaints, bool may_be_float) {
   TomlTable table(toml, "[points]", complaints);

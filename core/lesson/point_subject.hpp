@@ -26,6 +26,9 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 [[nodiscard]] tl::expected<AnyPointSet, InputError> to_set(const std::vector<Point3>& points, int dim,
                                                            bool in_float = false);
 
+/// Reads "scalar" of a lesson's file: whether it is "float".
+[[nodiscard]] bool read_scalar(TomlTable& table);
+
 /// Reads [points] of a lesson's file. may_be_float: whether it may name a scalar.
 [[nodiscard]] Points read_points(const toml::table& toml, Complaints& complaints, bool may_be_float = false);
 

@@ -47,6 +47,17 @@ test("two boxes are rounded to float and tested in it, and are what they were in
   await until(page, (now, trace) => now.scalar === "double" && now.trace === trace, first.trace);
 });
 
+test("two spheres are rounded to float and tested in it as well", async (t) => {
+  const page = await visit(t, "?lesson=sphere-overlap&step=1");
+  const first = await state(page);
+  assert.equal(first.scalar, "double");
+  await page.getByRole("tab", { name: "Volumes" }).click();
+  await page.getByLabel("Computed in").selectOption("float");
+  await until(page, (now) => now.scalar === "float");
+  await page.locator("#undo").click();
+  await until(page, (now, trace) => now.scalar === "double" && now.trace === trace, first.trace);
+});
+
 test("a lesson about other things has no such switch", async (t) => {
   const page = await visit(t, "?lesson=bvh-build&step=0");
   assert.equal((await state(page)).scalar, null);

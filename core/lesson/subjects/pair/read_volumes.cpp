@@ -6,6 +6,7 @@
 #include "geometry/volume_fields.hpp"
 #include "lesson/boxes.hpp"
 #include "lesson/names.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -99,6 +100,7 @@ HeldVolume read_volume(const toml::table& toml, std::string name, int dim, Compl
 void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   auto tables = std::make_shared<VolumeTables>();
   TomlTable own(*table.table("volumes"), "[volumes]", complaints);
+  tables->in_float = read_scalar(own);
   tables->line = own.place().line;
   const int dim = tables->pair.dim = lesson.points.dim = static_cast<int>(own.integer_or("dim", 2, 3, 2));
   tables->stored = read_stored(own);

@@ -8,6 +8,7 @@ namespace snug::lesson {
 
 struct VolumeTables : Tables {
   VolumePair pair;
+  bool in_float = false;         // whether the volumes are rounded to float, and tested in it
   std::array<bool, 2> stored{};  // whether the lesson shows how A and how B is stored (lesson/stored.hpp)
   int line = 1;                  // that of the table
 };

@@ -61,12 +61,12 @@ constexpr std::array kVolumeTests{
     Method{kVolumePair, kCenterRadius, "Centre-radius", kEricson, query::kCenterRadiusPseudocode, kCenterRadiusPlane},
 };
 
-/// Calls a function with both volumes in their own dimension.
-template <class Call>
+/// Calls a function with both volumes in their own dimension, and in a scalar that holds them exactly.
+template <class Scalar, class Call>
 auto in_dimension(const VolumePair& pair, Call call) {
   const auto own = [&]<int Dim>(std::integral_constant<int, Dim>) {
     const auto volume = [&](int side) {
-      return std::visit([](const auto& kind) { return Volume<double, Dim>(converted<double, Dim>(kind)); },
+      return std::visit([](const auto& kind) { return Volume<Scalar, Dim>(converted<Scalar, Dim>(kind)); },
                         pair.held[side].volume);
     };
     return call(volume(0), volume(1));
@@ -81,8 +81,8 @@ int last_line(PairTest test, const RecordPair& steps, bool overlap) {
 }
 
 /// Keeps the end of a test. line: of its pseudocode.
-template <int Dim>
-void keep_end(const query::OverlapResult<double, Dim>& result, int line, RecordPair& observe) {
+template <class Scalar, int Dim>
+void keep_end(const query::OverlapResult<Scalar, Dim>& result, int line, RecordPair& observe) {
   OverlapDecided end{.overlap = result.overlap, .distance = result.distance ? *result.distance : -1};
   if (result.separating_axis) {
     end.gap = result.separating_axis->gap;
@@ -91,23 +91,43 @@ void keep_end(const query::OverlapResult<double, Dim>& result, int line, RecordP
   observe.keep(line, std::variant<OverlapDecided>(end));
 }
 
-template <int Dim>
-void decide(const Volume<double, Dim>& a, const Volume<double, Dim>& b, PairTest test, bool by_gjk,
+template <class Scalar, int Dim>
+void decide(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, PairTest test, bool by_gjk,
             RecordPair& observe) {
-  const auto result =
-      by_gjk ? query::any_pair::by_gjk(a, b, observe) : query::any_pair::test_any_in_order(a, b, observe);
+  const auto result = by_gjk ? query::any_pair::by_gjk<Scalar, Dim>(a, b, observe)
+                             : query::any_pair::test_any_in_order<Scalar, Dim>(a, b, observe);
   if (!by_gjk && test == PairTest::kSeparatingAxes) return;  // it has its own end
-  keep_end<Dim>(result, last_line(by_gjk ? PairTest::kGjk : test, observe, result.overlap), observe);
+  keep_end<Scalar, Dim>(result, last_line(by_gjk ? PairTest::kGjk : test, observe, result.overlap), observe);
 }
 
 /// Tests two axis-aligned boxes as they are in a representation; it ends on the line of the axis that separates them.
-template <int Dim>
-void decide_boxes(const Aabb<double, Dim>& a, const Aabb<double, Dim>& b, std::string_view form, RecordPair& observe) {
+template <class Scalar, int Dim>
+void decide_boxes(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b, std::string_view form, RecordPair& observe) {
   const auto result = form == kMinMax ? query::test_axis_by_axis(a, b, observe)
                       : form == kMinWidths
                           ? query::test_axis_by_axis(min_widths_of(a), min_widths_of(b), observe)
                           : query::test_axis_by_axis(center_extents_of(a), center_extents_of(b), observe);
-  keep_end<Dim>(result, result.overlap ? Dim : result.tests - 1, observe);
+  keep_end<Scalar, Dim>(result, result.overlap ? Dim : result.tests - 1, observe);
+}
+
+/// Records a test in one scalar.
+template <class Scalar>
+PairTrace record_volumes_in(std::string_view test, const VolumePair& pair) {
+  RecordPair observe;
+  if (is_of_boxes(test)) {
+    in_dimension<Scalar>(pair, [&]<int Dim>(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+      decide_boxes<Scalar, Dim>(*std::get_if<Aabb<Scalar, Dim>>(&a), *std::get_if<Aabb<Scalar, Dim>>(&b), test,
+                                observe);
+    });
+    return std::move(observe.trace);
+  }
+  const PairTest own = test_of(pair);
+  const bool by_gjk = test == query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)];
+  if (own == PairTest::kSlabsThenGjk && !by_gjk) observe.gjk_line = kSlabLines;
+  in_dimension<Scalar>(pair, [&]<int Dim>(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+    decide<Scalar, Dim>(a, b, own, by_gjk, observe);
+  });
+  return std::move(observe.trace);
 }
 
 }  // namespace
@@ -126,18 +146,7 @@ std::vector<std::string_view> tests_of(const VolumePair& pair) {
 }
 
 PairTrace record(std::string_view test, const VolumePair& pair) {
-  RecordPair observe;
-  if (is_of_boxes(test)) {
-    in_dimension(pair, [&]<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
-      decide_boxes<Dim>(*std::get_if<Aabb<double, Dim>>(&a), *std::get_if<Aabb<double, Dim>>(&b), test, observe);
-    });
-    return std::move(observe.trace);
-  }
-  const PairTest own = test_of(pair);
-  const bool by_gjk = test == query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)];
-  if (own == PairTest::kSlabsThenGjk && !by_gjk) observe.gjk_line = kSlabLines;
-  in_dimension(pair, [&](const auto& a, const auto& b) { decide(a, b, own, by_gjk, observe); });
-  return std::move(observe.trace);
+  return pair.in_float ? record_volumes_in<float>(test, pair) : record_volumes_in<double>(test, pair);
 }
 
 std::int64_t operations_in(PairSteps steps) {
@@ -197,13 +206,13 @@ std::optional<query::Separation<double, 3>> lifted(const std::optional<query::Se
 }  // namespace
 
 std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair) {
-  return in_dimension(pair, []<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
+  return in_dimension<double>(pair, []<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
     return lifted<Dim>(query::gjk(a, b));
   });
 }
 
 std::optional<query::Separation<double, 3>> core_separation_of(const VolumePair& pair) {
-  return in_dimension(pair, []<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
+  return in_dimension<double>(pair, []<int Dim>(const Volume<double, Dim>& a, const Volume<double, Dim>& b) {
     const Vector<double, Dim> origin = Vector<double, Dim>::Zero();
     const auto core_of = [&](const Volume<double, Dim>& volume) {
       auto core = std::visit([&](const auto& own) { return query::grown_core(own, origin); }, volume);

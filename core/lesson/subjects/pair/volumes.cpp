@@ -23,7 +23,10 @@ std::span<const Method> own_methods(std::string_view) { return volume_tests(); }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& lesson, std::optional<io::PointFile>,
                                                                 Clock clock) {
-  return std::make_unique<VolumesSubject>(static_cast<const VolumeTables&>(*lesson.tables).pair, lesson.seed, clock);
+  const auto& tables = static_cast<const VolumeTables&>(*lesson.tables);
+  auto subject = std::make_unique<VolumesSubject>(tables.pair, lesson.seed, clock);
+  if (Done set = subject->set_float(tables.in_float); !set) return tl::unexpected(std::move(set.error()));
+  return subject;
 }
 
 /// The state of the test after some steps, from the last step of each fact.
@@ -125,6 +128,34 @@ std::vector<Turned> turned_of(const HeldVolume& held) {
   return {{" turn", 0}, {" turn", 1}, {" turn", 2}};
 }
 
+/// The pair rounded to float. Errors: numbers that are too large for it, or bounds between which nothing is left.
+tl::expected<VolumePair, InputError> pair_in_float(const VolumePair& pair) {
+  VolumePair next = pair;
+  next.in_float = true;
+  std::vector<Vector<float, 3>> places;
+  for (HeldVolume& held : next.held) {
+    for (const Handle& handle : handles_of(held)) places.push_back(at_handle(held, handle).cast<float>());
+    held = rounded_to_float(held);
+  }
+  if (auto set = PointSet<float, 3>::make(std::move(places)); !set) return tl::unexpected(std::move(set.error()));
+  for (const HeldVolume& held : next.held)
+    if (std::string fault = fault_of(held); !fault.empty()) return tl::unexpected(InputError{.what = std::move(fault)});
+  return next;
+}
+
+/// Moves both volumes to random places, and rotates those that can rotate. reach: how far the places are apart.
+void scatter_by(VolumePair& pair, std::uint64_t seed) {
+  double reach = 0;
+  for (const HeldVolume& held : pair.held)
+    for (const Handle& handle : handles_of(held))
+      reach = std::max(reach, (at_handle(held, handle) - at_handle(held, {})).norm());
+  Random random(seed);
+  for (HeldVolume& held : pair.held) {
+    const Matrix<double, 3> rotation = random_turn(random, pair.dim);
+    held = placed(held, rotation, random_place(random, 1.2 * reach, pair.dim) - at_handle(held, {}));
+  }
+}
+
 /// "A turn", "A turn x", and for the centre "A x".
 std::string name_of_drive(int side, const Turned& one) {
   constexpr std::array<std::string_view, 3> kAxes{" x", " y", " z"};
@@ -148,10 +179,42 @@ const SubjectRow kVolumesRow{.name = "volumes",
 
 VolumesSubject::VolumesSubject(VolumePair pair, std::uint64_t seed, Clock clock) : lesson_seed_(seed), clock_(clock) {
   origin_.seed = seed;
-  hold(std::move(pair));
+  show(std::move(pair));
 }
 
-void VolumesSubject::hold(VolumePair pair) {
+Done VolumesSubject::hold(VolumePair pair, bool in_float) {
+  pair.in_float = false;
+  if (!in_float) {
+    show(std::move(pair));
+    unrounded_.reset();
+    return {};
+  }
+  auto shown = pair_in_float(pair);
+  if (!shown) return tl::unexpected(std::move(shown.error()));
+  show(*std::move(shown));
+  unrounded_ = std::move(pair);
+  return {};
+}
+
+Done VolumesSubject::become(VolumePair pair) {
+  if (Done held = hold(std::move(pair), in_float()); !held) return held;
+  origin_.edited = true;
+  return {};
+}
+
+bool VolumesSubject::hold_in_float_if_possible(VolumePair pair, bool in_float) {
+  if (in_float && hold(pair, true)) return true;
+  static_cast<void>(hold(std::move(pair), false));
+  return false;
+}
+
+Done VolumesSubject::set_float(bool in_float) {
+  if (Done held = hold(unrounded(), in_float); !held) return held;
+  origin_.in_float = in_float;
+  return {};
+}
+
+void VolumesSubject::show(VolumePair pair) {
   pair_ = std::move(pair);
   handles_.clear();
   for (const int side : {0, 1})
@@ -168,7 +231,7 @@ void VolumesSubject::work_on_costs(double budget) {
 }
 
 void VolumesSubject::choose_kinds(const Kinds& kinds) {
-  hold(with_kinds(std::move(pair_), kinds));
+  origin_.in_float = hold_in_float_if_possible(with_kinds(unrounded(), kinds), in_float());
   origin_.edited = true;
 }
 
@@ -179,17 +242,17 @@ std::string VolumesSubject::name_of(Index i) const {
 }
 
 Done VolumesSubject::move(Index i, const Point3& to) {
-  auto next = moved(pair_.held[side(i)], handle(i), to);
-  if (!next) return tl::unexpected(std::move(next.error()));
-  pair_.held[side(i)] = *std::move(next);
-  origin_.edited = true;
-  return {};
+  VolumePair next = unrounded();
+  auto held = moved(next.held[side(i)], handle(i), to);
+  if (!held) return tl::unexpected(std::move(held.error()));
+  next.held[side(i)] = *std::move(held);
+  return become(std::move(next));
 }
 
 std::vector<Drive> VolumesSubject::drives() const {
   std::vector<Drive> all;
   for (const int side : {0, 1}) {
-    const HeldVolume& held = pair_.held[side];
+    const HeldVolume& held = unrounded().held[side];
     for (const Turned& one : turned_of(held)) all.push_back({.name = name_of_drive(side, one), .unit = "degrees"});
     for (int axis = 0; axis < dim(); ++axis)
       all.push_back({.name = name_of_drive(side, {"", axis}), .now = at_handle(held, {})[axis]});
@@ -198,14 +261,14 @@ std::vector<Drive> VolumesSubject::drives() const {
 }
 
 Done VolumesSubject::drive(std::string_view name, double from, double to) {
+  VolumePair pair = unrounded();
   for (const int side : {0, 1}) {
-    HeldVolume& held = pair_.held[side];
+    HeldVolume& held = pair.held[side];
     for (const Turned& one : turned_of(held)) {
       if (name != name_of_drive(side, one)) continue;
       const Point3 axis = Point3::Unit(one.axis < 0 ? 2 : one.axis);
       held = placed(held, snug::turn(axis, (to - from) * std::numbers::pi / 180), Point3::Zero());
-      origin_.edited = true;
-      return {};
+      return become(std::move(pair));
     }
     for (int axis = 0; axis < dim(); ++axis) {
       if (name != name_of_drive(side, {"", axis})) continue;
@@ -214,8 +277,7 @@ Done VolumesSubject::drive(std::string_view name, double from, double to) {
       auto next = moved(held, {}, center);
       if (!next) return tl::unexpected(std::move(next.error()));
       held = *std::move(next);
-      origin_.edited = true;
-      return {};
+      return become(std::move(pair));
     }
   }
   return Subject::drive(name, from, to);
@@ -229,39 +291,30 @@ std::vector<std::vector<Index>> VolumesSubject::things() const {
   return both;
 }
 
-Rows VolumesSubject::rows() const { return rows_of(pair_); }
+Rows VolumesSubject::rows() const { return rows_of(unrounded()); }
 
 Done VolumesSubject::set_rows(const Rows& rows) {
-  auto next = with_rows(pair_, rows);
+  auto next = with_rows(unrounded(), rows);
   if (!next) return tl::unexpected(std::move(next.error()));
-  hold(*std::move(next));
-  origin_.edited = true;
-  return {};
+  return become(*std::move(next));
 }
 
 /// Scatters the lesson's own volumes, or those of the kinds that were chosen: random positions and, if their kind can
 /// rotate, random orientations.
 void VolumesSubject::scatter(std::uint64_t seed, const Subject& own) {
-  const VolumePair& theirs = as<VolumesSubject>(own)->pair_;
-  hold(pair_.any && seed != lesson_seed_ ? with_kinds(theirs, kinds_of(pair_)) : theirs);
+  const VolumePair& theirs = as<VolumesSubject>(own)->unrounded();
+  VolumePair next = pair_.any && seed != lesson_seed_ ? with_kinds(theirs, kinds_of(pair_)) : theirs;
+  if (seed != lesson_seed_) scatter_by(next, seed);
+  const bool in_float = hold_in_float_if_possible(std::move(next), this->in_float());
   origin_ = own.origin();
   origin_.seed = seed;
-  if (seed == lesson_seed_) return;
-  double reach = 0;
-  for (Index i = 0; i < size(); ++i) {
-    const HeldVolume& held = pair_.held[side(i)];
-    reach = std::max(reach, (at(i) - at_handle(held, {})).norm());
-  }
-  Random random(seed);
-  for (HeldVolume& held : pair_.held) {
-    const Matrix<double, 3> rotation = random_turn(random, pair_.dim);
-    held = placed(held, rotation, random_place(random, 1.2 * reach, pair_.dim) - at_handle(held, {}));
-  }
+  origin_.in_float = in_float;
 }
 
 void VolumesSubject::begin_task(const Lesson&, const Task&, const Subject& own) {
-  hold(as<VolumesSubject>(own)->pair_);
+  const bool in_float = hold_in_float_if_possible(as<VolumesSubject>(own)->unrounded(), this->in_float());
   origin_ = own.origin();
+  origin_.in_float = in_float;
 }
 
 /// The vertices of both cores, with their handles. A hull's vertices are some of its points, and have their handles; a

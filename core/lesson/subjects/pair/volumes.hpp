@@ -19,6 +19,7 @@ struct VolumePair {
   std::array<HeldVolume, 2> held;
   bool any = false;        // whether students choose the kinds
   bool cylinders = false;  // whether the cylinders on the axes of these two capsules stand beside them
+  bool in_float = false;   // whether the volumes are rounded to float, and tested in float
 };
 
 /// The kinds of both, as indices of kVolumeNames.
@@ -114,6 +115,8 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] Rows rows() const override;
   Done set_rows(const Rows& rows) override;
   Done move(Index i, const Point3& to) override;
+  [[nodiscard]] bool takes_float() const override { return true; }
+  Done set_float(bool in_float) override;
   void scatter(std::uint64_t seed, const Subject& own) override;
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
   [[nodiscard]] std::string refusal(const Method& method) const override;
@@ -130,12 +133,21 @@ class VolumesSubject final : public Subject {
     Handle handle;
   };
   [[nodiscard]] PairRun::Vertices vertices() const;
-  void hold(VolumePair pair);
+  /// The volumes before they were rounded to float; in double, the volumes.
+  [[nodiscard]] const VolumePair& unrounded() const { return unrounded_ ? *unrounded_ : pair_; }
+  /// Puts volumes on the stage, rounded if the runs are in float. Errors: a volume that float cannot hold.
+  Done hold(VolumePair pair, bool in_float);
+  /// The same, as an edit.
+  Done become(VolumePair pair);
+  void show(VolumePair pair);
+  /// The same in double, if float cannot hold them. Returns whether the runs are in float.
+  bool hold_in_float_if_possible(VolumePair pair, bool in_float);
 
   std::uint64_t lesson_seed_;
   Clock clock_;
   std::shared_ptr<cost::PairCostRun> costs_;
   VolumePair pair_;
+  std::optional<VolumePair> unrounded_;
   std::vector<Own> handles_;  // those of A, then those of B
 };
 

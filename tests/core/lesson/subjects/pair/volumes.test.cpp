@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lesson/session.hpp"
+#include "lesson/volume_rows.hpp"
 #include "query/overlaps.hpp"
 
 using namespace snug;
@@ -216,4 +217,66 @@ TEST_CASE("a file on two volumes says what is wrong in it, and where") {
   text = lesson_text(4, 4, 2, "\"gjk\"");
   text.replace(text.find("[0, 0.6]"), 8, "[1, 0.6]");
   has(error_of(text), "perpendicular");
+}
+
+namespace {
+
+/// Whether float holds every number of the volume.
+bool is_rounded(const HeldVolume& held) {
+  const HeldVolume again = rounded_to_float(held);
+  return again.points == held.points && row_of(again) == row_of(held);
+}
+
+}  // namespace
+
+TEST_CASE("in float both volumes are rounded, whatever their kinds, and in double they are what they were") {
+  int traces = 0;
+  for (const int dim : {2, 3})
+    for (std::size_t a = 0; a < kVolumeNames.size(); ++a)
+      for (std::size_t b = a; b < kVolumeNames.size(); ++b) {
+        CAPTURE(dim);
+        CAPTURE(kVolumeNames[a]);
+        CAPTURE(kVolumeNames[b]);
+        Session session = session_of(a, b, dim);
+        const std::uint64_t trace = session.run(0).hash();
+        const Rows rows = session.subject().rows();
+        REQUIRE(session.set_float(true).has_value());
+        CHECK(session.subject().in_float());
+        CHECK(session.subject().rows() == rows);
+        for (const HeldVolume& held : pair_of(session).held) CHECK(is_rounded(held));
+        traces += session.run(0).hash() != trace ? 1 : 0;
+
+        // The tests are careful in both: in float they are right about the rounded volumes.
+        VolumePair in_double = pair_of(session);
+        in_double.in_float = false;
+        CHECK(overlap_said(session) == overlap_of(in_double));
+
+        REQUIRE(session.move(0, session.point(0) + Point3(0.123456789, 0, 0)).has_value());
+        CHECK(is_rounded(pair_of(session).held[0]));
+        session.scatter(7);
+        CHECK(session.subject().in_float());
+        CHECK(is_rounded(pair_of(session).held[1]));
+        session.undo();
+        session.undo();
+        REQUIRE(session.set_float(false).has_value());
+        CHECK(session.subject().rows() == rows);
+        CHECK(session.run(0).hash() == trace);
+      }
+  CHECK(traces > 40);
+}
+
+TEST_CASE("a lesson's file has its volumes in float, and what float cannot hold is refused in float alone") {
+  std::string text = lesson_text(0, 0, 2, "\"spheres\"");
+  text.replace(text.find("[volumes]\n"), 10, "[volumes]\nscalar = \"float\"\n");
+  auto lesson = read_lesson(text, "two.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  Session session = *Session::open(*std::move(lesson));
+  CHECK(session.subject().in_float());
+  CHECK(session.is_own());
+  CHECK(is_rounded(pair_of(session).held[0]));
+  CHECK_FALSE(session.move(0, Point3(1e30, 0, 0)));
+  REQUIRE(session.set_float(false));
+  REQUIRE(session.move(0, Point3(1e30, 0, 0)));
+  CHECK_FALSE(session.set_float(true));
+  CHECK_FALSE(session.subject().in_float());
 }
