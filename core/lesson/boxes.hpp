@@ -122,10 +122,10 @@ class BoxSubject : public Subject {
   BoxSubject& operator=(const BoxSubject&) = default;
   /// Whether these boxes are possible.
   [[nodiscard]] virtual Done check(const BoxPair& pair) const { return check_places(pair); }
-
- private:
   /// The boxes before they were rounded to float; in double, the boxes.
   [[nodiscard]] const BoxPair& unrounded() const { return unrounded_ ? *unrounded_ : pair_; }
+
+ private:
   /// Puts boxes on the stage, rounded if the runs are in float. Errors: those of check.
   Done hold(BoxPair pair, bool in_float);
 

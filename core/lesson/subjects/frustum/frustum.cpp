@@ -12,8 +12,9 @@ template class FactRun<FrustumRun, FrustumStep>;
 
 namespace {
 
-/// The goals: a box that this wrong or naive test loses, although it shares a point with the frustum; a circle or
-/// sphere that this one loses; a body that the right test keeps, although it shares none.
+/// The goals: a box that this wrong test loses, although it shares a point with the frustum; a circle or sphere that
+/// this one loses; a body that the right test keeps, although it shares none; a box that the planes of a matrix lose in
+/// float, and keep in double.
 constexpr std::string_view kFalsePositive = "false_positive";
 constexpr std::string_view kNear = "near";  // what a slider drives: the near distance over the far one
 constexpr std::array<std::string_view, 4> kFrustumGoals{"corners_outside", "wrong_sign", kFalsePositive,
@@ -196,6 +197,20 @@ std::string_view right_test(const BoxPair& pair) {
   return pair.form == Form::kBox ? "p_n_vertex" : pair.form == Form::kBall ? "grown_planes" : "half_spaces";
 }
 
+bool loses(std::string_view test, const BoxPair& pair) {
+  return verdict_of(test, pair) == query::Culling::kOutside && share_a_point(pair).value_or(false);
+}
+
+/// What the planes of the matrix say in both scalars.
+std::string matrix_says(const BoxPair& pair) {
+  if (!share_a_point(pair).value_or(true)) return "This box does not touch the frustum.";
+  const auto says = [&](std::string_view test) {
+    return std::string(verdict_of(test, pair) == query::Culling::kOutside ? "is lost" : "is kept");
+  };
+  return "This box reaches into the frustum. With the planes of the matrix it " + says(kMatrixTests[1]) +
+         " in float, and " + says(kMatrixTests[0]) + " in double.";
+}
+
 bool fits(std::string_view goal, const BoxPair& pair) {
   if (goal == "corners_outside") return pair.form == Form::kBox;
   if (is_of_matrix(goal)) return pair.form == Form::kBox && pair.dim == 3;
@@ -209,7 +224,9 @@ bool FrustumSubject::reaches(std::string_view goal) const {
   if (goal == kFalsePositive)
     return verdict_of(right_test(boxes()), boxes()) == query::Culling::kIntersecting &&
            !share_a_point(boxes()).value_or(true);
-  return verdict_of(goal, boxes()) == query::Culling::kOutside && share_a_point(boxes()).value_or(false);
+  if (goal == kMatrixTests[1])
+    return loses(goal, unrounded()) && verdict_of(kMatrixTests[0], unrounded()) != query::Culling::kOutside;
+  return loses(goal, boxes());
 }
 
 std::string FrustumSubject::goal_says(std::string_view goal) const {
@@ -220,11 +237,11 @@ std::string FrustumSubject::goal_says(std::string_view goal) const {
     if (says != query::Culling::kIntersecting) return "The test says " + culling_name(says) + ".";
     return "The test says intersecting, and it is right here: the " + body + " reaches into the frustum.";
   }
+  if (goal == kMatrixTests[1] && fits(goal, boxes())) return matrix_says(unrounded());
   if (reaches(goal))
     return "This " + body + " is lost: the wrong test says outside, yet the " + body + " reaches into the frustum.";
   if (fits(goal, boxes()) && verdict_of(goal, boxes()) == query::Culling::kOutside)
     return "The wrong test says outside, and it is right here: the " + body + " does not touch the frustum.";
-  if (is_of_matrix(goal)) return "This test keeps the box, as the right one does or to be on the safe side.";
   return boxes().form == Form::kBox ? "The wrong test keeps this box: a vertex of it lies in the frustum."
                                     : "The wrong test keeps this " + body + ": all of it lies in the frustum.";
 }

@@ -104,8 +104,9 @@ class PairSubject final : public BoxSubject {
 inline constexpr std::string_view kRandomFigure = "random_";
 
 /// "only_edges", "last_axis": boxes that only edge axes, or only the last axis, separate; any other: boxes on which the
-/// wrong or naive test of that name is wrong.
-inline constexpr std::array<std::string_view, 13> kPairGoals{"extents_only",
+/// wrong or naive test of that name is wrong; with kInFloatAlone after the name: wrong in float, and right in double.
+inline constexpr std::string_view kInFloatAlone = "_in_float_alone";
+inline constexpr std::array<std::string_view, 17> kPairGoals{"extents_only",
                                                              "corners_only",
                                                              "only_edges",
                                                              "last_axis",
@@ -117,6 +118,10 @@ inline constexpr std::array<std::string_view, 13> kPairGoals{"extents_only",
                                                              "absolute_epsilon",
                                                              "absolute_epsilon_float",
                                                              "relative_epsilon",
-                                                             "relative_epsilon_float"};
+                                                             "relative_epsilon_float",
+                                                             "no_epsilon_in_float_alone",
+                                                             "epsilon_on_r_in_float_alone",
+                                                             "absolute_epsilon_in_float_alone",
+                                                             "relative_epsilon_in_float_alone"};
 
 }  // namespace snug::lesson

@@ -47,7 +47,14 @@ TEST_CASE("at a millionth of far, the far plane in float is off by many per cent
   CHECK(share_a_point(pair) == true);
   const FrustumSubject subject(pair, 1);
   CHECK(subject.reaches(kMatrixTests[1]));
+  CHECK(subject.goal_says(kMatrixTests[1]).find("is lost in float, and is kept in double") != std::string::npos);
   CHECK_FALSE(FrustumSubject(far_away(0.1), 1).reaches(kMatrixTests[1]));
+  // So near that double loses it as well, for it is a lesson about float.
+  BoxPair both = pair;
+  both.taper = 1e-15;
+  CAPTURE(FrustumSubject(both, 1).goal_says(kMatrixTests[1]));
+  if (verdict_of(kMatrixTests[0], both) == Culling::kOutside)
+    CHECK_FALSE(FrustumSubject(both, 1).reaches(kMatrixTests[1]));
 }
 
 TEST_CASE("at a hundred-millionth the far plane has no normal left in float, and rejects nothing") {

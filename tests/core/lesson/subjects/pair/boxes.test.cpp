@@ -235,6 +235,31 @@ TEST_CASE("what is tested in float is what double, and exact arithmetic, make of
   CHECK(apart < 700);
 }
 
+TEST_CASE("a naive test is broken in float alone where it is wrong in float, and right in double") {
+  const auto wrong = [](std::string_view test, const BoxPair& pair) {
+    return says_overlap(test, pair) != overlap_exactly(test, pair);
+  };
+  int reached = 0;
+  for (const char* id : {"vanishing-axes", "epsilons"}) {
+    Session session = session_of(id);
+    for (double angle = 1e-17; angle < 1e-3; angle *= 3) {
+      std::unique_ptr<Subject> subject = session.subject().clone();
+      REQUIRE(subject->drive("angle", 1, angle));
+      const BoxPair pair = boxes_of(*subject);
+      for (const std::string test : {"no_epsilon", "epsilon_on_r", "absolute_epsilon", "relative_epsilon"}) {
+        const bool in_float = wrong(test + "_float", pair), in_double = wrong(test, pair);
+        CHECK(subject->reaches(test + "_in_float_alone") == (in_float && !in_double));
+        reached += in_float && !in_double ? 1 : 0;
+      }
+      // Switching the stage to float changes no verdict about it.
+      const bool before = subject->reaches("no_epsilon_in_float_alone");
+      REQUIRE(subject->set_float(true));
+      CHECK(subject->reaches("no_epsilon_in_float_alone") == before);
+    }
+  }
+  CHECK(reached > 3);
+}
+
 TEST_CASE("a box that float cannot hold is refused in float alone") {
   Session session = session_of("obb-sat");
   REQUIRE(session.move(0, Point3(1e30, 0, 0)).has_value());
