@@ -64,7 +64,13 @@ void draw_compared(Brush& brush, const Shown& shown) {
     const double own = fit::size_of(volume, dim);
     return std::holds_alternative<fit::Sphere3>(volume) ? "r = " + lesson::number_text(own) : size_text(own, dim);
   };
-  if (shown.rival) {
+  // Where it is the smallest as well, that is drawn and named.
+  const auto is_optimum = [&](const fit::Volume3& volume) {
+    const double smallest = shown.optimum ? fit::size_of(*shown.optimum, dim) : 0;
+    return shown.optimum && volume.index() == shown.optimum->index() &&
+           std::abs(fit::size_of(volume, dim) - smallest) <= 1e-9 * smallest;
+  };
+  if (shown.rival && !is_optimum(*shown.rival)) {
     draw_volume(canvas, *shown.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), dim == 3 ? 0.03f : 0.0f});
     if (fit::size_of(*shown.rival, dim) > 0)
       brush.label(brush.at(top_of(canvas.camera, *shown.rival, -0.5)), 6, {-0.6f, -1},
@@ -72,9 +78,7 @@ void draw_compared(Brush& brush, const Shown& shown) {
                   p.previous_text);
   }
   if (!shown.optimum) return;
-  const double smallest = fit::size_of(*shown.optimum, dim);
-  const bool same = shown.volume && shown.volume->index() == shown.optimum->index() &&
-                    std::abs(fit::size_of(*shown.volume, dim) - smallest) <= 1e-9 * smallest;
+  const bool same = shown.volume && is_optimum(*shown.volume);
   draw_volume(canvas, *shown.optimum, {Stroke::kDashed, p.optimum, brush.stroke(same ? 2.0f : 1.0f)});
   if (same && !shown.finished) return;
   const bool title = shown.optimum_word.front() < 'a';  // of an algorithm: it takes no article

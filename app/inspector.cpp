@@ -81,6 +81,13 @@ class Column {
     y_ += height + look_.px(8);
   }
 
+  void proofs(std::string_view title, const std::vector<lesson::Proof>& proofs) {
+    if (proofs.empty()) return;
+    heading(title);
+    for (const lesson::Proof& proof : proofs) this->proof(proof);
+    gap(look_.px(12));
+  }
+
   void panels(lesson::Session& session, const SubjectView& view) {
     const float height = view.draw_panels(look_, session, {x_, y_}, width_);
     if (height > 0) y_ += height + look_.px(28);
@@ -101,14 +108,20 @@ class Column {
   float x_, width_, y_;
 };
 
-/// The figures by which two methods are compared.
-constexpr std::array<std::string_view, 9> kCompared{"radius", "measure",   "excess", "corners", "verdict",
-                                                    "slack",  "over_hull", "cost",   "compared"};
+/// The figures by which two methods are compared. The last row is of naive methods and those beside them.
+constexpr std::array<std::string_view, 16> kCompared{
+    "radius",   "measure",       "excess",     "corners", "verdict",    "slack",   "over_hull", "cost",
+    "compared", "outside_count", "worst_ulps", "dents",   "wrong_rows", "far_off", "digits",    "widened_ulps"};
+
+/// Whether another method stands beside the main one, and not the same once more.
+bool has_another_beside(const lesson::Session& session) {
+  return session.method(1) != nullptr && session.method(1) != session.method(0);
+}
 
 }  // namespace
 
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
-  if (session.method(1) == nullptr) return {};
+  if (!has_another_beside(session)) return {};
   const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.run(1).steps());
   std::string word(session.lesson().subject->step_word);
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
@@ -131,7 +144,7 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
   column.panels(session, view);
   const float own = column.height(rect);
 
-  if (session.method(1) != nullptr) {
+  if (has_another_beside(session)) {
     column.heading("Compared: " + lesson::title_in(session.lesson(), *session.method(1)));
     for (const lesson::Figure& figure : figures_beside(session)) column.figure(figure);
     column.gap(look.px(28));
@@ -149,11 +162,11 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
     column.gap(look.px(20));
   }
 
-  const auto proofs = session.proofs();
-  if (!proofs.empty()) {
-    column.heading(session.step() == session.steps() ? "Proof" : "Proof so far");
-    for (const lesson::Proof& proof : proofs) column.proof(proof);
-  }
+  const bool at_end = session.step() == session.steps();
+  column.proofs(at_end ? "Proof" : "Proof so far", session.proofs());
+  if (has_another_beside(session))
+    column.proofs((at_end ? "Proof: " : "Proof so far: ") + lesson::title_in(session.lesson(), *session.method(1)),
+                  session.proofs(1));
   column.finish();
   fade_foot(ImGui::GetWindowDrawList(), rect, look->panel);
   return own;

@@ -31,7 +31,8 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
 
 Shown shown_at(const lesson::Session& session) {
   Shown shown;
-  if (const fit::Volume3* rival = session.volume(1)) shown.rival = *rival;
+  const fit::Volume3* rival = session.method(1) != session.method(0) ? session.volume(1) : nullptr;
+  if (rival != nullptr) shown.rival = *rival;
   if (session.step() > 0) {
     if (const fit::Volume3* own = session.volume(0)) shown.volume = *own;
     shown.support = session.support(0);

@@ -15,7 +15,7 @@ class PointNames;
 
 /// The names of the timeline's marks in its legend.
 struct MarkWords {
-  std::string grew = "first volume", replaced = "new support", best = "best so far";
+  std::string grew = "first volume", replaced = "new support", best = "best so far", wrong = "first wrong test";
 };
 
 /// The view of a subject; one is made for each opened lesson. By default it shows points, the volume fitted to them,

@@ -32,6 +32,10 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
       disc(list, at, 6.5f * p.mark, p.panel);
       tick(list, at, 5 * p.mark, p.optimum, 2.25f);
       break;
+    case Kind::kWrong:
+      disc(list, at, 6.5f * p.mark, p.panel);
+      cross(list, at, 4.5f * p.mark, p.wrong, 2.25f);
+      break;
     case Kind::kQuestion: {
       // A gate: a flag above the track, filled until the question is answered.
       const float height = 17, width = kFlagWidth;
@@ -76,8 +80,10 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
 void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, const MarkWords& meanings,
                  float right, float y, float room) {
   constexpr float kSize = 13;
-  const std::array<std::pair<Kind, std::string_view>, 3> kinds{
-      {{Kind::kGrew, meanings.grew}, {Kind::kReplaced, meanings.replaced}, {Kind::kBest, meanings.best}}};
+  const std::array<std::pair<Kind, std::string_view>, 4> kinds{{{Kind::kGrew, meanings.grew},
+                                                                {Kind::kReplaced, meanings.replaced},
+                                                                {Kind::kBest, meanings.best},
+                                                                {Kind::kWrong, meanings.wrong}}};
   for (const auto& [kind, words] : kinds) {
     const auto& marks = session.marks();
     if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; }))

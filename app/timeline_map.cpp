@@ -38,7 +38,9 @@ std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
 
 std::vector<lesson::Mark> marks_with_room(std::span<const lesson::Mark> marks, const TimelineMap& map, float apart) {
   using Kind = lesson::Mark::Kind;
-  const auto always = [](const lesson::Mark& mark) { return mark.kind == Kind::kQuestion || mark.kind == Kind::kBest; };
+  const auto always = [](const lesson::Mark& mark) {
+    return mark.kind == Kind::kQuestion || mark.kind == Kind::kBest || mark.kind == Kind::kWrong;
+  };
   std::vector<lesson::Mark> kept;
   std::vector<float> firm;
   for (const lesson::Mark& mark : marks)

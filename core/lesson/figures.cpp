@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace snug::lesson {
 namespace {
@@ -18,12 +19,8 @@ std::string printed(const char* format, int precision, double value) {
 
 /// "1.500e-09" as "1.500 × 10⁻⁹".
 std::string power_of_ten(const std::string& printed) {
-  constexpr std::array<std::string_view, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const auto e = printed.find('e');
-  std::string text = printed.substr(0, e) + " × 10";
-  if (printed[e + 1] == '-') text += "⁻";
-  for (auto i = printed.find_first_not_of('0', e + 2); i < printed.size(); ++i) text += kDigits[printed[i] - '0'];
-  return text;
+  return printed.substr(0, e) + " × 10" + raised(std::atoi(printed.c_str() + e + 1));
 }
 
 std::optional<int> wished_decimals;  // by the innermost WithDecimals
@@ -44,6 +41,13 @@ std::string with_digits(double size, int digits) {
 }
 
 }  // namespace
+
+std::string raised(int n) {
+  constexpr std::array<std::string_view, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = n < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(n))) text += kDigits[digit - '0'];
+  return text;
+}
 
 WithDecimals::WithDecimals(std::optional<int> decimals) : before_(wished_decimals) { wished_decimals = decimals; }
 WithDecimals::~WithDecimals() { wished_decimals = before_; }

@@ -31,6 +31,9 @@ struct Proof {
 inline constexpr int kUsualDigits = 4;
 [[nodiscard]] std::string number_text(double value, int digits = kUsualDigits);
 
+/// A whole number as superscripts: "⁻⁴⁸".
+[[nodiscard]] std::string raised(int n);
+
 /// While one exists, number_text gives numbers so many decimals, unless it is asked for other digits: those that a
 /// lesson's file wishes for (StageView::decimals). A number that is not 0 is never written as 0.
 class WithDecimals {

@@ -45,7 +45,7 @@ struct Method {
   bool exact = false;                                       // whether it guarantees the smallest volume of its kind
   Index max_points = std::numeric_limits<Index>::max();     // more are refused
   bool plane = true, space = true;                          // the dimensions that it takes
-  bool naive = false;    // as textbooks print it: rounding may leave points outside its result
+  bool naive = false;    // as textbooks print it: rounding may cost it its digits, or leave points outside
   bool by_hand = false;  // whether its result is what the student makes of it
 };
 
@@ -97,6 +97,7 @@ struct Mark {
     kReplaced,  // the support set was replaced, or a verdict was reached
     kQuestion,  // a question is asked here
     kBest,      // the volume became the best so far, or an axis or a plane decides
+    kWrong,     // a naive algorithm's first wrong test
   } kind = Kind::kGrew;
 };
 

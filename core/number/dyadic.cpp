@@ -1,7 +1,10 @@
 #include "number/dyadic.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdio>
 
 namespace snug {
 namespace {
@@ -12,6 +15,32 @@ using Digits = std::vector<std::uint32_t>;
 std::uint64_t digit_at(const Digits& digits, int begin, int place) {
   const int i = place - begin;
   return i < 0 || i >= static_cast<int>(digits.size()) ? 0 : digits[i];
+}
+
+/// Divides by a number below 2^32, and returns the rest.
+std::uint32_t divide(Digits& digits, std::uint32_t by) {
+  std::uint64_t rest = 0;
+  for (std::size_t i = digits.size(); i-- > 0;) {
+    rest = rest << 32 | digits[i];
+    digits[i] = static_cast<std::uint32_t>(rest / by);
+    rest %= by;
+  }
+  while (!digits.empty() && digits.back() == 0) digits.pop_back();
+  return static_cast<std::uint32_t>(rest);
+}
+
+/// The decimal digits of a whole number above 0.
+std::string decimal(Digits digits) {
+  constexpr std::uint32_t kNineDigits = 1000000000;
+  std::vector<std::uint32_t> groups;
+  while (!digits.empty()) groups.push_back(divide(digits, kNineDigits));
+  std::string text = std::to_string(groups.back());
+  for (std::size_t i = groups.size() - 1; i-- > 0;) {
+    std::array<char, 16> nine{};
+    std::snprintf(nine.data(), nine.size(), "%09u", static_cast<unsigned>(groups[i]));
+    text += nine.data();
+  }
+  return text;
 }
 
 }  // namespace
@@ -28,6 +57,14 @@ Dyadic::Dyadic(double value) {
   const std::uint64_t high = shift == 0 ? 0 : mantissa >> (64 - shift);
   digits_ = {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32), static_cast<std::uint32_t>(high)};
   trim();
+}
+
+Dyadic::OddTimesPower Dyadic::odd_times_power() const {
+  if (digits_.empty()) return {"0", 0};
+  const int zeros = std::countr_zero(digits_.front());  // the first digit is not 0
+  Digits odd = digits_;
+  divide(odd, std::uint32_t{1} << zeros);
+  return {(negative_ ? "-" : "") + decimal(std::move(odd)), 32 * place_ + zeros};
 }
 
 Dyadic::Leading Dyadic::leading() const noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace snug {
@@ -16,6 +17,12 @@ class Dyadic {
 
   /// -1, 0 or +1.
   [[nodiscard]] int sign() const noexcept { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
+  /// The value as an odd whole number times a power of two; 0 is "0" and 0.
+  struct OddTimesPower {
+    std::string odd;  // its decimal digits, after "-" where it is negative
+    int exponent = 0;
+  };
+  [[nodiscard]] OddTimesPower odd_times_power() const;
   /// The nearest double or one of its neighbours; infinite if the value is out of range.
   [[nodiscard]] double approximate() const noexcept;
 

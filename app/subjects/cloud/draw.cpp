@@ -98,6 +98,7 @@ void mark_cloud(Brush& brush, const CloudShown& shown) {
   draw_spoken_of(brush, shown);
   mark_slab(brush, shown);
   mark_left_outside(brush, shown);
+  for (const Index i : shown.wrong) cross(brush.list, brush.at(brush.point(i)), 9 * brush.p.mark, brush.p.wrong, 2);
   draw_examined(brush, shown, extremes.empty() && among(shown.support, shown.examined));
 }
 
@@ -108,7 +109,9 @@ void name_cloud(PointNames& names, const CloudShown& shown) {
     std::string words = names.brush.session.name_of(shown.examined);
     if (shown.examined_outside && shown.outside_by > 0) words += " outside by " + lesson::number_text(shown.outside_by);
     else if (shown.outside_by < 0) words += " inside";
-    names.name(shown.examined, std::move(words), p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
+    const bool wrong = std::find(shown.wrong.begin(), shown.wrong.end(), shown.examined) != shown.wrong.end();
+    names.name(shown.examined, words + (wrong ? ": wrong" : ""), wrong ? p.wrong_text : p.examined_text,
+               Face::kSemiBold, 19 * p.mark, 15);
   }
   name_left_outside(names, shown);
   name_slab(names, shown);

@@ -229,6 +229,12 @@ std::optional<lesson::LeftOutside> left_outside_now(const lesson::Session& sessi
   return left && left->none() ? std::nullopt : left;
 }
 
+std::optional<lesson::CertificateLines> certificate_now(const lesson::Session& session) {
+  const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
+  if (cloud == nullptr || !cloud->offers_naive() || !session.view().at_end()) return std::nullopt;
+  return lesson::certificate_lines(lesson::fit_run(session.run(0)));
+}
+
 }  // namespace
 
 CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
@@ -238,6 +244,10 @@ CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   shown.growing = lesson::growing_hull(lesson::fit_run(session.run(0)).trace(), session.step());
   if (shown.growing && !shown.volume) shown.support = shown.growing->vertices();  // some are gone again
   shown.left = left_outside_now(session);
+  shown.certificate = certificate_now(session);
+  if (!steps.empty())
+    for (const lesson::WrongTest& test : lesson::fit_run(session.run(0)).wrong_at(session.step() - 1))
+      shown.wrong.push_back(test.point);
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/shown.hpp"
+#include "lesson/subjects/cloud/certificate_lines.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/subjects/cloud/left_outside.hpp"
 
@@ -55,10 +56,12 @@ struct CloudShown : Shown {
   };
   std::optional<Products> products;  // the point whose products a step adds to the sums
   std::optional<Point3> along;       // in space, the direction along which the points were projected for a rectangle
-  std::optional<fit::BallGrown<double, 3>> grown;  // how this step let a sphere grow
-  std::optional<lesson::GrowingHull> growing;      // the hull that Quickhull has so far
-  std::optional<lesson::LeftOutside> left;         // what a finished sphere leaves outside, if anything
-  std::vector<std::pair<Index, Index>> flat;       // the edges between its coplanar facets, where they are merged
+  std::optional<fit::BallGrown<double, 3>> grown;       // how this step let a sphere grow
+  std::optional<lesson::GrowingHull> growing;           // the hull that Quickhull has so far
+  std::optional<lesson::LeftOutside> left;              // what a finished sphere leaves outside, if anything
+  std::vector<Index> wrong;                             // the points that this step's rounded tests are wrong about
+  std::optional<lesson::CertificateLines> certificate;  // of a finished sphere, where a naive method is offered
+  std::vector<std::pair<Index, Index>> flat;            // the edges between its coplanar facets, where they are merged
 };
 
 /// want_optimum: as for shown_at.

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
+#include "app/marks.hpp"
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/call_tree_view.hpp"
 #include "app/subjects/cloud/census_panel.hpp"
+#include "app/subjects/cloud/certificate_panel.hpp"
 #include "app/subjects/cloud/draw.hpp"
 #include "app/subjects/cloud/hand.hpp"
 #include "app/subjects/cloud/matrix_inset.hpp"
 #include "app/subjects/cloud/products_panel.hpp"
 #include "app/subjects/cloud/ulp_inset.hpp"
+#include "lesson/subjects/cloud/certificate_figures.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
@@ -48,7 +51,11 @@ class CloudView final : public SubjectView {
     draw_hand(brush);
     draw_image(brush);
   }
-  void draw_marks(Brush& brush) const override { mark_cloud(brush, shown_); }
+  void draw_marks(Brush& brush) const override {
+    mark_cloud(brush, shown_);
+    if (pointed_ == kNoIndex || !shown_.certificate || pointed_ >= brush.session.size()) return;
+    ring(brush.list, brush.at(brush.point(pointed_)), 14 * brush.p.mark, brush.p.current, brush.stroke());
+  }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
     Rect inset = draw_call_tree(brush, top);
@@ -74,7 +81,11 @@ class CloudView final : public SubjectView {
     float height = draw_call_panel(look, session, at, width);
     if (height == 0) height = draw_call_stack(look, session, at, width);
     if (height == 0) height = draw_products_panel(look, session, at, width);
+    if (height == 0) height = draw_certificate_panel(look, session, shown_, at, width, pointed_);
     return height > 0 ? height : draw_census_panel(look, session, at, width);
+  }
+  [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override {
+    return shown_.certificate && lesson::is_of_support(figure.key);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;
@@ -85,6 +96,7 @@ class CloudView final : public SubjectView {
  private:
   CloudShown shown_;
   std::string_view button_;
+  mutable Index pointed_ = kNoIndex;  // the point whose row of the certificate the pointer is on
 };
 
 }  // namespace

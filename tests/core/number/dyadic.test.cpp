@@ -74,3 +74,22 @@ TEST_CASE("what cancels to nothing is nothing, and comparisons tell the last bit
   CHECK(compare(Dyadic(0x1p1000) + Dyadic(0x1p-1000), Dyadic(0x1p1000)) == 1);
   CHECK((Dyadic(0x1p64) - Dyadic(0x1p64) - Dyadic(1)).sign() == -1);
 }
+
+TEST_CASE("a dyadic number is told as an odd whole number times a power of two, whatever its size") {
+  const auto told = [](const Dyadic& value) { return value.odd_times_power(); };
+  CHECK(told(Dyadic()).odd == "0");
+  CHECK(told(Dyadic(0.75)).odd == "3");
+  CHECK(told(Dyadic(0.75)).exponent == -2);
+  CHECK(told(Dyadic(-6)).odd == "-3");
+  CHECK(told(Dyadic(0x1p64) + Dyadic(1)).odd == "18446744073709551617");
+  CHECK(told(Dyadic(1e9) * Dyadic(1e9) + Dyadic(1)).odd == "1000000000000000001");
+  Random random(2);
+  for (int round = 0; round < 100; ++round) {
+    std::array<double, 5> x{};
+    for (double& value : x) value = random.between(-1, 1) * std::ldexp(1.0, static_cast<int>(random.below(60)) - 30);
+    const auto [odd, exponent] = told(mixed<Dyadic>(x));
+    const boost::multiprecision::cpp_int whole(odd), power = boost::multiprecision::cpp_int(1) << std::abs(exponent);
+    CHECK(whole % 2 != 0);
+    CHECK((exponent < 0 ? Rational(whole, power) : Rational(whole * power)) == mixed<Rational>(x));
+  }
+}

@@ -199,8 +199,9 @@ std::unique_ptr<Run> CloudSubject::run(const Method& method, std::unique_ptr<Run
   fit::Recording room;
   if (earlier != nullptr) room = static_cast<FitRun&>(*earlier).give_up();
   const bool slabs = method.by_hand && hand_.axes() != nullptr && hand_.held(method.volume) == nullptr;
+  const bool loses_points = !method.by_hand && algorithm_of(method).loses_points;
   return std::make_unique<FitRun>(*points(), method.exact, record(method, std::move(room)), names(), hand_.size() > 0,
-                                  slabs ? hand_.axes()->axes() : std::vector<Point3>());
+                                  slabs ? hand_.axes()->axes() : std::vector<Point3>(), loses_points);
 }
 
 std::string CloudSubject::opening(const Method& method) const {
@@ -209,10 +210,24 @@ std::string CloudSubject::opening(const Method& method) const {
 
 std::vector<Figure> CloudSubject::figures(const View& view) const {
   std::vector<Figure> figures = fit_figures(view, fit_run(view.run()), reference(view));
+  add_wrong_tests(figures, view);
   if (!has_naive_ || !view.at_end()) return figures;
   add_left_outside(figures, fit_run(view.run()));
-  add_certificate(figures, fit_run(view.run()), names());
+  add_certificate(figures, fit_run(view.run()), view.method().naive, names());
   return figures;
+}
+
+void CloudSubject::add_wrong_tests(std::vector<Figure>& figures, const View& view) {
+  const std::vector<WrongTest>* wrong = fit_run(view.run()).wrong();
+  if (wrong == nullptr || view.step == 0) return;
+  const auto shown = [&](const WrongTest& test) { return test.step < view.step; };
+  const auto count = std::count_if(wrong->begin(), wrong->end(), shown);
+  figures.push_back({view.at_end() ? "Wrong tests" : "Wrong tests so far", "wrong_tests", count_text(count),
+                     static_cast<double>(count), "tests"});
+  const bool known = count > 0;
+  const int first = known ? wrong->front().step + 1 : 0;
+  figures.push_back({"First of them, in step", "first_wrong", known ? count_text(first) : "—",
+                     static_cast<double>(first), "", known});
 }
 
 std::vector<Proof> CloudSubject::proofs(const View& view) const { return fit_proofs(view, fit_run(view.run())); }

@@ -67,6 +67,8 @@ class CloudSubject final : public PointSubject {
   /// reference is cheaper if only the size is needed.
   [[nodiscard]] const fit::Recording* optimum(const View& view) const;
   [[nodiscard]] Reference reference(const View& view) const;
+  /// Whether the lesson offers a naive method: then containment is judged exactly, and the certificate has its numbers.
+  [[nodiscard]] bool offers_naive() const { return has_naive_; }
   /// What sizes are compared with; null for nothing.
   [[nodiscard]] const Method* compared_with() const;
 
@@ -86,10 +88,12 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] fit::Volume3 fitted(const Method& method) const;
   [[nodiscard]] double size_of(const Method& method, const View& view) const;
   [[nodiscard]] double size_of(const fit::Volume3& volume) const;
+  /// How many tests of a naive algorithm were wrong so far, and which was the first.
+  static void add_wrong_tests(std::vector<Figure>& figures, const View& view);
 
   const Method* reference_ = nullptr;  // null for none
   bool by_measure_ = false;
-  bool has_naive_ = false;  // whether the lesson offers a naive method: then containment is judged exactly
+  bool has_naive_ = false;
   Hand hand_;
   mutable Worked worked_;  // computed on demand, and forgotten with the next edit
 };

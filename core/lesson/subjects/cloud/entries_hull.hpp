@@ -34,6 +34,12 @@ template <>
 struct Entry<fit::PointsAssigned> : FitEntry {
   using Fact = fit::PointsAssigned;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
+    return said(fact, where) + where.contradiction();
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const FitWhere& where) {
+    return where.is_first_wrong() ? std::optional(Mark::Kind::kWrong) : first(where);
+  }
+  static std::string said(const Fact& fact, const FitWhere& where) {
     std::int64_t outside = 0;
     for (const Index count : fact.counts) outside += count;
     const std::string facet = where.dim() == 2 ? "edge" : "facet";

@@ -95,12 +95,18 @@ struct Entry<fit::PointExamined> : FitEntry {
     const std::string point = where.name(fact.point);
     if (!where.step().has_volume)
       return point + " is the first point: there is no " + where.ball() + " yet to contain it.";
+    return said(fact, where, point) + where.contradiction();
+  }
+  static std::string said(const Fact& fact, const FitWhere& where, const std::string& point) {
     const double gap = fact.distance - where.radius();
     const bool forced = where.next() != nullptr && std::holds_alternative<fit::BoundaryForced>(where.next()->fact);
     if (!fact.outside)
       return point + " lies inside" + (gap < 0 ? " by " + number_text(-gap) : "") + ": nothing changes.";
     return point + " lies outside by " + number_text(gap) +
            (forced ? ", so it must be on the boundary of the next " + where.ball() + "." : ".");
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const FitWhere& where) {
+    return where.is_first_wrong() ? std::optional(Mark::Kind::kWrong) : first(where);
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere& where, bool) {
@@ -316,7 +322,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::Finished> : FitEntry {
   using Fact = fit::Finished;
-  static constexpr std::array kAskings{kHolds, kSlab, kGrows, kOutside};
+  static constexpr std::array kAskings{kHolds, kSlab, kGrows, kOutside, kFirstWrong};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     // The iterative algorithm starts from Ritter's result: the same fact, but not the end.
     if (where.next() != nullptr)

@@ -26,6 +26,12 @@ std::string pass_sentence(double radius, double best, bool better) {
   return "It ends at " + own + (better ? ", smaller" : ", larger") + " than the best before, " + before + ".";
 }
 
+void offer_points_or_none(Asked& asked, const FitRun& run) {
+  asked.add_choice("none");
+  for (Index i = 0; i < fit::size_of(run.points()); ++i) asked.add_choice(asked.subject->name_of(i), {i});
+  asked.on_stage = true;
+}
+
 }  // namespace
 
 const char* offer_axes(Asked& asked, const Run& run) {
@@ -138,13 +144,36 @@ Truth holds_truth(const Asked& asked, const Run& run) {
           asked.names(points) + (n == 1 ? " supports" : " support") + " the " + ball_word(asked.dim) + "."};
 }
 
+const char* offer_first_wrong(Asked& asked, const Run& run) {
+  const FitRun& own = fit_run(run);
+  if (own.wrong() == nullptr || asked.fact + 1 != own.steps())
+    return "\"first_wrong\" can only be asked of the last step of a naive algorithm's run";
+  offer_points_or_none(asked, own);
+  return nullptr;
+}
+
+/// Several points are right where one step is wrong about several.
+Truth first_wrong_truth(const Asked&, const Run& run) {
+  const FitRun& own = fit_run(run);
+  if (own.wrong()->empty()) return {{0}, {}, "none", "Every test of this run is right."};
+  const int step = own.wrong()->front().step;
+  Truth truth;
+  for (const WrongTest& test : own.wrong_at(step)) {
+    truth.points.push_back(test.point);
+    truth.choices.push_back(static_cast<int>(test.point) + 1);
+  }
+  const FitRun::Where where{own, step, nullptr};
+  truth.happened = where.names(truth.points);
+  truth.sentence = "In step " + count_text(step + 1) + " the test of " + truth.happened + " is the first to be wrong." +
+                   where.contradiction();
+  return truth;
+}
+
 const char* offer_left_outside(Asked& asked, const Run& run) {
   const FitRun& own = fit_run(run);
   if (!left_by(own.points(), own.recording().result) || asked.fact + 1 != own.steps())
     return "\"outside\" can only be asked of the last step of a sphere's run, or of a hull's in the plane";
-  asked.add_choice("none");
-  for (Index i = 0; i < fit::size_of(own.points()); ++i) asked.add_choice(asked.subject->name_of(i), {i});
-  asked.on_stage = true;
+  offer_points_or_none(asked, own);
   return nullptr;
 }
 

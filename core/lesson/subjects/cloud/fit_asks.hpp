@@ -22,6 +22,10 @@ Truth holds_truth(const Asked& asked, const Run& run);
 /// none.
 const char* offer_left_outside(Asked& asked, const Run& run);
 Truth left_outside_truth(const Asked& asked, const Run& run);
+/// "first_wrong": which point is the first that a naive algorithm's rounded test is wrong about; the choices are the
+/// points, and none.
+const char* offer_first_wrong(Asked& asked, const Run& run);
+Truth first_wrong_truth(const Asked& asked, const Run& run);
 /// The place after the step; for a point forced onto the boundary, after the end of its recursion.
 int after_recursion(const Run& run, int fact);
 
@@ -33,5 +37,7 @@ inline constexpr Asking kBetter{
 inline constexpr Asking kHolds{"holds", &offer_counts, &holds_truth};
 inline constexpr Asking kOutside{
     .name = "outside", .offer = &offer_left_outside, .truth = &left_outside_truth, .figure = "outside_count"};
+inline constexpr Asking kFirstWrong{
+    .name = "first_wrong", .offer = &offer_first_wrong, .truth = &first_wrong_truth, .figure = "wrong_tests"};
 
 }  // namespace snug::lesson

@@ -1,6 +1,7 @@
 #include "lesson/subjects/cloud/fit_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "lesson/fact_run.hpp"
@@ -22,6 +23,32 @@ double FitRun::Where::radius() const {
 std::string FitRun::Where::size() const {
   if (ball_of(step()) != nullptr) return "radius " + number_text(radius());
   return size_word() + number_text(fit::size_of(step().volume, dim()));
+}
+
+std::span<const WrongTest> FitRun::wrong_at(int i) const {
+  if (!wrong_) return {};
+  const auto before = [](const WrongTest& test, int step) { return test.step < step; };
+  const auto from = std::lower_bound(wrong_->begin(), wrong_->end(), i, before);
+  const auto to = std::lower_bound(from, wrong_->end(), i + 1, before);
+  return {from, to};
+}
+
+std::string FitRun::Where::contradiction() const {
+  using Truth = WrongTest::Truth;
+  constexpr std::array<std::pair<Truth, const char*>, 4> kTruths{{{Truth::kOutside, "outside"},
+                                                                  {Truth::kOnBoundary, "on the boundary"},
+                                                                  {Truth::kInside, "inside"},
+                                                                  {Truth::kNotOutside, "not outside"}}};
+  std::string words;
+  for (const auto& [truth, side] : kTruths) {
+    std::vector<Index> so;
+    for (const WrongTest& test : run.wrong_at(i))
+      if (test.truth == truth) so.push_back(test.point);
+    if (so.empty()) continue;
+    words += (words.empty() ? " Wrong: in exact arithmetic " : ", and ") + names(so) +
+             (so.size() == 1 ? " is " : " are ") + side;
+  }
+  return words.empty() ? words : words + ".";
 }
 
 Point3 FitRun::slab_axis(int i, int slab) const {

@@ -7,6 +7,7 @@
 #include "lesson/facts.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/cloud/fit_asks.hpp"
+#include "lesson/subjects/cloud/wrong_tests.hpp"
 
 namespace snug::lesson {
 
@@ -16,11 +17,13 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
  public:
   /// points: those of the run; they must outlive it. names: the lesson's own for them. points_alone: whether the
   /// subject has other handles than points, which are no answers. axes: the directions of the slabs, if they were set
-  /// by hand; otherwise a k-DOP has its own.
+  /// by hand; otherwise a k-DOP has its own. naive: whether its tests are judged in exact arithmetic.
   FitRun(const AnyPointSet& points, bool exact, fit::Recording recording, NamesOfPoints names = {},
-         bool points_alone = false, std::vector<Point3> axes = {})
+         bool points_alone = false, std::vector<Point3> axes = {}, bool naive = false)
       : points_(points), exact_(exact), points_alone_(points_alone), recording_(std::move(recording)),
-        names_(std::move(names)), axes_(std::move(axes)) {}
+        names_(std::move(names)), axes_(std::move(axes)) {
+    if (naive) wrong_ = wrong_tests(recording_, points_);
+  }
 
   [[nodiscard]] FitTrace trace() const { return recording_.steps; }
   [[nodiscard]] const fit::Recording& recording() const { return recording_; }
@@ -30,6 +33,10 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   [[nodiscard]] int dim() const { return fit::dim_of(points_); }
   [[nodiscard]] bool exact() const { return exact_; }
   [[nodiscard]] const std::vector<Point3>& axes_by_hand() const { return axes_; }
+  /// The tests of a naive algorithm that are wrong, in order; null if the algorithm is a careful one.
+  [[nodiscard]] const std::vector<WrongTest>* wrong() const { return wrong_ ? &*wrong_ : nullptr; }
+  /// Those of step i.
+  [[nodiscard]] std::span<const WrongTest> wrong_at(int i) const;
   /// The direction across a slab of step i's k-DOP: small whole numbers, or unit where it was set by hand; and its
   /// name.
   [[nodiscard]] Point3 slab_axis(int i, int slab) const;
@@ -47,6 +54,12 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
     [[nodiscard]] const fit::Step3* next() const { return i + 1 < run.steps() ? &run.trace()[i + 1].step : nullptr; }
     [[nodiscard]] const fit::Step3* before() const { return i > 0 ? &run.trace()[i - 1].step : nullptr; }
     [[nodiscard]] int dim() const { return run.dim(); }
+    /// Whether it is the first step with a wrong test.
+    [[nodiscard]] bool is_first_wrong() const {
+      return run.wrong() != nullptr && !run.wrong()->empty() && run.wrong()->front().step == i;
+    }
+    /// What exact arithmetic says against the step's tests; empty for nothing.
+    [[nodiscard]] std::string contradiction() const;
     [[nodiscard]] std::string name(Index point) const { return point_name(point, run.names_); }
     [[nodiscard]] std::string names(std::span<const Index> points) const { return point_names(points, run.names_); }
     /// Whether it brings the first volume.
@@ -66,6 +79,7 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   fit::Recording recording_;
   NamesOfPoints names_;
   std::vector<Point3> axes_;
+  std::optional<std::vector<WrongTest>> wrong_;
 };
 
 extern template class FactRun<FitRun, fit::Step3>;

@@ -12,7 +12,7 @@ namespace snug::lesson {
 namespace {
 
 template <class Scalar>
-double ulp_of(double size) {
+double ulp_in(double size) {
   const auto own = static_cast<Scalar>(size);
   return static_cast<double>(std::nextafter(own, std::numeric_limits<Scalar>::infinity()) - own);
 }
@@ -29,7 +29,7 @@ LeftOutside left_outside_of(const PointSet<Scalar, Dim>& set, const fit::Sphere3
     const double by = outside_by(fit::point_of(set, i), sphere);
     if (left.worst == kNoIndex || by > left.by) left.worst = i, left.by = by;
   }
-  left.extent = sphere.radius, left.radius_ulp = ulp_of<Scalar>(sphere.radius), left.size_ulp = ulp_of<Scalar>(largest);
+  left.extent = sphere.radius, left.radius_ulp = ulp_in<Scalar>(sphere.radius), left.size_ulp = ulp_in<Scalar>(largest);
   return left;
 }
 
@@ -85,6 +85,14 @@ class Outline {
 
 }  // namespace
 
+bool are_float(const AnyPointSet& points) {
+  return std::visit([](const auto& set) { return sizeof(set[0][0]) == sizeof(float); }, points);
+}
+
+double ulp_of(const AnyPointSet& points, double size) {
+  return are_float(points) ? ulp_in<float>(size) : ulp_in<double>(size);
+}
+
 LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> support) {
   std::vector<Point3> ring;
   for (const Index i : support) ring.push_back(fit::point_of(points, i));
@@ -104,8 +112,7 @@ LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> 
   }
   for (std::size_t i = 0; i < support.size() && support.size() > 2; ++i)
     if (outline.turn_at(i) < 0) left.dents.push_back(support[i]);
-  const bool in_float = std::visit([](const auto& set) { return sizeof(set[0][0]) == sizeof(float); }, points);
-  left.size_ulp = left.radius_ulp = in_float ? ulp_of<float>(largest) : ulp_of<double>(largest);
+  left.size_ulp = left.radius_ulp = ulp_of(points, largest);
   return left;
 }
 

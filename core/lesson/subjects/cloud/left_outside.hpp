@@ -24,6 +24,11 @@ struct LeftOutside {
   [[nodiscard]] double ulps() const { return by / radius_ulp; }
 };
 
+/// Whether the points are held in float.
+[[nodiscard]] bool are_float(const AnyPointSet& points);
+/// An ulp of a size in the scalar of the points, scene units.
+[[nodiscard]] double ulp_of(const AnyPointSet& points, double size);
+
 /// How far a point lies outside, scene units; below 0 inside.
 [[nodiscard]] double outside_by(const Point3& point, const fit::Sphere3& sphere);
 

@@ -157,6 +157,10 @@ TEST_CASE("a finished run's certificate comes with its numbers, where a naive me
   CHECK(value("weight_1") + value("weight_2") + value("weight_3") == doctest::Approx(1).epsilon(1e-12));
   CHECK(value("lower_bound") == doctest::Approx(2.05).epsilon(1e-12));
   CHECK(value("boundary_ulps") <= 2);
+  CHECK(std::max({std::abs(value("off_1")), std::abs(value("off_2")), std::abs(value("off_3"))}) ==
+        value("boundary_ulps"));
+  CHECK(value("off_1") <= 0);  // none is outside
+  CHECK(value("widened_ulps") >= 0);
   CHECK(value("outside_count") == 0);
   CHECK(value("outside") == -1);
   CHECK(value("steps") == session.steps());
