@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "app/inspector.hpp"
+#include "app/look.hpp"
 #include "app/shown.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "bench.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/cloud/certificate_lines.hpp"
 #include "lesson/subjects/scene/scene_set.hpp"
 
 namespace snug::app {
@@ -393,6 +397,78 @@ TEST_CASE("beside it: step, radius and excess of the second algorithm") {
   CHECK(figures[2].key == "excess");
   REQUIRE(session.choose(1, ""));
   CHECK(figures_beside(session).empty());
+}
+
+TEST_CASE("beside a naive algorithm, the careful one says that no point is outside, and how far it was widened") {
+  lesson::Lesson lesson = flat();
+  lesson.algorithms = {"welzl_naive", "welzl"};
+  lesson.compare = "welzl";
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  session.jump(session.steps());
+  const auto figures = figures_beside(session);
+  const auto of = [&](std::string_view key) {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
+    REQUIRE(found != figures.end());
+    return found->value;
+  };
+  CHECK(of("outside_count") == 0);
+  CHECK(of("worst_ulps") == 0);
+  CHECK(of("widened_ulps") >= 0);
+  REQUIRE(session.choose(0, "welzl"));
+  CHECK(figures_beside(session).empty());  // the same once more
+}
+
+namespace {
+
+const Layout kWithNumbers{{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 4000}, false, 88};
+
+lesson::Lesson case_named(const std::string& name) {
+  std::ifstream file(SNUG_SOURCE_DIR "/lessons/cases/" + name + ".toml", std::ios::binary);
+  REQUIRE(file);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  auto lesson = lesson::read_lesson(text, name + ".toml");
+  REQUIRE(lesson.has_value());
+  return *std::move(lesson);
+}
+
+bool wrote(const std::vector<DrawnWords>& drawn, std::string_view words) {
+  return std::any_of(drawn.begin(), drawn.end(), [&](const DrawnWords& one) { return one.words == words; });
+}
+
+std::vector<DrawnWords> drawn_at_end(Bench& bench) {
+  std::vector<DrawnWords> drawn;
+  bench.session().jump(bench.session().steps());
+  bench.app.note_words(&drawn);
+  bench.frames(2);
+  bench.app.note_words(nullptr);
+  return drawn;
+}
+
+}  // namespace
+
+TEST_CASE("at the end the certificate stands beside the stage with its exact numbers, and not before") {
+  Bench bench(case_named("one-ulp-over"), kWithNumbers);
+  const std::string heading = "The certificate, number by number";
+  const auto drawn = drawn_at_end(bench);
+  CHECK(wrote(drawn, heading));
+  const auto lines = lesson::certificate_lines(lesson::fit_run(bench.session().run(0)));
+  REQUIRE(lines.has_value());
+  CHECK(lines->contained.front().excess.sign > 0);  // the naive circle leaves a point outside
+  for (const auto& line : lines->contained) CHECK(wrote(drawn, line.excess.text()));
+  std::vector<DrawnWords> before;
+  bench.session().back();
+  bench.app.note_words(&before);
+  bench.frames(2);
+  bench.app.note_words(nullptr);
+  CHECK_FALSE(wrote(before, heading));
+}
+
+TEST_CASE("beside a naive method stands the proof of the careful one") {
+  Bench bench(case_named("twins"), kWithNumbers);
+  const auto drawn = drawn_at_end(bench);
+  CHECK(wrote(drawn, "Proof"));
+  CHECK(wrote(drawn, "Proof: Welzl"));
+  CHECK(wrote(drawn, "Outside, exactly"));
 }
 
 }  // namespace snug::app
