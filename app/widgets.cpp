@@ -74,6 +74,7 @@ Pane::Pane(const char* id, const Rect& rect, Kind kind)
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav;
   if (kind != Kind::kOver) flags |= ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::GetIO().WantTextInput) flags |= ImGuiWindowFlags_NoFocusOnAppearing;  // who types goes on typing
   if (kind == Kind::kScrolls) flags &= ~ImGuiWindowFlags_NoScrollbar;
   else flags |= ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::Begin(id, nullptr, flags);

@@ -7,15 +7,16 @@ for i in 1 2 3; do [[ $(state 's.asked === null') == true ]] || xdotool key s sl
 tab_to File
 xdotool key Return
 tab_to "The scene's file"
-xdotool key Return sleep 0.5
-xdotool key ctrl+Home Down End BackSpace BackSpace BackSpace
-xdotool type --delay 60 120
-until_state 's.steps === 120 && s.file.mistakes.length === 0'
+sleep 0.5
+for key in ctrl+Home Down End BackSpace; do xdotool key "$key" sleep 0.3; done
+until_state 's.steps === 26 && s.file.typed.startsWith("[scene]\nframes = 26\n")'
+xdotool type --delay 60 5
+until_state 's.steps === 265 && s.file.mistakes.length === 0'
 xdotool type --delay 60 x
-until_state 's.file.mistakes.length === 1 && s.steps === 120'
+until_state 's.file.mistakes.length === 1 && s.steps === 265'
 typed=$(state 's.file.typed.slice(0, 24)')
 close_window
-open_window --lesson scene-effects
-until_state 's.steps === 120 && s.file.mistakes.length === 1'
+opened='s.file !== undefined' open_window --lesson scene-effects
+until_state 's.steps === 265 && s.file.mistakes.length === 1'
 [[ $(state 's.file.typed.slice(0, 24)') == "$typed" ]] || fail "what was typed is lost: $(state 's.file.typed.slice(0, 24)')"
 close_window
