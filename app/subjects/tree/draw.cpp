@@ -113,6 +113,15 @@ void draw_built(Brush& brush, const lesson::TreeStage& stage) {
   }
 }
 
+/// Writes a copy's name into its box, where other names keep clear of it.
+void name_copy(Brush& brush, const ScreenBox& box, Index i, Color color) {
+  const float high = brush.look.px(kCopyWords);
+  const ImVec2 middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+  text_middle(brush.list, brush.look, Face::kSemiBold, kCopyWords, {middle.x, middle_of(middle.y, high)}, color,
+              lesson::small(lesson::box_name(i)));
+  brush.canvas.obstacles.taken.push_back({middle.x - high / 2, middle.y - high / 2, high, high});
+}
+
 void draw_boxes(Brush& brush, const TreeShown& shown, TreeSide side) {
   const std::vector<Box2>& boxes = side == TreeSide::kOwn ? shown.run->boxes() : shown.run->pairing()->moved;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -123,10 +132,7 @@ void draw_boxes(Brush& brush, const TreeShown& shown, TreeSide side) {
     const bool waits = static_cast<Index>(i) == shown.incoming;
     const bool dotted = ink.pale || side == TreeSide::kCopy;
     draw_rim(brush, box, dotted ? Stroke::kDotted : Stroke::kSolid, ink.line, brush.stroke(waits ? 1.4f : 0.8f));
-    if (side == TreeSide::kCopy)
-      text_middle(brush.list, brush.look, Face::kSemiBold, kCopyWords,
-                  {(box.low.x + box.high.x) / 2, middle_of((box.low.y + box.high.y) / 2, brush.look.px(kCopyWords))},
-                  ink.words, lesson::small(lesson::box_name(static_cast<Index>(i))));
+    if (side == TreeSide::kCopy) name_copy(brush, box, static_cast<Index>(i), ink.words);
   }
 }
 
