@@ -144,12 +144,12 @@ val read_lesson(const std::string& toml, const std::string& name) {
 /// there. toml, name: its file. lessons, ideas: the ids of those beside it. mesh: as for open_lesson. As `says` above.
 val check_draft(const std::string& toml, const std::string& name, const val& lessons, const val& ideas,
                 const std::string& mesh) {
-  lesson::Draft draft = lesson::read_draft(toml, name);
-  const auto ids = [](const val& list) { return emscripten::vecFromJSArray<std::string>(list); };
-  lesson::check_names_beside(draft, toml, name, {ids(lessons), ids(ideas)});
   std::optional<io::PointFile> file;
   if (auto read = io::read_points(mesh, "mesh.ply"); !mesh.empty() && read) file = std::move(*read);
-  lesson::check_played(draft, toml, name, std::move(file));
+  lesson::Draft draft = lesson::read_draft(toml, name, lesson::Checked::kAsRun, file ? &*file : nullptr);
+  const auto ids = [](const val& list) { return emscripten::vecFromJSArray<std::string>(list); };
+  lesson::check_names_beside(draft, toml, name, {ids(lessons), ids(ideas)});
+  lesson::check_played(draft, name, std::move(file));
   return web::draft_object(draft, name);
 }
 

@@ -181,7 +181,7 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
   asked.step = gate.after.empty() ? asked.fact : place_after(run, gate, asked.fact);
   asked.until = asked.asking->decided != nullptr ? asked.asking->decided(run, asked.fact) : asked.fact + 1;
   if (const char* refused = asked.asking->offer(asked, run)) {
-    why = refused;
+    why = refused == kNoFigureAfter ? no_figure_after(asked, run) : refused;
     return std::nullopt;
   }
   return asked;
@@ -189,6 +189,7 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
 
 void put_words(Asked& asked, bool own_run) {
   const Question& question = *asked.question;
+  asked.own_run = own_run;
   const auto words = [&](const std::string& here, const std::string& anywhere) {
     return in_words_of(asked.dim, own_run && !here.empty() ? here : anywhere);
   };
@@ -300,8 +301,13 @@ std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& tr
     const auto handle = handle_named(*asked.subject, what);
     return handle && names_handle(answer, *handle) && !contains(truth.points, *handle);
   };
+  // A handle's own words are about where it stands: "P4 is far from the origin".
+  const auto is_said = [&](const Meaning& meaning) {
+    return asked.own_run || asked.number || !handle_named(*asked.subject, meaning.answer);
+  };
   for (const Meaning& meaning : asked.question->meanings)
-    if (answer.kind != Kind::kSkipped && is_given(meaning.answer)) return in_words_of(asked.dim, meaning.says);
+    if (answer.kind != Kind::kSkipped && is_said(meaning) && is_given(meaning.answer))
+      return in_words_of(asked.dim, meaning.says);
   return {};
 }
 

@@ -32,6 +32,7 @@ struct Asked {
   const Asking* asking = nullptr;
   std::string prompt;  // in words for the points' dimension: a circle in space is a sphere
   std::string because;
+  bool own_run = false;  // whether the run is the lesson's own: words about its handles are said of no other
   int dim = 2;
   int step = 0;                                    // the player's place where it is asked, or kAnytime
   std::vector<std::string> choices;                // what may be chosen; empty if only the stage answers
@@ -133,6 +134,10 @@ void put_words(Asked& asked, bool own_run);
 /// its step, or if the step cannot be asked that; then why gives the reason, as a sentence fragment.
 [[nodiscard]] std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject,
                                            const Run& run, std::string& why);
+
+/// Why a question about a figure cannot be asked, in general and with the figures that there are.
+inline constexpr std::string_view kNoFigureAfter = "\"figure\" names none that there is after this step";
+[[nodiscard]] std::string no_figure_after(const Asked& asked, const Run& run);
 
 /// What any step can be asked, by the names that lesson files use.
 [[nodiscard]] std::vector<std::string_view> general_askings(const SubjectRow& subject);

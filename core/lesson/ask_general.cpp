@@ -55,7 +55,7 @@ void read_choices(TomlTable& table, Question& question) {
   read_choice_texts(table, question, 2);
   const std::string answer = table.text("answer");
   const auto found = std::find(question.choices.begin(), question.choices.end(), answer);
-  if (found == question.choices.end() && !answer.empty()) table.wrong("answer", "is none of the choices: " + answer);
+  if (!question.choices.empty()) check_name(table, "answer", answer, question.choices);
   question.answer = static_cast<int>(found - question.choices.begin());
 }
 
@@ -119,7 +119,7 @@ std::optional<Figure> figure_after(const Asked& asked, const Run& run) {
 
 const char* offer_ranges(Asked& asked, const Run& run) {
   const auto figure = figure_after(asked, run);
-  if (!figure) return "\"figure\" names none that there is after this step";
+  if (!figure) return kNoFigureAfter.data();
   for (std::string& range : range_texts(asked.question->bounds, figure->unit)) asked.add_choice(std::move(range));
   return nullptr;
 }
@@ -138,7 +138,7 @@ void read_figure(TomlTable& table, Question& question) {
 
 const char* offer_number(Asked& asked, const Run& run) {
   const auto figure = figure_after(asked, run);
-  if (!figure) return "\"figure\" names none that there is after this step";
+  if (!figure) return kNoFigureAfter.data();
   const bool whole = figure->value == std::floor(figure->value);
   if (asked.question->tolerance == 0 && !whole) return "a figure that is no count needs a \"tolerance\"";
   asked.number = true;
@@ -256,6 +256,14 @@ Truth choice_truth(const Asked& asked, const Run&) {
   const int right = asked.question->answer;
   const std::string& text = asked.choices[static_cast<std::size_t>(right)];
   return {{right}, {}, text, "The answer is “" + text + "”."};
+}
+
+std::string no_figure_after(const Asked& asked, const Run& run) {
+  std::vector<std::string> keys;
+  for (Figure& figure : asked.subject->figures(view_after(asked, run)))
+    if (figure.known && !is_among(keys, figure.key)) keys.push_back(std::move(figure.key));
+  const std::string after = "\"figure\" after " + asked.question->gate.fact + " ";
+  return after + (keys.empty() ? "is not there: there are none" : none_of_text(asked.question->figure, keys));
 }
 
 std::vector<std::string_view> general_askings(const SubjectRow& subject) {

@@ -1,10 +1,7 @@
 #include "lesson/check_beside.hpp"
 
 #include <algorithm>
-#include <map>
-#include <memory>
 
-#include "lesson/check_texts.hpp"
 #include "lesson/names.hpp"
 #include "lesson/play.hpp"
 #include "lesson/prose.hpp"
@@ -46,24 +43,6 @@ class Mistakes {
   std::string file_;
 };
 
-/// The figures that the runs do not have.
-void check_figures(const Session& session, std::string_view text, Mistakes& mistakes) {
-  std::map<std::string, std::unique_ptr<Run>> runs;
-  const auto run_of = [&](const std::string& algorithm) -> const Run* {
-    const Method& method = *find_method(session.lesson(), algorithm);
-    if (!session.subject().suits(method)) return nullptr;
-    std::unique_ptr<Run>& run = runs[algorithm];
-    if (run == nullptr) run = session.subject().run(method, nullptr);
-    return run.get();
-  };
-  for (const RunFigure& figure : session.lesson().figures) {
-    const std::string name = '{' + name_of(figure) + '}';
-    const std::string lack = lack_of(figure, {}, session.lesson(), session.subject(), run_of);
-    if (lack.empty()) continue;
-    mistakes.add(place_of_words(text, name, session.lesson().sections.front().place), name + ' ' + lack);
-  }
-}
-
 void check_play(const Played& played, const Lesson& lesson, Mistakes& mistakes) {
   const auto place_of = [&](const std::string& id) {
     const auto named = [&](const Question& question) { return question.id == id; };
@@ -90,9 +69,11 @@ void check_names_beside(Draft& draft, std::string_view text, std::string_view fi
     for (const Stretch* stretch : stretches_of(section)) {
       if (!stretch->link || stretch->link->kind != Link::Kind::kLesson) continue;
       const std::string& target = stretch->link->target;
-      if (!is_among(beside.lessons, target))
-        mistakes.add(place_of_words(text, "(lesson:" + target + ")", section.place),
-                     "\"text\" links to a lesson that is not there: " + target);
+      if (is_among(beside.lessons, target)) continue;
+      const std::string_view meant = nearest(beside.lessons, target);
+      mistakes.add(place_of_words(text, "(lesson:" + target + ")", section.place),
+                   "\"text\" links to a lesson that is not there: " + target +
+                       (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"));
     }
   for (const std::string& id : draft.lesson->covers) {
     if (beside.ideas.empty() || is_among(beside.ideas, id)) continue;
@@ -103,13 +84,12 @@ void check_names_beside(Draft& draft, std::string_view text, std::string_view fi
   }
 }
 
-void check_played(Draft& draft, std::string_view text, std::string_view file, std::optional<io::PointFile> mesh) {
+void check_played(Draft& draft, std::string_view file, std::optional<io::PointFile> mesh) {
   if (!draft.lesson || !draft.mistakes.empty()) return;
   const Lesson lesson = *draft.lesson;
   Mistakes mistakes(draft, file);
   auto session = Session::open(lesson, std::move(mesh));
   if (!session) return mistakes.add(place_of_error(session.error()), session.error().what);
-  if (!lesson.points.mesh.empty()) check_figures(*session, text, mistakes);
   const auto played = play(*session);
   if (played) check_play(*played, lesson, mistakes);
   else mistakes.add(place_of_error(played.error()), played.error().what);

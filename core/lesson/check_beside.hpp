@@ -21,8 +21,8 @@ struct Beside {
 /// file's. file: its name in the mistakes.
 void check_names_beside(Draft& draft, std::string_view text, std::string_view file, const Beside& beside);
 
-/// Adds the mistakes that only playing shows: figures that a mesh's runs do not have, and questions that are never
-/// asked. mesh: the one that the lesson begins with, if any. Does nothing if the draft has mistakes.
-void check_played(Draft& draft, std::string_view text, std::string_view file, std::optional<io::PointFile> mesh);
+/// Adds the mistakes that only playing shows, such as questions that are never asked. mesh: the one that the lesson
+/// begins with, if any. Does nothing if the draft has mistakes.
+void check_played(Draft& draft, std::string_view file, std::optional<io::PointFile> mesh);
 
 }  // namespace snug::lesson

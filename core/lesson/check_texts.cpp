@@ -21,6 +21,7 @@ struct PlacedFigure {
   FilePlace place;
   std::string_view key;   // of the text
   std::string algorithm;  // in whose run the text is read; empty: in any
+  std::string situation;  // the same
 };
 
 /// The tables of that name: one, or a list of them.
@@ -33,33 +34,23 @@ std::vector<const toml::table*> tables_named(const toml::table& toml, std::strin
   return tables;
 }
 
-/// Calls see(table, key) for each text of a question or task, and what it says to wrong answers.
-void each_prompt(const toml::table& toml, auto see) {
-  for (const std::string_view name : {"question", "task"})
-    for (const toml::table* table : tables_named(toml, name))
-      for (const std::string_view key : kPromptKeys)
-        if (!text_of(*table, key).empty()) see(*table, key);
-  for (const toml::table* question : tables_named(toml, "question"))
-    if (const toml::table* wrong = (*question)["wrong"].as_table())
-      for (const auto& [key, text] : *wrong)
-        if (text.is_string()) see(*wrong, key.str());
-}
-
 std::vector<PlacedFigure> figures_in(const toml::table& toml, const Lesson& lesson) {
   std::vector<PlacedFigure> figures;
-  const auto add = [&](const toml::table& table, std::string_view key, const Stretch& stretch, std::string algorithm) {
-    if (stretch.figure)
-      figures.push_back({*stretch.figure, place_in_text(table, key, stretch.at), key, std::move(algorithm)});
-  };
   const auto sections = tables_named(toml, "section");
   for (std::size_t i = 0; i < std::min(sections.size(), lesson.sections.size()); ++i)
     for (const Stretch* stretch : stretches_of(lesson.sections[i]))
-      add(*sections[i], "text", *stretch, lesson.sections[i].algorithm);
-  each_prompt(toml, [&](const toml::table& table, std::string_view key) {
+      if (stretch->figure)
+        figures.push_back({*stretch->figure, place_in_text(*sections[i], "text", stretch->at), "text",
+                           lesson.sections[i].algorithm, lesson.sections[i].situation});
+  for (const PlacedText& text : prompts_of(toml)) {
     std::vector<ProseFault> told;
-    for (const Stretch& stretch : paragraph_of(text_of(table, key), told))
-      add(table, key, stretch, std::string(text_of(table, "algorithm")));
-  });
+    const std::string_view situation = text.situation().empty() ? kOwnSituation : text.situation();
+    for (const Stretch& stretch : paragraph_of(text_of(*text.table, text.key), told)) {
+      if (!stretch.figure) continue;
+      figures.push_back({*stretch.figure, place_in_text(*text.table, text.key, stretch.at), text.name(),
+                         std::string(text.algorithm()), std::string(situation)});
+    }
+  }
   return figures;
 }
 
@@ -83,13 +74,36 @@ void add_keys(std::vector<std::string>& keys, const std::string& algorithm, cons
 
 }  // namespace
 
+const OpenSituation* find_open(std::span<const OpenSituation> situations, std::string_view name) {
+  for (const OpenSituation& one : situations)
+    if (one.name == (name.empty() ? kOwnSituation : name)) return &one;
+  return nullptr;
+}
+
+std::string_view PlacedText::situation() const { return text_of(*of, "situation"); }
+std::string_view PlacedText::algorithm() const { return text_of(*of, "algorithm"); }
+
+std::vector<PlacedText> prompts_of(const toml::table& toml) {
+  std::vector<PlacedText> texts;
+  for (const std::string_view name : {"question", "task"})
+    for (const toml::table* table : tables_named(toml, name))
+      for (const std::string_view key : kPromptKeys)
+        if (!text_of(*table, key).empty()) texts.push_back({table, key, table});
+  for (const toml::table* question : tables_named(toml, "question"))
+    if (const toml::table* wrong = (*question)["wrong"].as_table())
+      for (const auto& [key, text] : *wrong)
+        if (text.is_string()) texts.push_back({wrong, key.str(), question});
+  return texts;
+}
+
 void read_texts(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
-  each_prompt(toml, [&](const toml::table& table, std::string_view key) {
+  for (const PlacedText& text : prompts_of(toml)) {
     std::vector<ProseFault> faults;
-    static_cast<void>(paragraph_of(text_of(table, key), faults));
+    static_cast<void>(paragraph_of(text_of(*text.table, text.key), faults));
     for (const ProseFault& fault : faults)
-      complaints.add(place_in_text(table, key, fault.at), '"' + std::string(key) + "\" " + fault.what);
-  });
+      complaints.add(place_in_text(*text.table, text.key, fault.at),
+                     '"' + std::string(text.name()) + "\" " + fault.what);
+  }
   for (PlacedFigure& placed : figures_in(toml, lesson)) {
     const std::string& algorithm = placed.figure.algorithm;
     if (!algorithm.empty() && !lesson.algorithms.empty() && offered(algorithm, lesson).empty())
@@ -117,11 +131,27 @@ std::string lack_of(const RunFigure& figure, const std::string& algorithm, const
   return keys.empty() ? "is not there: it has none" : none_of_text(figure.key, keys);
 }
 
-void check_figures(const Lesson& lesson, const toml::table& toml, const Subject& own, const RunOf& run_of,
+namespace {
+
+/// Why no situation that the text is about has the figure; empty if one has.
+std::string lack_in(const PlacedFigure& placed, const Lesson& lesson, std::span<const OpenSituation> situations) {
+  std::string lack;
+  for (const OpenSituation& there : situations) {
+    if (!placed.situation.empty() && there.name != placed.situation) continue;
+    std::string here = lack_of(placed.figure, placed.algorithm, lesson, *there.own, there.run_of);
+    if (here.empty()) return {};
+    if (lack.empty()) lack = std::move(here);
+  }
+  return lack;
+}
+
+}  // namespace
+
+void check_figures(const Lesson& lesson, const toml::table& toml, std::span<const OpenSituation> situations,
                    Complaints& complaints) {
   for (const PlacedFigure& placed : figures_in(toml, lesson)) {
     if (!is_among_figures(lesson.figures, placed.figure)) continue;  // its algorithm is not there, which was told
-    const std::string lack = lack_of(placed.figure, placed.algorithm, lesson, own, run_of);
+    const std::string lack = lack_in(placed, lesson, situations);
     const std::string of = placed.figure.algorithm.empty() ? "" : " of " + placed.figure.algorithm + " at its end";
     if (!lack.empty())
       complaints.add(placed.place, '"' + std::string(placed.key) + "\" shows a figure" + of + " that " + lack);

@@ -107,7 +107,11 @@ Requirement read_requirement(const toml::table& toml, const Lesson& lesson, Comp
 
 std::vector<Requirement> read_requirements(TomlTable& table, const Lesson& lesson, Complaints& complaints) {
   std::vector<Requirement> all;
-  for (const toml::table* one : table.tables("require")) all.push_back(read_requirement(*one, lesson, complaints));
+  for (const toml::table* one : table.tables("require")) {
+    const std::size_t before = complaints.count();
+    Requirement requirement = read_requirement(*one, lesson, complaints);
+    if (complaints.count() == before) all.push_back(std::move(requirement));
+  }
   return all;
 }
 

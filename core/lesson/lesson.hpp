@@ -15,6 +15,10 @@
 #include "lesson/file_place.hpp"
 #include "lesson/view.hpp"
 
+namespace snug::io {
+struct PointFile;
+}
+
 namespace snug::lesson {
 
 struct SubjectRow;
@@ -136,7 +140,9 @@ struct Question {
   std::string because_here;              // the same for because
   std::string section;                   // the title of the section that it is about; empty: that which names its fact
   std::string situation{kOwnSituation};  // asked in this one alone
-  FilePlace place;                       // in the file, for errors
+  FilePlace place, figure_place;         // in the file, for errors
+  bool sound = true;                     // false while it is checked although it has mistakes: then it is left out
+  bool can_be_asked = true;              // whether `asks` and the keys that go with it have none
 };
 
 /// A lesson's tables, as only its subject knows them. Each subject derives its own.
@@ -163,6 +169,7 @@ struct Slider {
   std::optional<std::string> unit;  // none: that of what it drives
   std::string situation;            // in this one alone; empty for all
   FilePlace place, drives_place;    // in the file, for errors
+  bool sound = true;                // as of questions
 };
 
 /// "Make it fail" or "construct it": graded on what stands on the stage.
@@ -173,9 +180,11 @@ struct Task {
   std::vector<std::string> only;  // the handles that may be moved; empty: all
   std::vector<Requirement> conditions;
   std::string hint;
-  std::vector<std::vector<double>> model;  // a solution, which the checks play: see Subject::rows
-  std::string situation{kOwnSituation};    // the one that it begins in and is graded in
-  FilePlace place, model_place;            // in the file, for errors
+  std::vector<std::vector<double>> model;    // a solution, which the checks play: see Subject::rows
+  std::string situation{kOwnSituation};      // the one that it begins in and is graded in
+  FilePlace place, only_place, model_place;  // in the file, for errors
+  bool sound = true;                         // as of questions
+  bool can_be_solved = true;                 // whether its model and its requirements have no mistakes
 };
 
 /// An algorithm's pseudocode in the lesson's own words, with as many lines as the catalogue's.
@@ -237,8 +246,9 @@ struct Draft {
 /// Reads a lesson file. name: for errors and for the id. Mistakes, each with its line and column: of TOML, after which
 /// nothing more is read; an unknown or missing key; an algorithm, fact, generator, mesh or answer that does not exist.
 /// If the lesson is run: a question whose step the algorithm does not take on the lesson's own points, or a model
-/// solution that the task does not accept.
-[[nodiscard]] Draft read_draft(std::string_view toml, std::string_view name, Checked checked = Checked::kAsRun);
+/// solution that the task does not accept. mesh: that of a lesson on a mesh, which is not run without it.
+[[nodiscard]] Draft read_draft(std::string_view toml, std::string_view name, Checked checked = Checked::kAsRun,
+                               const io::PointFile* mesh = nullptr);
 
 /// The lesson of a file without mistakes. Errors: the first mistake.
 [[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name,

@@ -4,15 +4,18 @@
 
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/warn_answers.hpp"
 
 namespace snug::lesson {
 namespace {
 
 /// Answers the open question, or takes a step. false: it could do neither.
-bool advance(Session& session, std::vector<Outcome>& outcomes) {
+bool advance(Session& session, std::vector<Outcome>& outcomes, std::vector<Played::FalseKey>& false_keys) {
   const int step = session.step();
   if (const Asked* asked = session.asked()) {
     const std::string id = asked->question->id;
+    if (auto is = contradiction(*asked, session.run(0)))
+      false_keys.push_back({id, asked->choices[static_cast<std::size_t>(asked->question->answer)], *std::move(is)});
     if (!session.answer(model_answer(*asked, session.run(0)))) return false;
     for (const Outcome& outcome : session.outcomes())
       if (outcome.question == id) outcomes.push_back(outcome);
@@ -24,14 +27,15 @@ bool advance(Session& session, std::vector<Outcome>& outcomes) {
   return session.step() > step;
 }
 
-tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, const std::string& name) {
+tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, const std::string& name,
+                                                           std::vector<Played::FalseKey>& false_keys) {
   if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
   Played::Algorithm played{name, session.situation(), session.steps(), {}};
   session.first();
   // Every iteration answers a question or takes a step, so there are at most as many as both together.
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
   while (session.step() < session.steps() || session.asked() != nullptr)
-    if (turns-- == 0 || !advance(session, played.outcomes))
+    if (turns-- == 0 || !advance(session, played.outcomes, false_keys))
       return tl::unexpected(
           InputError{.what = "the player does not get past step " + std::to_string(session.step()) + " of " + name});
   return played;
@@ -67,7 +71,8 @@ bool Played::sound() const {
   for (const Algorithm& algorithm : algorithms)
     for (const Outcome& outcome : algorithm.outcomes)
       if (!outcome.right) return false;
-  return not_asked.empty() && std::all_of(grades.begin(), grades.end(), [](const Grade& it) { return it.done; });
+  return false_keys.empty() && not_asked.empty() &&
+         std::all_of(grades.begin(), grades.end(), [](const Grade& it) { return it.done; });
 }
 
 tl::expected<Played, InputError> play(Session& session) {
@@ -78,7 +83,7 @@ tl::expected<Played, InputError> play(Session& session) {
     if (const Done shown = session.show_situation(situation); !shown) return tl::unexpected(shown.error());
     if (subject.before_play != nullptr) subject.before_play(session);
     for (const std::string& name : playable(session)) {
-      auto algorithm = play_algorithm(session, name);
+      auto algorithm = play_algorithm(session, name, played.false_keys);
       if (!algorithm) return tl::unexpected(std::move(algorithm.error()));
       played.algorithms.push_back(std::move(*algorithm));
     }

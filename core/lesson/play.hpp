@@ -18,11 +18,17 @@ struct Played {
     int steps = 0;
     std::vector<Outcome> outcomes;  // one for each question, in the timeline's order
   };
+  /// A fixed answer that the run contradicts.
+  struct FalseKey {
+    std::string question, answer, is;
+  };
   std::vector<Algorithm> algorithms;
+  std::vector<FalseKey> false_keys;
   std::vector<std::string> not_asked;  // ids of questions whose step did not come on these points
   std::vector<Grade> grades;           // those of the tasks' models
 
-  /// Whether every question was asked and its model answer was right, and each model solves its task.
+  /// Whether every question was asked and its model answer was right, which no run contradicts if it is fixed, and each
+  /// model solves its task.
   [[nodiscard]] bool sound() const;
 };
 

@@ -12,21 +12,11 @@ const Figure* figure_of_key(const std::vector<Figure>& figures, std::string_view
   return found == figures.end() ? nullptr : &*found;
 }
 
-/// Whether a question about that figure in the run of that method waits for its answer; any question, where results are
+/// Whether the result of a method must not be told now: not before any of its questions is answered, where results are
 /// not shown beside the stage either.
-bool waits_for_answer(const Session& session, const Method& method, std::string_view key) {
-  const Lesson& lesson = session.lesson();
-  return session.is_own() &&
-         std::any_of(lesson.questions.begin(), lesson.questions.end(), [&](const Question& question) {
-           const bool about_it = question.figure == key || !lesson.subject->compares;
-           return about_it && find_method(lesson, question.gate.algorithm) == &method && session.is_open(question);
-         });
-}
-
-/// Whether the result of a method must not be told now.
 bool hides_result(const Session& session, const Method& method, std::string_view key) {
   return session.asked() != nullptr || session.hides_result(method) || session.is_hidden(key) ||
-         waits_for_answer(session, method, key);
+         session.awaits(method, session.lesson().subject->compares ? key : std::string_view());
 }
 
 /// The number of "3 of 15", "2.118 units", "21 pairs" or "1 pair".

@@ -42,19 +42,27 @@ std::vector<std::string_view> algorithm_names(const Lesson& lesson, std::string_
   return names;
 }
 
+/// The name that was probably meant, after a complaint; empty if that cannot be told. Reading goes on with it, so that
+/// what follows from the mistake is not told as another.
+std::string meant_name(TomlTable& table, std::string_view key, const std::string& name, const auto& names) {
+  check_name(table, key, name.empty() ? " " : name, names);
+  return is_among(names, name) ? name : std::string(nearest(names, name));
+}
+
 /// The lesson's name of an algorithm, "k8" or "kdop/k8". Complains if there is none.
 std::string known_algorithm(TomlTable& table, std::string_view key, const std::string& name, const Lesson& lesson) {
   if (const Method* method = find_method(lesson, name)) return name_in(lesson, *method);
   const std::size_t slash = name.find('/');
-  if (slash == std::string::npos) {
-    check_name(table, key, name.empty() ? " " : name, algorithm_names(lesson, lesson.volume));
-    return {};
-  }
-  const std::string volume = name.substr(0, slash), own = name.substr(slash + 1);
+  if (slash == std::string::npos) return meant_name(table, key, name, algorithm_names(lesson, lesson.volume));
+  std::string volume = name.substr(0, slash), own = name.substr(slash + 1);
   const auto all = lesson.subject->volumes();
-  if (is_among(all, volume)) check_name(table, key, own.empty() ? " " : own, algorithm_names(lesson, volume));
-  else check_name(table, key, volume.empty() ? " " : volume, all);
-  return {};
+  const bool known = is_among(all, volume);
+  if (!known) volume = meant_name(table, key, volume, all);
+  if (volume.empty()) return {};
+  const auto names = algorithm_names(lesson, volume);
+  if (known) own = meant_name(table, key, own, names);
+  const Method* method = is_among(names, own) ? find_method(lesson, volume + '/' + own) : nullptr;
+  return method != nullptr ? name_in(lesson, *method) : std::string();
 }
 
 /// Reads one of the algorithms that the lesson offers.
@@ -75,7 +83,7 @@ void read_volume(TomlTable& table, Lesson& lesson) {
   if (slash != std::string::npos) lesson.volume = names.front().substr(0, slash);
   lesson.volume = table.text_or("volume", lesson.volume);
   const std::string_view key = table.has("volume") ? "volume" : "algorithms";
-  check_name(table, key, lesson.volume, volumes());
+  if (!lesson.volume.empty()) lesson.volume = meant_name(table, key, lesson.volume, volumes());
 }
 
 void read_algorithms(TomlTable& table, Lesson& lesson) {
@@ -194,28 +202,30 @@ void read_truth(TomlTable& table, const Lesson& lesson, Question& question, Comp
   const std::string holds = table.text_or("holds", "always");
   check_name(table, "holds", holds, std::array<std::string_view, 2>{"always", "here"});
   question.holds = holds == "here" ? Holds::kHere : Holds::kAlways;
-  if (question.asks == "choice" && question.conditions.empty() && !table.has("holds"))
+  if (question.asks == "choice" && !table.has("require") && !table.has("holds"))
     table.lack("holds",
                "a choice needs \"holds\": \"always\", or \"here\" if its answer is true only of the lesson's own "
                "stage; or a [[question.require]]");
 }
 
-/// What was read of a table, and whether it can be used in spite of its mistakes.
-template <class What>
-struct Read {
-  What what;
-  bool sound = false;
-};
+/// Whether reading some keys of a table finds no mistake.
+template <class Read>
+bool reads_soundly(const TomlTable& table, const Complaints& complaints, Read read) {
+  const std::size_t mistakes = complaints.count(), missing = table.missing();
+  read();
+  return complaints.count() == mistakes && table.missing() == missing;
+}
 
-Read<Question> read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+Question read_question(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[question]]", complaints);
   const std::size_t before = complaints.count();
   Question question;
   question.place = table.place();
+  question.figure_place = table.place_of("figure");
   question.id = table.text("id");
   if (lesson.subject->asks_of_steps) question.gate = read_gate(table, lesson);
   question.prompt = table.text("prompt");
-  read_asking(table, lesson, question);
+  question.can_be_asked = reads_soundly(table, complaints, [&] { read_asking(table, lesson, question); });
   read_truth(table, lesson, question, complaints);
   read_meanings(table, question);
   question.situation = read_situation(table, lesson, kOwnSituation);
@@ -224,11 +234,12 @@ Read<Question> read_question(const toml::table& toml, const Lesson& lesson, Comp
   question.because_here = table.text_or("because_here", "");
   question.section = table.text_or("section", "");
   if (!question.section.empty()) check_name(table, "section", question.section, section_titles(lesson));
-  const bool sound = complaints.count() == before;
-  return {std::move(question), table.refuse_others() && sound};
+  question.sound = complaints.count() == before;
+  question.sound = table.refuse_others() && question.sound;
+  return question;
 }
 
-Read<Task> read_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+Task read_task(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "[[task]]", complaints);
   const std::size_t before = complaints.count();
   Task task;
@@ -238,28 +249,31 @@ Read<Task> read_task(const toml::table& toml, const Lesson& lesson, Complaints& 
                                                                        : lesson.algorithms.front();
   task.points = static_cast<int>(table.integer_or("points", 1, 100'000, 0));
   if (table.has("only")) task.only = table.texts("only", 1);
+  task.only_place = table.place_of("only");
   task.hint = table.text("hint");
-  task.conditions = read_requirements(table, lesson, complaints);
-  if (task.conditions.empty()) table.lack("require", "the task has no [[task.require]]");
-  task.model_place = table.place_of("model");
   task.situation = read_situation(table, lesson, kOwnSituation);
-  task.model = lesson.subject->read_model(table, lesson_in(lesson, task.situation), complaints);
-  const bool sound = complaints.count() == before;
-  return {std::move(task), table.refuse_others() && sound};
+  task.model_place = table.place_of("model");
+  task.can_be_solved = reads_soundly(table, complaints, [&] {
+    const std::size_t so_far = complaints.count();
+    task.conditions = read_requirements(table, lesson, complaints);
+    if (task.conditions.empty() && complaints.count() == so_far)
+      table.lack("require", "the task has no [[task.require]]");
+    task.model = lesson.subject->read_model(table, lesson_in(lesson, task.situation), complaints);
+  });
+  task.sound = complaints.count() == before;
+  task.sound = table.refuse_others() && task.sound;
+  return task;
 }
 
 void read_tasks(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  for (const toml::table* one : table.tables("task")) {
-    auto [task, sound] = read_task(*one, lesson, complaints);
-    if (sound) lesson.tasks.push_back(std::move(task));
-  }
+  for (const toml::table* one : table.tables("task")) lesson.tasks.push_back(read_task(*one, lesson, complaints));
 }
 
 void read_pseudocode(const toml::table& toml, Complaints& complaints, Lesson& lesson) {
   for (const auto& [key, node] : toml) {
     const FilePlace place = file_place(key.source());
     const Method* algorithm = find_method(lesson, key.str());
-    if (algorithm == nullptr) complaints.add(place, "[pseudocode] of no algorithm: " + std::string(key.str()));
+    if (algorithm == nullptr) complaints.add(place, "[pseudocode] " + none_of_text(key.str(), lesson.algorithms));
     else if (!node.is_table())
       complaints.add(place, "[pseudocode] has a table for each algorithm: [pseudocode.ritter]");
     if (algorithm == nullptr || !node.is_table()) continue;
@@ -308,32 +322,42 @@ void read_head(TomlTable& table, Lesson& lesson) {
 void read_questions(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   std::map<std::string, int> lines;  // of the ids so far
   for (const toml::table* one : table.tables("question")) {
-    auto [question, sound] = read_question(*one, lesson, complaints);
+    Question question = read_question(*one, lesson, complaints);
     const auto [other, is_new] = lines.emplace(question.id, question.place.line);
-    if (!is_new && !question.id.empty())
+    if (!is_new && !question.id.empty()) {
       complaints.add(question.place, "there is another question with the id " + question.id + ", in line " +
                                          std::to_string(other->second));
-    else if (sound) lesson.questions.push_back(std::move(question));
+      question.sound = false;
+    }
+    lesson.questions.push_back(std::move(question));
   }
 }
 
-/// Reads what has no mistakes into the lesson. Returns whether it can be shown on a stage.
-bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
+/// Reads the lesson's own table and its situations.
+Stages read_stages(TomlTable& table, Lesson& lesson, bool known, Complaints& complaints) {
+  Stages stages;
+  const std::string own(lesson.subject->table);
+  const std::size_t before = complaints.count();
+  if (table.table(own) != nullptr) lesson.subject->read(table, lesson, complaints);
+  else if (known && !table.has(own)) table.lack(own, "the lesson lacks [" + own + "]");
+  if (!table.has(own) || complaints.count() > before) stages.unread.emplace_back(kOwnSituation);
+  read_situations(table, lesson, stages.unread, complaints);
+  stages.sound = table.has(own) && complaints.count() == before;
+  return stages;
+}
+
+/// Reads the lesson. What has mistakes is read as well, as far as it can be checked further. None if the stage cannot
+/// be known.
+std::optional<Stages> read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   TomlTable table(toml, "the lesson", complaints);
   const std::int64_t version = table.integer("version", 1, 1000000);
   if (version != kLessonVersion && table.has("version")) {  // then its keys are no mistakes
-    if (version == 1 && toml["version"].is_integer()) return tell_changes(toml, complaints), false;
-    return table.wrong("version", "is not one that this program reads: it reads 2"), false;
+    if (version == 1 && toml["version"].is_integer()) return tell_changes(toml, complaints), std::nullopt;
+    return table.wrong("version", "is not one that this program reads: it reads 2"), std::nullopt;
   }
   read_head(table, lesson);
-  bool sound = read_subject(table, lesson, complaints);
-  const std::size_t before = complaints.count();
-  const std::string own(lesson.subject->table);
-  const bool known = sound || !lesson.algorithms.empty();
-  if (table.table(own) != nullptr) lesson.subject->read(table, lesson, complaints);
-  else if (known) table.lack(own, "the lesson lacks [" + own + "]");
-  read_situations(table, lesson, complaints);
-  sound = sound && table.has(own) && complaints.count() == before;
+  const bool sound = read_subject(table, lesson, complaints);
+  Stages stages = read_stages(table, lesson, sound || !lesson.algorithms.empty(), complaints);
   read_sliders(table, lesson, complaints);
   for (const toml::table* section : table.tables("section"))
     lesson.sections.push_back(read_section(*section, lesson, complaints));
@@ -341,11 +365,11 @@ bool read(const toml::table& toml, Lesson& lesson, Complaints& complaints) {
   lesson.view = read_view(table, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
-  if (table.has(own)) read_tasks(table, lesson, complaints);
+  if (table.has(lesson.subject->table)) read_tasks(table, lesson, complaints);
   else table.allow("task");  // its model is read as what stands on the stage is
   read_texts(toml, lesson, complaints);
   table.refuse_others();
-  return sound;
+  return sound ? std::optional(std::move(stages)) : std::nullopt;
 }
 
 /// A case's source is a section of its own. It is no text of the file's sections, which the checks go through.
@@ -364,7 +388,7 @@ std::string id_of(std::string_view name) {
 
 }  // namespace
 
-Draft read_draft(std::string_view text, std::string_view name, Checked checked) {
+Draft read_draft(std::string_view text, std::string_view name, Checked checked, const io::PointFile* mesh) {
   Complaints complaints(name);
   Draft draft;
   const auto finished = [&] {
@@ -375,8 +399,8 @@ Draft read_draft(std::string_view text, std::string_view name, Checked checked) 
   if (!toml) return finished();
   Lesson lesson;
   lesson.id = id_of(name);
-  if (!read(*toml, lesson, complaints)) return finished();
-  if (check_lesson(lesson, *toml, checked, complaints)) {
+  const auto stages = read(*toml, lesson, complaints);
+  if (stages && check_lesson(lesson, *toml, {checked, mesh, *stages}, complaints)) {
     add_source(lesson);
     draft.lesson = std::move(lesson);
   }

@@ -25,7 +25,8 @@ void check_mesh(TomlTable& table, const Lesson& lesson, const Situation& situati
     table.wrong(lesson.subject->table, "of a situation has no mesh but that of the lesson's own: " + mesh);
 }
 
-Situation read_situation_table(const toml::table& toml, const Lesson& lesson, Complaints& complaints) {
+Situation read_situation_table(const toml::table& toml, const Lesson& lesson, std::vector<std::string>& unread,
+                               Complaints& complaints) {
   TomlTable table(toml, "[[situation]]", complaints);
   Situation situation;
   situation.place = table.place();
@@ -34,10 +35,12 @@ Situation read_situation_table(const toml::table& toml, const Lesson& lesson, Co
   const std::string_view own = lesson.subject->table;
   Lesson there = lesson;
   there.situations.clear();
+  const std::size_t before = complaints.count();
   if (table.table(own) != nullptr) lesson.subject->read(table, there, complaints);
-  else table.lack(own, "[[situation]] lacks [situation." + std::string(own) + "]");
+  else if (!table.has(own)) table.lack(own, "[[situation]] lacks [situation." + std::string(own) + "]");
   situation.points = std::move(there.points), situation.tables = std::move(there.tables);
   check_mesh(table, lesson, situation);
+  if (!table.has(own) || situation.name.empty() || complaints.count() > before) unread.push_back(situation.name);
   table.refuse_others();
   return situation;
 }
@@ -82,12 +85,29 @@ Slider read_slider(const toml::table& toml, const Lesson& lesson, Complaints& co
   return slider;
 }
 
+/// Checks that what a slider drives can be drawn at both of its ends.
+bool check_ends(const Slider& slider, const Lesson& lesson, const Subject& subject, Complaints& complaints) {
+  const Method& first = *find_method(lesson, lesson.algorithms.front());
+  const Drive drive = *drive_of(slider, subject);
+  bool sound = true;
+  for (const double end : {slider.from, slider.to}) {
+    const auto there = subject.clone();
+    const Done driven = there->drive(slider.drives, drive.now.value_or(drive.rest), end);
+    const std::string refused = driven && subject.suits(first) ? there->refusal(first) : "";
+    if (driven && refused.empty()) continue;
+    sound = false;
+    complaints.add(slider.place, "at " + plain_number(end) +
+                                     " the slider cannot be drawn: " + (driven ? refused : driven.error().what));
+  }
+  return sound;
+}
+
 }  // namespace
 
-void read_situations(TomlTable& table, Lesson& lesson, Complaints& complaints) {
+void read_situations(TomlTable& table, Lesson& lesson, std::vector<std::string>& unread, Complaints& complaints) {
   lesson.own_title = table.text_or("situation_title", lesson.own_title);
   for (const toml::table* one : table.tables("situation")) {
-    Situation situation = read_situation_table(*one, lesson, complaints);
+    Situation situation = read_situation_table(*one, lesson, unread, complaints);
     check_twin(lesson, situation, *one, complaints);
     lesson.situations.push_back(std::move(situation));
   }
@@ -99,7 +119,8 @@ void read_sliders(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   for (const toml::table* one : table.tables("slider")) {
     const std::size_t before = complaints.count();
     Slider slider = read_slider(*one, lesson, complaints);
-    if (complaints.count() == before) lesson.sliders.push_back(std::move(slider));
+    slider.sound = complaints.count() == before;
+    lesson.sliders.push_back(std::move(slider));
   }
 }
 
@@ -110,23 +131,18 @@ std::string read_situation(TomlTable& table, const Lesson& lesson, std::string_v
   return is_among(situation_names(lesson), name) ? name : std::string(otherwise);
 }
 
-void check_sliders(const Lesson& lesson, const Subject& subject, Complaints& complaints) {
+void check_sliders(Lesson& lesson, const Subject& subject, Complaints& complaints) {
   std::vector<std::string> names;
   for (const Drive& drive : subject.drives()) names.push_back(drive.name);
-  for (const Slider& slider : lesson.sliders) {
-    if (!is_there(slider, subject)) continue;
-    const auto drive = drive_of(slider, subject);
-    if (!drive && names.empty()) complaints.add(slider.drives_place, "\"drives\": nothing here can be driven");
-    else if (!drive) complaints.add(slider.drives_place, "\"drives\" " + none_of_text(slider.drives, names));
-    if (!drive) continue;
-    for (const double end : {slider.from, slider.to}) {
-      const auto there = subject.clone();
-      Done driven = there->drive(slider.drives, drive->now.value_or(drive->rest), end);
-      const std::string refused = driven ? there->refusal(*find_method(lesson, lesson.algorithms.front())) : "";
-      if (driven && refused.empty()) continue;
-      complaints.add(slider.place, "at " + plain_number(end) +
-                                       " the slider cannot be drawn: " + (driven ? refused : driven.error().what));
+  for (Slider& slider : lesson.sliders) {
+    if (!is_there(slider, subject) || slider.drives.empty()) continue;
+    if (!is_among(names, slider.drives)) {
+      complaints.add(slider.drives_place, names.empty() ? "\"drives\": nothing here can be driven"
+                                                        : "\"drives\" " + none_of_text(slider.drives, names));
+      slider.drives = nearest(names, slider.drives);
+      slider.sound = slider.sound && !slider.drives.empty();
     }
+    if (slider.sound) slider.sound = check_ends(slider, lesson, subject, complaints);
   }
 }
 

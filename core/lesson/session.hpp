@@ -289,10 +289,11 @@ class Session {
   /// Whether a question that compares the lesson's methods is still open, in the run of any of them: their results are
   /// hidden until it is answered or skipped. false for a subject that was edited.
   [[nodiscard]] bool comparing() const;
+  /// Whether a question about a figure of that method is still open here, in whatever run the player is; empty: any
+  /// question in that method's run. false for a subject that was edited.
+  [[nodiscard]] bool awaits(const Method& of, std::string_view figure) const;
   /// Whether a method's result is hidden in the comparison.
-  [[nodiscard]] bool hides_result(const Method& of) const {
-    return predicting() || comparing() || (&of == method(0) && is_hidden(kResultFigure));
-  }
+  [[nodiscard]] bool hides_result(const Method& of) const;
   /// What is proven so far; at the end, the result's certificate.
   [[nodiscard]] std::vector<Proof> proofs(int slot = 0) const;
   /// A number that changes whenever anything that a view shows has changed.

@@ -1,5 +1,6 @@
 // A session's questions and the given answers.
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "io/text.hpp"
@@ -195,6 +196,20 @@ bool Session::comparing() const {
     return asking != nullptr && asking->figure == kComparedFigure && question.situation == situation() &&
            is_open(question);
   });
+}
+
+bool Session::awaits(const Method& of, std::string_view figure) const {
+  if (!is_own()) return false;
+  return std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
+    return (figure.empty() || question.figure == figure) && question.situation == situation() &&
+           find_method(*lesson_, question.gate.algorithm) == &of && is_open(question);
+  });
+}
+
+bool Session::hides_result(const Method& of) const {
+  constexpr std::array<std::string_view, 3> kSizes{"radius", "measure", "excess"};
+  return predicting() || comparing() || (&of == method(0) && is_hidden(kResultFigure)) ||
+         std::any_of(kSizes.begin(), kSizes.end(), [&](std::string_view size) { return awaits(of, size); });
 }
 
 std::vector<const Method*> Session::waiting() const {

@@ -35,6 +35,8 @@ struct SubjectRow {
   Rows (*read_model)(TomlTable& task, const Lesson& lesson, Complaints& complaints) = nullptr;
   /// What a requirement may name as its goal.
   std::span<const std::string_view> goals = {};
+  /// The figures that it may name, if they are not those of results.
+  std::span<const std::string_view> task_figures = {};
   /// Checks what must hold before anything is run; null for nothing. own: the subject as it opens.
   void (*check_first)(const Lesson& lesson, const Subject& own, Complaints& complaints) = nullptr;
   /// Checks a task; null: its beginning must not solve it, and its model must.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "lesson/names.hpp"
 
@@ -210,19 +211,35 @@ std::vector<const toml::table*> TomlTable::tables(std::string_view key) {
   return all;
 }
 
+std::string TomlTable::next_missing() {
+  const auto next =
+      std::find_if(missing_says_.begin(), missing_says_.end(), [](const std::string& says) { return !says.empty(); });
+  if (next == missing_says_.end()) return {};
+  const std::string says = std::exchange(*next, {});
+  return "; " + (says.starts_with(name_ + " ") ? "it" + says.substr(name_.size()) : says);
+}
+
 bool TomlTable::refuse_others() {
   bool usable = missing_.empty();
+  std::vector<const toml::key*> unknown;  // and like none that there is
   for (const auto& [key, node] : table_) {
     if (is_among(asked_, key.str())) continue;
     // A key that is missing is the likeliest to be meant, and then is not told as missing too.
     std::string meant(nearest(missing_, key.str()));
     if (meant.empty()) meant = nearest(asked_, key.str());
-    complaints_.add(file_place(key.source()), name_ + " has no key " + in_quotes(key.str()) +
-                                                  (meant.empty() ? "" : ": did you mean " + in_quotes(meant) + "?"));
+    if (meant.empty()) unknown.push_back(&key);
+    else
+      complaints_.add(file_place(key.source()),
+                      name_ + " has no key " + in_quotes(key.str()) + ": did you mean " + in_quotes(meant) + "?");
     usable = usable && (meant.empty() || has(meant));
     for (std::size_t i = missing_.size(); i-- > 0;)
       if (missing_[i] == meant) missing_says_[i].clear();
   }
+  const auto line_of = [](const toml::key* key) { return key->source().begin.line; };
+  std::sort(unknown.begin(), unknown.end(),
+            [&](const toml::key* a, const toml::key* b) { return line_of(a) < line_of(b); });
+  for (const toml::key* key : unknown)
+    complaints_.add(file_place(key->source()), name_ + " has no key " + in_quotes(key->str()) + next_missing());
   for (std::string& what : missing_says_)
     if (!what.empty()) complaints_.add(place_, std::move(what));
   missing_.clear(), missing_says_.clear();

@@ -77,15 +77,19 @@ class TomlTable {
   void wrong(std::string_view key, const std::string& what);
   /// Notes that a key is missing; refuse_others complains about it.
   void lack(std::string_view key, std::string what);
-  /// Complains about every key that was not asked for, and about every required key that is missing, unless an unknown
-  /// key is a misspelling of it. Only after this call is it known whether what was read has mistakes. Returns whether
-  /// it can be used in spite of them: no required key is missing, and no unknown one is likely to be another's
-  /// misspelling.
+  /// How many keys are missing so far.
+  [[nodiscard]] std::size_t missing() const { return missing_.size(); }
+  /// Complains about every key that was not asked for, and about every required key that is missing: at the unknown key
+  /// that stands in its place, if there is one, and not at all if that is a misspelling of it. Only after this call is
+  /// it known whether what was read has mistakes. Returns whether it can be used in spite of them: no required key is
+  /// missing, and no unknown one is likely to be another's misspelling.
   bool refuse_others();
 
  private:
   const toml::node* find(std::string_view key);
   const toml::node* require(std::string_view key);
+  /// The first sentence about a missing key that was not told yet, which then is; as the end of one about another key.
+  std::string next_missing();
 
   const toml::table& table_;
   std::string name_;

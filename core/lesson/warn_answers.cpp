@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "io/text.hpp"
 #include "lesson/names.hpp"
@@ -38,11 +39,30 @@ std::optional<Told> told_by_handles(const Asked& asked, const Run& run) {
   return told;
 }
 
+/// What a choice may call an algorithm: by its title, by its name, or by its volume, where no other is of that.
+bool names_method(std::string_view choice, const Lesson& lesson, const Method& method) {
+  std::string said = io::lower_case(choice);
+  if (said.starts_with("the ")) said.erase(0, 4);
+  const std::string volume(method.volume), name(method.name);
+  const auto is_of_volume = [&](const std::string& algorithm) {
+    return find_method(lesson, algorithm)->volume == method.volume;
+  };
+  const bool alone = std::count_if(lesson.algorithms.begin(), lesson.algorithms.end(), is_of_volume) == 1;
+  return said == io::lower_case(title_in(lesson, method)) || said == io::lower_case(method.title) || said == name ||
+         said == volume + '/' + name || (alone && (said == volume || (said == "k-dop" && volume == "kdop")));
+}
+
+bool speaks_of_any(const Asked& asked, auto words) {
+  return std::any_of(words.begin(), words.end(), [&](std::string_view one) { return speaks_of(asked, one); });
+}
+
 /// Where the choices are algorithms: the tightest or the cheapest of them.
 std::optional<Told> told_by_methods(const Asked& asked, const Run& run) {
+  constexpr std::array<std::string_view, 5> kTight{"tight", "smallest", "wins", "fits best", "best fit"};
+  constexpr std::array<std::string_view, 2> kCheap{"cheap", "fewest operations"};
   if (!asked.lesson->subject->compares) return std::nullopt;
-  const bool tight = speaks_of(asked, "tight") || speaks_of(asked, "smallest");
-  if (!tight && !speaks_of(asked, "cheap") && !speaks_of(asked, "fewest operations")) return std::nullopt;
+  const bool tight = speaks_of_any(asked, kTight);
+  if (tight == speaks_of_any(asked, kCheap)) return std::nullopt;
   const Asking& asking = *general_asking(tight ? "tightest" : "cheapest", *asked.lesson->subject);
   Asked worked = asked;
   worked.choices.clear();
@@ -50,13 +70,54 @@ std::optional<Told> told_by_methods(const Asked& asked, const Run& run) {
   const Truth truth = asking.truth(worked, run);
   Told told{{}, truth.happened, std::string(asking.name)};
   for (std::size_t i = 0; i < asked.choices.size(); ++i) {
-    const auto own = std::find(worked.choices.begin(), worked.choices.end(), asked.choices[i]);
+    const Method* meant = nullptr;
+    for (const std::string& name : asked.lesson->algorithms)
+      if (const Method* one = find_method(*asked.lesson, name); names_method(asked.choices[i], *asked.lesson, *one))
+        meant = one;
+    if (meant == nullptr) return std::nullopt;
+    const auto own = std::find(worked.choices.begin(), worked.choices.end(), title_in(*asked.lesson, *meant));
     if (own == worked.choices.end()) return std::nullopt;
     const int choice = static_cast<int>(own - worked.choices.begin());
     if (std::find(truth.choices.begin(), truth.choices.end(), choice) != truth.choices.end())
       told.right.push_back(static_cast<int>(i));
   }
   return told;
+}
+
+std::vector<std::string> in_alphabet(std::vector<std::string> words) {
+  for (std::string& word : words) word = io::lower_case(word);
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+/// Whether a prompt asks what the step is asked by that name: "separates" in "Does this axis separate them?", and not
+/// in "Does any axis separate them?", which is about more than the step.
+bool asks_the_same(const Asked& asked, std::string_view asking) {
+  constexpr std::array<std::string_view, 7> kOther{" any", " some", "not ", "n't", "always", "ever ", " would"};
+  const std::string_view stem = asking.substr(0, asking.size() - (asking.ends_with('s') ? 1 : 0));
+  return speaks_of(asked, stem) && !speaks_of_any(asked, kOther);
+}
+
+/// Where the choices are those of something that the step can be asked: "inside", "intersecting", "outside".
+std::optional<Told> told_by_step(const Asked& asked, const Run& run) {
+  constexpr std::array<std::string_view, 5> kBeyond{"really", "truly", "should", "would", "in truth"};
+  if (speaks_of_any(asked, kBeyond)) return std::nullopt;  // a wrong test's own verdict is not what is asked
+  const std::vector<std::string> own = in_alphabet(asked.choices);
+  const bool yes_no = own == std::vector<std::string>{"no", "yes"};
+  for (const Asking& asking : run.askings(asked.fact)) {
+    if (asking.read != nullptr || (yes_no && !asks_the_same(asked, asking.name))) continue;
+    Asked worked = asked;
+    worked.choices.clear(), worked.choice_handles.clear();
+    if (asking.offer(worked, run) != nullptr || worked.many || in_alphabet(worked.choices) != own) continue;
+    const Truth truth = asking.truth(worked, run);
+    Told told{{}, truth.happened, std::string(asking.name)};
+    for (const int right : truth.choices)
+      for (std::size_t i = 0; i < asked.choices.size(); ++i)
+        if (io::lower_case(asked.choices[i]) == io::lower_case(worked.choices[static_cast<std::size_t>(right)]))
+          told.right.push_back(static_cast<int>(i));
+    return told;
+  }
+  return std::nullopt;
 }
 
 /// Half of a number's last digit, as it is written: 0.005 for "1.25".
@@ -70,34 +131,77 @@ double rounding_of(std::string_view number) {
   return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
 }
 
-/// Where the choices are numbers: those of the figure that the prompt names.
+/// The numbers that a choice means: "2.05 units", or a range, "at most 10 %", "10 to 40 %", "more than 40 %".
+std::optional<std::array<double, 2>> range_of(std::string_view choice, std::string_view unit) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr std::array<std::string_view, 5> kBelow{"at most ", "less than ", "below ", "under ", "up to "};
+  constexpr std::array<std::string_view, 4> kAbove{"at least ", "more than ", "above ", "over "};
+  using Range = std::array<double, 2>;
+  const std::string lower = io::lower_case(choice);
+  const std::string_view said = lower;
+  const auto number_behind = [&](const auto& words) -> std::optional<double> {
+    for (const std::string_view word : words)
+      if (said.starts_with(word)) return typed_number(said.substr(word.size()), unit);
+    return std::nullopt;
+  };
+  if (const auto most = number_behind(kBelow)) return Range{-kInfinite, *most};
+  if (const auto least = number_behind(kAbove)) return Range{*least, kInfinite};
+  if (const std::size_t to = said.find(" to "); to != std::string_view::npos) {
+    const auto least = typed_number(said.substr(0, to), unit), most = typed_number(said.substr(to + 4), unit);
+    if (least && most) return Range{*least, *most};
+  }
+  const auto value = typed_number(choice, unit);
+  if (!value) return std::nullopt;
+  return Range{*value - rounding_of(choice), *value + rounding_of(choice)};
+}
+
+/// Where the choices are numbers or ranges: those of the figure that the prompt names, by its key only if they have its
+/// unit.
 std::optional<Told> told_by_figure(const Asked& asked, const Run& run) {
   const View view{{Slot{find_method(*asked.lesson, asked.question->gate.algorithm), &run}, Slot{}}, 0, asked.until};
   for (const Figure& figure : asked.subject->figures(view)) {
-    if (!figure.known || !speaks_of(asked, figure.name)) continue;
+    const auto has_unit = [&](const std::string& choice) { return choice.ends_with(figure.unit); };
+    const bool by_key = !figure.unit.empty() && speaks_of(asked, figure.key) &&
+                        std::all_of(asked.choices.begin(), asked.choices.end(), has_unit);
+    if (!figure.known || (!by_key && !speaks_of(asked, figure.name))) continue;
     Told told{{}, figure.text, "figure"};
     for (std::size_t i = 0; i < asked.choices.size(); ++i) {
-      const auto value = typed_number(asked.choices[i], figure.unit);
-      if (!value) return std::nullopt;
-      if (std::abs(*value - figure.value) <= rounding_of(asked.choices[i])) told.right.push_back(static_cast<int>(i));
+      const auto range = range_of(asked.choices[i], figure.unit);
+      if (!range) return std::nullopt;
+      if ((*range)[0] <= figure.value && figure.value <= (*range)[1]) told.right.push_back(static_cast<int>(i));
     }
     return told;
   }
   return std::nullopt;
 }
 
-}  // namespace
-
-void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints) {
-  if (asked.question->asks != "choice") return;
+/// What the run says of a fixed answer; none where it cannot tell.
+std::optional<Told> told_of(const Asked& asked, const Run& run) {
+  if (asked.question->asks != "choice" || asked.step == Asked::kAnytime) return std::nullopt;
   std::optional<Told> told = told_by_handles(asked, run);
   if (!told) told = told_by_methods(asked, run);
+  if (!told) told = told_by_step(asked, run);
   if (!told) told = told_by_figure(asked, run);
+  return told;
+}
+
+bool is_false(const Asked& asked, const Told& told) {
+  return std::find(told.right.begin(), told.right.end(), asked.question->answer) == told.right.end();
+}
+
+}  // namespace
+
+std::optional<std::string> contradiction(const Asked& asked, const Run& run) {
+  const std::optional<Told> told = told_of(asked, run);
+  return told && is_false(asked, *told) ? std::optional(told->says) : std::nullopt;
+}
+
+void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints) {
+  const std::optional<Told> told = told_of(asked, run);
   if (!told) return;
   const std::string better = "; asks = \"" + told->asks + "\" works it out from the run";
-  const int fixed = asked.question->answer;
-  const std::string& answer = asked.choices[static_cast<std::size_t>(fixed)];
-  if (std::find(told->right.begin(), told->right.end(), fixed) == told->right.end())
+  const std::string& answer = asked.choices[static_cast<std::size_t>(asked.question->answer)];
+  if (is_false(asked, *told))
     complaints.warn(asked.question->place,
                     "the run contradicts the answer \"" + answer + "\": it is " + told->says + better);
   else if (asked.question->holds == Holds::kAlways && asked.question->conditions.empty())

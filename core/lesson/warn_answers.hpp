@@ -6,9 +6,13 @@
 
 namespace snug::lesson {
 
+/// What the run says instead of the fixed answer of a "choice"; none if it agrees, or cannot tell. It can tell where
+/// all choices are handles, algorithms, answers to something else that the step can be asked, or values or ranges of a
+/// figure that the prompt names. asked: as it is asked on the run.
+[[nodiscard]] std::optional<std::string> contradiction(const Asked& asked, const Run& run);
+
 /// Warns of a "choice" whose answer in the file the lesson's own run contradicts, and of one that a drag makes false
-/// although the file says that it always holds. It can be told where all choices are handles, algorithms, or values of
-/// a figure that the prompt names. asked: as it is asked on the run.
+/// although the file says that it always holds.
 void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints);
 
 }  // namespace snug::lesson

@@ -5,9 +5,10 @@
 
 namespace snug::lesson {
 
-/// Warns of each number in a section's text that is a figure of one of the lesson's runs at its end: it is false once
-/// the student drags a point, where {the figure} is not. toml: the section's table. own, run_of: of its situation.
-void warn_of_figures(const toml::table& toml, const Section& section, const Lesson& lesson, const Subject& own,
-                     const RunOf& run_of, Complaints& complaints);
+/// Warns of each number in a text that is a figure of one of the lesson's runs at its end: it is false once the student
+/// drags a point, where {the figure} is not. Texts that are only said of the lesson's own run are left out, and so are
+/// tasks, whose numbers are what is to be reached.
+void warn_of_figures(const Lesson& lesson, const toml::table& toml, std::span<const OpenSituation> situations,
+                     Complaints& complaints);
 
 }  // namespace snug::lesson

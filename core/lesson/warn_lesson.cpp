@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lesson/check_texts.hpp"
 #include "lesson/own_words.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
@@ -51,15 +52,13 @@ struct Handles {
   }
 };
 
-/// Warns of each handle in a table's text that is not there.
-void warn_of_handles(const toml::table& table, std::string_view key, const Handles& handles, Complaints& complaints) {
-  const toml::node* node = table.get(key);
-  const auto* text = node != nullptr ? node->as_string() : nullptr;
-  if (text == nullptr) return;
-  for (const std::string& name : names_like_handles(text->get()))
+/// Warns of each handle in a text that is not there.
+void warn_of_handles(const PlacedText& text, const Handles& handles, Complaints& complaints) {
+  for (const std::string& name : names_like_handles(text_of(*text.table, text.key)))
     if (const std::string last = handles.last_such(name); !last.empty() && !handles.has(name))
-      complaints.warn(place_in_text(table, key, name), '"' + std::string(key) + "\" speaks of " + name +
-                                                           ", which is not there: the last one is " + last);
+      complaints.warn(place_in_text(*text.table, text.key, name), '"' + std::string(text.name()) + "\" speaks of " +
+                                                                      name + ", which is not there: the last one is " +
+                                                                      last);
 }
 
 int words_of(const Paragraph& paragraph) {
@@ -112,15 +111,17 @@ void warn_of_words(const Lesson& lesson, const toml::table& toml, std::span<cons
       if (const toml::table* table = tables->get(i)->as_table()) see(*table, i);
   };
   each_of("section", [&](const toml::table& table, std::size_t i) {
-    if (handles) warn_of_handles(table, "text", *handles, complaints);
+    if (handles) {
+      warn_of_handles({&table, "title", &table}, *handles, complaints);
+      warn_of_handles({&table, "text", &table}, *handles, complaints);
+    }
     if (i < lesson.sections.size()) warn_of_length(table, lesson.sections[i], complaints);
   });
   each_of("question", [&](const toml::table& table, std::size_t) {
     if (lesson.subject->asks_of_steps) warn_of_own_words(table, complaints);
-    if (!handles) return;
-    for (const std::string_view key : {"prompt", "prompt_here", "because", "because_here"})
-      warn_of_handles(table, key, *handles, complaints);
   });
+  if (!handles) return;
+  for (const PlacedText& text : prompts_of(toml)) warn_of_handles(text, *handles, complaints);
 }
 
 }  // namespace snug::lesson

@@ -25,11 +25,12 @@ lesson::Draft draft_of(const std::string& path, bool played) {
   const auto text = read_start(path, lesson::kMostLessonBytes);
   if (!text) return {{}, {{1, text.error().what, path}}, {}};
   lesson::Draft draft = lesson::read_draft(*text, path);
+  tl::expected<std::optional<io::PointFile>, InputError> mesh;
+  if (played && draft.lesson) mesh = mesh_of(*draft.lesson);
+  if (mesh && *mesh) draft = lesson::read_draft(*text, path, lesson::Checked::kAsRun, &**mesh);
   lesson::check_names_beside(draft, *text, path, beside(path));
-  if (!played || !draft.lesson) return draft;
-  auto mesh = mesh_of(*draft.lesson);
-  if (mesh) lesson::check_played(draft, *text, path, *std::move(mesh));
-  else draft.mistakes.push_back({1, mesh.error().what, path});
+  if (!mesh) draft.mistakes.push_back({1, mesh.error().what, path});
+  else if (played) lesson::check_played(draft, path, *std::move(mesh));
   return draft;
 }
 

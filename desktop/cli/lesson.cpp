@@ -81,13 +81,16 @@ CheckedFile check_lesson(const std::string& path) {
   const auto text = read_start(path, lesson::kMostLessonBytes);
   if (!text) return {.mistakes = {text.error()}};
   lesson::Draft draft = lesson::read_draft(*text, path);
-  lesson::check_names_beside(draft, *text, path, beside(path));
-  CheckedFile checked;
-  if (draft.mistakes.empty() && draft.lesson) {
-    auto mesh = mesh_of(*draft.lesson);
-    if (!mesh) return {.mistakes = {mesh.error()}};
-    lesson::check_played(draft, *text, path, *std::move(mesh));
+  std::optional<io::PointFile> mesh;
+  if (draft.lesson) {
+    auto read = mesh_of(*draft.lesson);
+    if (!read) return {.mistakes = {read.error()}};
+    mesh = *std::move(read);
   }
+  if (mesh) draft = lesson::read_draft(*text, path, lesson::Checked::kAsRun, &*mesh);
+  lesson::check_names_beside(draft, *text, path, beside(path));
+  lesson::check_played(draft, path, std::move(mesh));
+  CheckedFile checked;
   for (lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(std::move(mistake)));
   for (lesson::FileError& warning : draft.warnings) checked.warnings.push_back(with_column(std::move(warning)));
   if (!checked.mistakes.empty() || !draft.lesson) return checked;
@@ -145,8 +148,12 @@ CommandResult run_play(const LessonOptions& options) {
   Json tasks = Json::array();
   for (const lesson::Grade& grade : played->grades)
     tasks.push_back({{"done", grade.done}, {"excess", grade.excess}, {"says", grade.says}});
+  Json false_keys = Json::array();
+  for (const auto& [question, answer, is] : played->false_keys)
+    false_keys.push_back({{"question", question}, {"answer", answer}, {"is", is}});
   Json last{{"lesson", file->lesson.id},
             {"not_asked", played->not_asked},
+            {"false_keys", std::move(false_keys)},
             {"task", tasks.empty() ? Json() : tasks.front()},
             {"tasks", tasks},
             {"sound", played->sound()}};
@@ -200,8 +207,10 @@ void add_lesson(Commands& commands) {
       "JSON Lines: {\"algorithm\",\"steps\",\"questions\":[{\"question\",\"answer\",\"happened\",\"right\"}]} for "
       "each,\n"
       "with \"situation\" if the lesson has several, each of which is played; then\n"
-      "{\"lesson\",\"not_asked\",\"task\",\"tasks\",\"sound\"}: the grades of the tasks' models, and the first of\n"
-      "them. Exit status 1 if a model answer is wrong or a question is never asked.\n"
+      "{\"lesson\",\"not_asked\",\"false_keys\",\"task\",\"tasks\",\"sound\"}: the grades of the tasks' models, and\n"
+      "the first of them. \"false_keys\" are the fixed answers of choices that the run contradicts:\n"
+      "{\"question\",\"answer\",\"is\"}. Exit status 1 if there is one, if a model answer is wrong or a question is\n"
+      "never asked.\n"
       "A lesson with the cost chart is played without a clock: which algorithm is fastest, and by how much, is "
       "decided\n"
       "by counted operations, and the last line has \"decided_by\":\"operations\". In the window and on the page it "

@@ -127,7 +127,8 @@ void add_lesson_facts(Commands& commands, CLI::App& group) {
       "\"before\" and\n"
       "\"nth\" name (null where a recursion's inner call is not counted), \"asks\" what it can be asked. \"size\" is "
       "a\n"
-      "sphere's radius, of others the area or volume; \"excess\" is over the smallest, 0.1 for 10 %.\n"
+      "sphere's radius, of others the area or volume; \"excess\" is over the lesson's \"reference\", 0.1 for\n"
+      "10 %, and null where nothing is compared.\n"
       "If the lesson has several situations, each line has its \"situation\".");
   const auto options = add_command<FactsOptions>(commands, facts, run_facts);
   facts.add_option("--algorithm", options->algorithm, "Only this one of the lesson's");

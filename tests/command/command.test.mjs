@@ -461,7 +461,9 @@ test("every mistake of a lesson is told, in its order, and warnings beside them"
 });
 
 test("a new lesson of each subject passes as it is written, and does not replace another", () => {
-  for (const subject of ["cloud", "pair", "volumes", "frustum", "scene", "cost"]) {
+  const subjects = readdirSync(join(lessons, "examples")).map((file) => file.replace(/\.toml$/, ""));
+  assert.ok(subjects.length >= 11);
+  for (const subject of subjects) {
     assert.equal(good(["lesson", "new", `my-${subject}`, "--subject", subject]), `my-${subject}.toml\n`);
     const [row] = json_lines(good(["lesson", "check", `my-${subject}.toml`]));
     assert.deepEqual([row.lesson, row.warnings], [`my-${subject}`, undefined]);
@@ -582,10 +584,31 @@ test("a lesson whose question is never asked is unsound", () => {
   assert.ok(not_asked.length > 0);
   assert.equal(lines.flatMap((row) => row.questions).length, asked - not_asked.length);
   const checked = snug(["lesson", "check", "never.toml"]);
-  const at = Number(/^snug: never\.toml:(\d+):1: the question "[\w-]+" is never asked/.exec(checked.err)?.[1]);
+  const at = Number(/^snug: never\.toml:(\d+):1: \w+ does not take step \w+ 9999 times on these points$/m.exec(checked.err)?.[1]);
   assert.ok(at > 0 && at < line && line - at < 10, checked.err);
   assert.equal(checked.status, 2);
   refused(["lesson", "play", "nowhere"], /there is no lesson "nowhere"/);
+});
+
+test("a fixed answer that the run contradicts is warned of, and makes play say no", () => {
+  const choice = ['id = "key"', 'algorithm = "welzl"', 'before = "finished"', 'asks = "choice"', 'prompt = "Which circle is smallest?"', 'choices = ["aabb_center", "welzl"]', 'answer = "aabb_center"', 'holds = "here"', 'because = "So."'];
+  write("key.toml", readFileSync(join(lessons, "examples", "cloud.toml"), "utf8").replace("[[task]]", `[[question]]\n${choice.join("\n")}\n\n[[task]]`));
+  const checked = snug(["lesson", "check", "key.toml"]);
+  assert.equal(checked.status, 0);
+  assert.match(checked.err, /^snug: key\.toml:\d+:1: warning: the run contradicts the answer "aabb_center": it is Welzl/);
+  const played = snug(["lesson", "play", "key.toml"]);
+  const end = json_lines(played.out).at(-1);
+  assert.deepEqual([played.status, end.sound, end.false_keys.map(({ question, answer }) => [question, answer])], [1, false, [["key", "aabb_center"]]]);
+});
+
+test("a lesson on a mesh is checked on it as any other is on its points", () => {
+  const text = readFileSync(join(lessons, "examples", "cloud.toml"), "utf8");
+  const mesh = text.slice(0, text.indexOf("[[task]]")).replace(/^list = .*$/m, 'mesh = "bunny"').replace("mark:farthest_found", "mark:farthest_fund").replace("Drag an outer point", "Drag P999999");
+  write("on-mesh.toml", mesh);
+  const { err, status } = snug(["lesson", "check", "on-mesh.toml"]);
+  assert.equal(status, 2);
+  assert.match(err, /there is no mark farthest_fund: .* did you mean farthest_found\?$/m);
+  assert.match(err, /warning: "text" speaks of P999999, which is not there: the last one is P\d+$/m);
 });
 
 test("a lesson with the chart of costs is played and checked by operations, and says so", () => {

@@ -186,6 +186,12 @@ TEST_CASE("a wrong answer is told what it means, at the first try and in the out
   while (session.asked() == nullptr) session.forward();
   REQUIRE(session.answer(point(4)));
   CHECK(outcome_of_own(session).because == "P4 is far from the origin, not from another point. So.");
+  session.forget_answers();
+  session.first();
+  REQUIRE(session.move(5, {0.4, 0.2, 0}));  // now P4 may be anywhere
+  while (session.asked() == nullptr) session.forward();
+  REQUIRE(session.answer(point(4)));
+  CHECK(outcome_of_own(session).because == "So.");
 }
 
 TEST_CASE("a wrong number and a wrong one of several points are told what they mean") {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/play.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 
@@ -66,7 +67,7 @@ constexpr Broken kBroken[] = {
      "cannot be given: six"},
     {"asks = \"grows\"", "asks = \"better\"", "id = \"again\"", "pass_judged"},
     {"asks = \"grows\"", "asks = \"holds\"", "id = \"again\"", "finished"},
-    {"answer = \"three\"", "answer = \"two\"", "answer = \"two\"", "none of the choices: two"},
+    {"answer = \"three\"", "answer = \"two\"", "answer = \"two\"", "none of one or three: two"},
     {"choices = [\"one\", \"three\"]", "choices = [\"three\"]", "choices", "at least 2"},
     {"choices = [\"one\", \"three\"]", "choices = [\"one\", \"three\", \"one\"]", "choices", "has one twice"},
     {"seed = 5", "seed = 5\nreference = \"hull/quickhul\"", "reference", "quickhul; did you mean quickhull?"},
@@ -88,7 +89,7 @@ constexpr Broken kBroken[] = {
     {"at_least = 5", "at_least = 5\nover = \"aabb/min_max\"", "[[task]]", "before the student begins"},
     {"figure = \"excess\"", "figure = \"exces\"", "figure = \"exces\"", "exces; did you mean excess?"},
     {"figure = \"excess\"\nat_least = 5", "goal = \"fail\"", "goal", "none of wrong_in_float_alone"},
-    {"hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P9\"]", "[[task]]", "not there: P9"},
+    {"hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P9\"]", "only = ", "not there: P9; the last one is P5"},
     {"points = 4", "points = 6", "[[task]]", "before the student begins"},
     {"points = 4", "points = 7", "[[task]]", "more points than"},
     {"[[-2, 0], [2, 0], [0, -1], [0, 2.5]]", "[[-2, 0], [2, 0]]", "model", "There are 2 points"},
@@ -186,7 +187,7 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "small.toml:46:8: \"asks\" is none of point, points, choice, sequence, figure, number, tightest, tightest_order, "
       "cheapest, cheapest_order or grows: grow; did you mean grows?",
       "small.toml:50:1: there is another question with the id growth, in line 32",
-      "small.toml:57:10: \"answer\" is none of the choices: two",
+      "small.toml:57:10: \"answer\" is none of one or three: two",
       "small.toml:66:1: [[task]] has no key \"hints\": did you mean \"hint\"?",
       "small.toml:67:9: the model does not solve the task: Excess over the optimum: 9.8 %; it must be at least 50 %.",
   };
@@ -195,6 +196,74 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
   for (std::size_t i = 0; i < due.size(); ++i) CHECK(said[i] == due[i]);
   REQUIRE(draft.lesson.has_value());  // what is sound of it can be looked at
   CHECK(draft.lesson->questions.empty());
+}
+
+TEST_CASE(
+    "mistakes in the view, a slider or a situation hide no others, and one in a question hides none of its others") {
+  std::string text(kSmallLesson);
+  const auto put = [&](std::string_view from, std::string_view to) {
+    const auto at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, from.size(), to);
+  };
+  put("A **term** stands", "A [pair](mark:pair_chosn) stands");
+  put("over two lines.", "with radius {radus ritter}.");
+  put("before = \"pair_chosen\"", "before = \"pair_chosn\"");
+  put("because = \"It is farther apart.\"", "reason = \"It is farther apart.\"");
+  put("because = \"It lies outside.\"", "because = \"It lies outside.\"\nwrong = { P44 = \"No.\" }");
+  put("asks = \"grows\"", "asks = \"number\"\ntolerance = 0.1\nfigure = \"radus\"");
+  put("answer = \"three\"", "answer = \"tree\"");
+  put("hint = \"Think.\"", "tip = \"Think.\"");
+  put("at_least = 5", "at_least = 50");
+  text += "[view]\nlook_at = \"P77\"\n[[slider]]\ntitle = \"Size\"\ndrives = \"scael\"\nfrom = 1\nto = 2\n"
+          "[[situation]]\nname = \"more\"\ntitle = \"More\"\n[situation.points]\nlist = [[0, 0], [1, 1, 1]]\n";
+  const std::pair<std::string_view, std::string_view> due[] = {
+      {"A [pair]", "there is no mark pair_chosn: a mark is support, a step's name or a handle's name; did you mean "
+                   "pair_chosen?"},
+      {"with radius", "\"text\" shows a figure of ritter at its end that is none of radius"},
+      {"before = \"pair_chosn", "\"before\" of ritter is none of"},
+      {"reason = ", "[[question]] has no key \"reason\"; it lacks the key \"because\""},
+      {"wrong = { P44", "cannot be given: P44; did you mean P4?"},
+      {"figure = \"radus\"", "\"figure\" after radius_checked is none of radius"},
+      {"answer = \"tree\"", "\"answer\" is none of one or three: tree; did you mean three?"},
+      {"tip = ", "[[task]] has no key \"tip\"; it lacks the key \"hint\""},
+      {"model = ", "the model does not solve the task"},
+      {"look_at", "\"look_at\" names no handle: P77"},
+      {"drives = ", "scael; did you mean scale?"},
+      {"list = [[0, 0], [1", "must be a point of 2 finite numbers"}};
+  const Draft draft = read_draft(text, "small.toml");
+  REQUIRE(draft.mistakes.size() == std::size(due));
+  for (std::size_t i = 0; i < std::size(due); ++i) {
+    CHECK(draft.mistakes[i].place.line == line_of(text, due[i].first));
+    CHECK_MESSAGE(draft.mistakes[i].what.find(due[i].second) != std::string::npos, draft.mistakes[i].what);
+  }
+}
+
+TEST_CASE("a misspelt algorithm is one mistake, and the lesson is checked with the one that is meant") {
+  std::string text = small_lesson_with("[\"ritter\", \"welzl\", \"brute_force\"]", "[\"riter\"]");
+  text.replace(text.find("asks = \"grows\""), 14, "asks = \"grow\"");
+  const auto mistakes = read_draft(text, "small.toml").mistakes;
+  REQUIRE(mistakes.size() == 2);
+  CHECK(mistakes[0].what.find("riter; did you mean ritter?") != std::string::npos);
+  CHECK(mistakes[1].what.find("did you mean grows?") != std::string::npos);
+}
+
+TEST_CASE("unknown keys and missing ones are told in pairs, each in a line where there are more of one kind") {
+  const auto said = [](std::string_view to) {
+    std::string all;
+    for (const FileError& mistake :
+         read_draft(small_lesson_with("prompt = \"Which pair?\"\nbecause = \"It is farther apart.\"", to), "small.toml")
+             .mistakes)
+      all += mistake.message() + "\n";
+    return all;
+  };
+  CHECK(said("text = \"Which?\"\nreason = \"So.\"") ==
+        "small.toml:29:1: [[question]] has no key \"text\"; it lacks the key \"prompt\"\n"
+        "small.toml:30:1: [[question]] has no key \"reason\"; it lacks the key \"because\"\n");
+  CHECK(said("prompt = \"Which?\"\nbecause = \"So.\"\ncolour = \"red\"") ==
+        "small.toml:31:1: [[question]] has no key \"colour\"\n");
+  CHECK(said("") == "small.toml:24:1: [[question]] lacks the key \"prompt\"\n"
+                    "small.toml:24:1: [[question]] lacks the key \"because\"\n");
 }
 
 TEST_CASE("what is allowed and probably not meant is warned of") {
@@ -208,6 +277,15 @@ TEST_CASE("what is allowed and probably not meant is warned of") {
         "small.toml:21:1: \"text\" speaks of P99, which is not there: the last one is P5");
   CHECK(draft.warnings[1].message() == "small.toml:21:1: a paragraph has 67 words: beside a stage at most 60 are read");
   CHECK(read_draft(kSmallLesson, "small.toml").warnings.empty());
+  const Draft more =
+      read_draft(small_lesson_with("prompt = \"Make it fail.\"", "prompt = \"Move P6 alone.\""), "s.toml");
+  REQUIRE(more.warnings.size() == 1);
+  CHECK(more.warnings[0].what == "\"prompt\" speaks of P6, which is not there: the last one is P5");
+  const Draft wrong = read_draft(
+      small_lesson_with("because = \"It lies outside.\"", "because = \"So.\"\nwrong = { P2 = \"P8 is meant.\" }"),
+      "s.toml");
+  REQUIRE(wrong.warnings.size() == 1);
+  CHECK(wrong.warnings[0].what == "\"wrong\" speaks of P8, which is not there: the last one is P5");
 }
 
 TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, is warned of") {
@@ -239,6 +317,28 @@ TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, 
           std::string::npos);
     CHECK(warnings(about + "answer = \"Welzl\"\nholds = \"here\"").empty());
   }
+  SUBCASE("algorithms by their names, and other words for the tightest") {
+    const std::string about = "prompt = \"Which circle wins?\"\nchoices = [\"ritter\", \"the welzl\"]\n";
+    CHECK(warnings(about + "answer = \"ritter\"\nholds = \"here\"").find("contradicts the answer \"ritter\"") !=
+          std::string::npos);
+    CHECK(warnings(about + "answer = \"the welzl\"\nholds = \"here\"").empty());
+  }
+  SUBCASE("what the step can be asked") {
+    const std::string about = "prompt = \"Does the circle grow?\"\nchoices = [\"no\", \"yes\"]\n";
+    CHECK(warnings(about + "answer = \"yes\"\nholds = \"here\"").find("it is no; asks = \"grows\"") !=
+          std::string::npos);
+    CHECK(warnings(about + "answer = \"no\"\nholds = \"here\"").empty());
+    CHECK(warnings("prompt = \"Does any circle grow?\"\nchoices = [\"no\", \"yes\"]\nanswer = \"yes\"\nholds = "
+                   "\"here\"")
+              .empty());
+  }
+  SUBCASE("ranges of a figure") {
+    const std::string about = "prompt = \"How large is the radius?\"\nchoices = [\"less than 2 units\", \"2 to 3 "
+                              "units\", \"over 3 units\"]\n";
+    CHECK(warnings(about + "answer = \"over 3 units\"\nholds = \"here\"").find("it is 2.05 units") !=
+          std::string::npos);
+    CHECK(warnings(about + "answer = \"2 to 3 units\"\nholds = \"here\"").empty());
+  }
   SUBCASE("a figure") {
     const std::string about = "prompt = \"What is the radius?\"\nchoices = [\"2.25 units\", \"2.05 units\"]\n";
     CHECK(warnings(about + "answer = \"2.25 units\"\nholds = \"here\"").find("it is 2.05") != std::string::npos);
@@ -260,6 +360,31 @@ TEST_CASE("a figure of the run in the prose is warned of, and one that is asked 
   for (const char* fine :
        {"It has radius {radius ritter}.", "It takes 6 points.", "$r = 2.25$ and `2.25`.", "It is 2.26."})
     CHECK(read_draft(test::small_lesson_with("Another paragraph.", fine), "small.toml").warnings.empty());
+}
+
+TEST_CASE("a figure of the run in a question is warned of, unless its words are for the lesson's own run") {
+  const auto warnings = [](std::string_view to) {
+    return read_draft(small_lesson_with("because = \"It lies outside.\"", to), "small.toml").warnings;
+  };
+  const auto told = warnings("because = \"The radius is 2.25 in the end.\"");
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].what == "\"because\" has 2.25, a figure of the run: {radius ritter} stays true when the student drags");
+  CHECK(warnings("because = \"So.\"\nbecause_here = \"The radius is 2.25 in the end.\"").empty());
+}
+
+TEST_CASE("a fixed answer that the run contradicts makes a played lesson unsound") {
+  const std::string text = small_lesson_with(
+      "[[task]]", "[[question]]\nid = \"own\"\nalgorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"choice\"\n"
+                  "prompt = \"Which point supports it?\"\nchoices = [\"P4\", \"P2\"]\nanswer = \"P2\"\nholds = "
+                  "\"here\"\nbecause = \"So.\"\n[[task]]");
+  Session session = test::open(text);
+  const auto played = play(session);
+  REQUIRE(played.has_value());
+  REQUIRE(played->false_keys.size() == 1);
+  CHECK(played->false_keys[0].question == "own");
+  CHECK(played->false_keys[0].answer == "P2");
+  CHECK(played->false_keys[0].is == "P0, P1 and P4");
+  CHECK_FALSE(played->sound());
 }
 
 TEST_CASE("no bytes make the reader fail otherwise than by an error") {

@@ -40,6 +40,8 @@ void read_chart(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   cloud_row().read(table, lesson, complaints);
 }
 
+constexpr std::array<std::string_view, 1> kTaskFigures{kTighterFigure};
+
 /// Checks that on the model's points some algorithm is smaller by as much as the task asks. Which of them is fastest
 /// depends on the student's machine.
 void check_cost_task(const Lesson& lesson, const Task& task, const Subject& own, Complaints& complaints) {
@@ -86,6 +88,7 @@ const SubjectRow kCostRow{.name = "cost",
                           .asks_of_steps = false,
                           .read = &read_chart,
                           .read_model = &read_point_model,
+                          .task_figures = kTaskFigures,
                           .check_task = &check_cost_task,
                           .open = &open_chart,
                           .play_task = &play_cost_task,

@@ -181,7 +181,27 @@ TEST_CASE("a range of any figure can be asked, and the figure is hidden until it
   const std::string lost = mixed_with("prompt = \"Which point?\"", "prompt = \"Which point?\"") +
                            "\n[[question]]\nid = \"one\"\nalgorithm = \"min_max\"\nbefore = \"finished\"\nasks = "
                            "\"figure\"\nfigure = \"beauty\"\nbounds = [1]\nprompt = \"?\"\nbecause = \"!\"\n";
-  CHECK(refusal(lost).find("\"figure\" names none") != std::string::npos);
+  CHECK(refusal(lost).find("\"figure\" after finished is none of measure") != std::string::npos);
+}
+
+TEST_CASE("what is asked of one algorithm's size stays hidden while another is on the stage") {
+  Session session = asked_session("asks = \"figure\"\nfigure = \"excess\"\nbounds = [10, 60]");
+  const Method &asked = *find_method(session.lesson(), "min_max"), &other = *find_method(session.lesson(), "kdop/k8");
+  const auto excess_beside = [&] { return figure_of(session.figures(1), "excess")->known; };
+  REQUIRE(session.choose(0, "obb/exact").has_value());
+  REQUIRE(session.choose(1, "min_max").has_value());
+  session.last();
+  CHECK(session.hides_result(asked));
+  CHECK_FALSE(session.hides_result(other));
+  CHECK_FALSE(excess_beside());
+  REQUIRE(session.choose(0, "min_max").has_value());
+  session.go(session.steps());
+  REQUIRE(session.answer(test::choice(0)));
+  session.acknowledge();
+  REQUIRE(session.choose(0, "obb/exact").has_value());
+  session.last();
+  CHECK_FALSE(session.hides_result(asked));
+  CHECK(excess_beside());
 }
 
 TEST_CASE("ranges of counts and of measures") {
