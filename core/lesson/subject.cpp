@@ -91,6 +91,7 @@ std::vector<Figure> Subject::figures_at_end(const Method& method, const View& vi
 std::vector<Figure> Subject::results(const Method& method, const View& view) const {
   return figures_at_end(method, view);
 }
+std::vector<Figure> Subject::results_at(const Method&, int) const { return {}; }
 std::optional<double> Subject::result_size(const Method&, bool, const View&) const { return std::nullopt; }
 std::int64_t Subject::operations(const Method&) const { return 0; }
 bool Subject::reaches(std::string_view) const { return false; }

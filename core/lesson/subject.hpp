@@ -279,6 +279,8 @@ class Subject {
   [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
   /// The figures by which tasks and conditions are judged: those at the end, with every part switched on.
   [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;
+  /// The same after one of a scene's frames, counted from 1; none where there is no such frame.
+  [[nodiscard]] virtual std::vector<Figure> results_at(const Method& method, int frame) const;
   /// The size of a method's final result: of a ball the radius, unless its area or volume is wanted. None if it has no
   /// volume.
   [[nodiscard]] virtual std::optional<double> result_size(const Method& method, bool by_measure,
