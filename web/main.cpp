@@ -148,7 +148,7 @@ val check_draft(const std::string& toml, const std::string& name, const val& les
   if (auto read = io::read_points(mesh, "mesh.ply"); !mesh.empty() && read) file = std::move(*read);
   lesson::Draft draft = lesson::read_draft(toml, name, lesson::Checked::kAsRun, file ? &*file : nullptr);
   const auto ids = [](const val& list) { return emscripten::vecFromJSArray<std::string>(list); };
-  lesson::check_names_beside(draft, toml, name, {ids(lessons), ids(ideas)});
+  lesson::check_names_beside(draft, name, {ids(lessons), ids(ideas)});
   lesson::check_played(draft, name, std::move(file));
   return web::draft_object(draft, name);
 }

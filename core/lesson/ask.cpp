@@ -153,6 +153,15 @@ std::string_view Asked::hidden_figure() const {
   return question->figure.empty() ? asking->figure : std::string_view(question->figure);
 }
 
+bool comes_before(const Run& run, const Gate& gate) {
+  if (gate.after.empty() || gate.after == Gate::kStart) return true;
+  const int due = find_fact(run, gate.fact, gate.occurrence);
+  if (gate.after_nth > 0) return find_fact(run, gate.after, gate.after_nth) < due;
+  for (int i = 0; i < due; ++i)
+    if (run.fact(i) == gate.after) return true;
+  return false;
+}
+
 std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject, const Run& run,
                              std::string& why) {
   const SubjectRow& row = *lesson.subject;

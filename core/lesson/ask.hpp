@@ -139,6 +139,9 @@ void put_words(Asked& asked, bool own_run);
 inline constexpr std::string_view kNoFigureAfter = "\"figure\" names none that there is after this step";
 [[nodiscard]] std::string no_figure_after(const Asked& asked, const Run& run);
 
+/// Whether the step that the question is asked after comes before the one that it is about.
+[[nodiscard]] bool comes_before(const Run& run, const Gate& gate);
+
 /// What any step can be asked, by the names that lesson files use.
 [[nodiscard]] std::vector<std::string_view> general_askings(const SubjectRow& subject);
 /// One of these by name; null if it is none of them.

@@ -10,16 +10,6 @@
 namespace snug::lesson {
 namespace {
 
-/// The place of some words in a file's text; `otherwise` if it does not have them.
-FilePlace place_of_words(std::string_view text, std::string_view words, FilePlace otherwise) {
-  const std::size_t at = text.find(words);
-  if (at == std::string_view::npos) return otherwise;
-  const std::string_view before = text.substr(0, at);
-  const std::size_t line_end = before.rfind('\n');
-  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
-          static_cast<int>(line_end == std::string_view::npos ? at + 1 : at - line_end)};
-}
-
 FilePlace place_of_error(const InputError& error) {
   return error.unit == InputError::Unit::kLine ? FilePlace(static_cast<int>(error.position)) : FilePlace();
 }
@@ -62,25 +52,15 @@ void check_play(const Played& played, const Lesson& lesson, Mistakes& mistakes) 
 
 }  // namespace
 
-void check_names_beside(Draft& draft, std::string_view text, std::string_view file, const Beside& beside) {
-  if (!draft.lesson) return;
+void check_names_beside(Draft& draft, std::string_view file, const Beside& beside) {
   Mistakes mistakes(draft, file);
-  for (const Section& section : draft.lesson->sections)
-    for (const Stretch* stretch : stretches_of(section)) {
-      if (!stretch->link || stretch->link->kind != Link::Kind::kLesson) continue;
-      const std::string& target = stretch->link->target;
-      if (is_among(beside.lessons, target)) continue;
-      const std::string_view meant = nearest(beside.lessons, target);
-      mistakes.add(place_of_words(text, "(lesson:" + target + ")", section.place),
-                   "\"text\" links to a lesson that is not there: " + target +
-                       (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"));
-    }
-  for (const std::string& id : draft.lesson->covers) {
-    if (beside.ideas.empty() || is_among(beside.ideas, id)) continue;
-    const std::string_view meant = nearest(beside.ideas, id);
-    mistakes.add(place_of_words(text, '"' + id + '"', {}),
-                 "\"covers\" names an idea that the course does not list: " + id +
-                     (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"));
+  for (const auto& [name, idea, place] : draft.names_beside) {
+    const std::vector<std::string>& names = idea ? beside.ideas : beside.lessons;
+    if (is_among(names, name) || (idea && names.empty())) continue;
+    const std::string_view meant = nearest(names, name);
+    mistakes.add(place, (idea ? "\"covers\" names an idea that the course does not list: "
+                              : "\"text\" links to a lesson that is not there: ") +
+                            name + (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?"));
   }
 }
 

@@ -17,9 +17,9 @@ struct Beside {
   std::vector<std::string> ideas;    // the ids of the ideas that its course lists; empty if it lists none
 };
 
-/// Adds the mistakes that the file alone does not show: links to lessons and ideas that are not there. text: the
-/// file's. file: its name in the mistakes.
-void check_names_beside(Draft& draft, std::string_view text, std::string_view file, const Beside& beside);
+/// Adds the mistakes that the file alone does not show: links to lessons and ideas that are not there. file: its name
+/// in the mistakes.
+void check_names_beside(Draft& draft, std::string_view file, const Beside& beside);
 
 /// Adds the mistakes that only playing shows, such as questions that are never asked. mesh: the one that the lesson
 /// begins with, if any. Does nothing if the draft has mistakes.

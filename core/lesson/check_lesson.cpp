@@ -99,6 +99,10 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
     const auto asked = resolve(question, lesson, subject, run, why);
     const bool of_figure = why.starts_with("\"figure\" ");
     if (!asked) return complaints.add(of_figure ? question.figure_place : question.place, why), false;
+    if (!comes_before(run, question.gate))
+      return complaints.add(question.gate.after_place,
+                            "\"after\" names a step that does not come before this one: " + question.gate.after),
+             false;
     if (question.sound) warn_of_answer(*asked, run, complaints);
     const bool meant = check_meanings(*asked, complaints);
     return check_conditions(question, lesson, algorithm, subject, run, complaints) && meant && question.sound;
@@ -123,9 +127,10 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
 }
 
 /// Checks that the methods shown from the start can take the points. place: that of the points. Subjects that check
-/// their methods themselves say what else has to be said.
+/// their methods themselves say what else has to be said, and without points all of it.
 void check_sizes(const Lesson& lesson, const Subject& own, const TomlTable& root, FilePlace place,
                  Complaints& complaints) {
+  if (lesson.subject->check_first != nullptr && own.points() == nullptr) return;
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
     const std::string refusal = own.refusal(method);

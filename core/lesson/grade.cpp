@@ -90,7 +90,8 @@ std::string read_method(TomlTable& table, std::string_view key, const Lesson& le
   const std::string name = table.text_or(key, "");
   if (name.empty()) return name;
   if (const Method* method = find_method(lesson, name)) return name_in(lesson, *method);
-  check_name(table, key, name, lesson.algorithms);
+  const std::string own = lesson.volume + "/";  // which may be left out
+  check_name(table, key, name.starts_with(own) ? name.substr(own.size()) : name, lesson.algorithms);
   return {};
 }
 
@@ -100,6 +101,10 @@ Requirement read_requirement(const toml::table& toml, const Lesson& lesson, Comp
   requirement.place = table.place_of(table.has("goal") ? "goal" : "figure");
   const auto goals = lesson.subject->goals;
   if (table.has("goal")) {
+    for (const std::string_view key : {"figure", "algorithm", "over", "at_frame", "at_least", "at_most", "equals"}) {
+      if (table.has(key)) table.wrong("goal", "stands alone, and here stands \"" + std::string(key) + "\" as well");
+      table.allow(key);
+    }
     requirement.goal = table.text("goal");
     if (goals.empty()) table.wrong("goal", "is none: such a lesson has figures alone");
     else check_name(table, "goal", requirement.goal, goals);

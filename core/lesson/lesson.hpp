@@ -237,11 +237,19 @@ inline constexpr std::size_t kMostLessonBytes = 1 << 18;
 /// seconds.
 enum class Checked : std::uint8_t { kAsWritten, kAsRun };
 
+/// A lesson that a file links to, or an idea that it covers: whether it is there, other files say.
+struct NameBeside {
+  std::string name;
+  bool idea = false;
+  FilePlace place;  // in the file, for errors
+};
+
 /// What could be read of a lesson file, and what is wrong with it. Questions and tasks with mistakes are left out.
 struct Draft {
   std::optional<Lesson> lesson;     // none if what stands on its stage could not be read
   std::vector<FileError> mistakes;  // in the order of the file
   std::vector<FileError> warnings;  // what is allowed but probably not meant
+  std::vector<NameBeside> names_beside = {};
 };
 
 /// Reads a lesson file. name: for errors and for the id. Mistakes, each with its line and column: of TOML, after which

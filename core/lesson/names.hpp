@@ -38,18 +38,22 @@ namespace snug::lesson {
 /// Source: L. Boytsov, "Indexing methods for approximate dictionary searching", 2011 (optimal string alignment).
 [[nodiscard]] int spelling_distance(std::string_view a, std::string_view b);
 
-/// The name that another is probably a misspelling of; empty where none is near enough.
+/// The name that another is probably a misspelling of, or the beginning of; empty where none is near enough.
 [[nodiscard]] std::string_view nearest(const auto& names, std::string_view name) {
   std::string_view best;
   int least = static_cast<int>(name.size()) / 3 + 1;
   for (const std::string_view one : names)
     if (const int distance = spelling_distance(one, name); distance < least) best = one, least = distance;
+  if (!best.empty() || name.size() < 3) return best;
+  for (const std::string_view one : names)
+    if (one.starts_with(name) && (best.empty() || one.size() < best.size())) best = one;
   return best;
 }
 
 /// "is none of ritter or welzl: wezl; did you mean welzl?"
 [[nodiscard]] std::string none_of_text(std::string_view name, const auto& names) {
   const std::string_view meant = nearest(names, name);
+  if (names.empty()) return "is not there: " + std::string(name);
   return "is none of " + one_of(names) + ": " + std::string(name) +
          (meant.empty() ? "" : "; did you mean " + std::string(meant) + "?");
 }

@@ -73,8 +73,8 @@ class Line {
     }
     while (!plain_.empty() && plain_.back() == ' ') plain_.pop_back();
     flush();
-    if (strong_) complain("has a ** without a partner", *strong_);
-    if (emphasis_) complain("has a * without a partner", *emphasis_);
+    if (strong_ && !told_at(*strong_)) complain("has a ** without a partner", *strong_);
+    if (emphasis_ && !told_at(*emphasis_)) complain("has a * without a partner", *emphasis_);
     if (displayed_ && within_ != Within::kSection)
       complain("has a $$ formula, which can only be a paragraph of a section's text", *displayed_);
     else if (displayed_ && paragraph_.size() > 1)
@@ -119,6 +119,10 @@ class Line {
     if (plain_.empty()) return;
     Stretch words{.text = kept_together(std::exchange(plain_, {}))};
     push(std::move(words), plain_at_);
+  }
+
+  bool told_at(std::size_t at) const {
+    return std::any_of(faults_.begin(), faults_.end(), [&](const ProseFault& fault) { return fault.at == begin_ + at; });
   }
 
   void toggle(std::optional<std::size_t>& since, const std::string& mark, std::size_t from) {

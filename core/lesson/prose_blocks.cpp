@@ -145,7 +145,7 @@ class Reader {
 
   void table() {
     Block table{.kind = Kind::kTable};
-    const std::size_t head = next_;
+    const std::size_t head = next_, faults = faults_.size();
     for (; next_ < lines_.size() && is_row(next_); ++next_) {
       if (next_ == head + 1) {
         dashes(table, next_);
@@ -160,7 +160,7 @@ class Reader {
       table.rows.push_back(std::move(row));
     }
     table.right.resize(table.rows.front().size());
-    if (table.rows.size() < 2)
+    if (table.rows.size() < 2 && faults_.size() == faults)
       complain("has a table without rows: below its head come a line of dashes and the rows", lines_[head].begin);
     if (!table.right.empty()) blocks_.push_back(std::move(table));
   }

@@ -93,6 +93,8 @@ void read_algorithms(TomlTable& table, Lesson& lesson) {
     else if (!own.empty()) lesson.algorithms.push_back(std::move(own));
   }
   if (table.has("compare")) lesson.compare = read_algorithm(table, "compare", lesson);
+  if (!lesson.compare.empty() && !lesson.algorithms.empty() && lesson.compare == lesson.algorithms.front())
+    table.wrong("compare", "is the first algorithm itself");
   if (!table.has("reference")) return;
   lesson.reference = known_algorithm(table, "reference", table.text("reference"), lesson);
   if (!lesson.subject->compares) table.wrong("reference", "is for volumes fitted round points");
@@ -100,7 +102,8 @@ void read_algorithms(TomlTable& table, Lesson& lesson) {
 
 std::vector<std::string_view> section_titles(const Lesson& lesson) {
   std::vector<std::string_view> titles;
-  for (const Section& section : lesson.sections) titles.push_back(section.title);
+  for (const Section& section : lesson.sections)
+    if (!section.title.empty()) titles.push_back(section.title);
   return titles;
 }
 
@@ -113,6 +116,7 @@ bool check_link(const toml::table& section, const Stretch& stretch, const Lesson
   };
   const auto check = [&](std::string_view what, const auto& names) {
     if (lesson.algorithms.empty() || is_among(names, link.target)) return true;
+    if (names.empty()) return wrong(std::string(what) + ", and the lesson offers none");
     return wrong(std::string(what) + " that " + none_of_text(link.target, names));
   };
   switch (link.kind) {
@@ -372,6 +376,21 @@ std::optional<Stages> read(const toml::table& toml, Lesson& lesson, Complaints& 
   return sound ? std::optional(std::move(stages)) : std::nullopt;
 }
 
+/// The lessons that a file links to, and the ideas that it covers.
+std::vector<NameBeside> names_beside(const toml::table& toml, const Lesson& lesson) {
+  std::vector<NameBeside> names;
+  const toml::array* sections = toml["section"].as_array();
+  for (std::size_t i = 0; i < lesson.sections.size(); ++i)
+    for (const Stretch* stretch : stretches_of(lesson.sections[i]))
+      if (stretch->link && stretch->link->kind == Link::Kind::kLesson)
+        names.push_back(
+            {stretch->link->target, false, place_in_text(*sections->get(i)->as_table(), "text", stretch->at)});
+  if (const toml::array* covers = toml["covers"].as_array())
+    for (const toml::node& idea : *covers)
+      if (const auto* text = idea.as_string()) names.push_back({text->get(), true, file_place(idea)});
+  return names;
+}
+
 /// A case's source is a section of its own. It is no text of the file's sections, which the checks go through.
 void add_source(Lesson& lesson) {
   if (lesson.source.empty()) return;
@@ -400,6 +419,7 @@ Draft read_draft(std::string_view text, std::string_view name, Checked checked, 
   Lesson lesson;
   lesson.id = id_of(name);
   const auto stages = read(*toml, lesson, complaints);
+  draft.names_beside = names_beside(*toml, lesson);
   if (stages && check_lesson(lesson, *toml, {checked, mesh, *stages}, complaints)) {
     add_source(lesson);
     draft.lesson = std::move(lesson);

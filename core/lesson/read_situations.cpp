@@ -45,16 +45,19 @@ Situation read_situation_table(const toml::table& toml, const Lesson& lesson, st
   return situation;
 }
 
-/// Complains of a name that another situation has.
-void check_twin(const Lesson& lesson, const Situation& situation, const toml::table& toml, Complaints& complaints) {
+/// Complains of a name that another situation has. Returns whether none has.
+bool check_twin(const Lesson& lesson, const Situation& situation, const toml::table& toml, Complaints& complaints) {
   const toml::node* name = toml.get("name");
   const FilePlace place = name != nullptr ? file_place(*name) : situation.place;
   if (situation.name == kOwnSituation)
-    return complaints.add(place, "the name own is that of the lesson's own situation");
-  for (const Situation& other : lesson.situations)
-    if (!situation.name.empty() && other.name == situation.name)
-      return complaints.add(place, "there is another situation with the name " + situation.name + ", in line " +
-                                       std::to_string(other.place.line));
+    return complaints.add(place, "the name own is that of the lesson's own situation"), false;
+  for (const Situation& other : lesson.situations) {
+    if (situation.name.empty() || other.name != situation.name) continue;
+    complaints.add(place, "there is another situation with the name " + situation.name + ", in line " +
+                              std::to_string(other.place.line));
+    return false;
+  }
+  return true;
 }
 
 void read_ends(TomlTable& table, Slider& slider) {
@@ -108,8 +111,7 @@ void read_situations(TomlTable& table, Lesson& lesson, std::vector<std::string>&
   lesson.own_title = table.text_or("situation_title", lesson.own_title);
   for (const toml::table* one : table.tables("situation")) {
     Situation situation = read_situation_table(*one, lesson, unread, complaints);
-    check_twin(lesson, situation, *one, complaints);
-    lesson.situations.push_back(std::move(situation));
+    if (check_twin(lesson, situation, *one, complaints)) lesson.situations.push_back(std::move(situation));
   }
   if (table.has("situation_title") && lesson.situations.empty())
     table.wrong("situation_title", "needs a [[situation]] besides the lesson's own");

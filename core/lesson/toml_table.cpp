@@ -69,6 +69,7 @@ void TomlTable::lack(std::string_view key, std::string what) {
 
 void TomlTable::wrong(std::string_view key, const std::string& what) {
   const FilePlace place = place_of(key);
+  if (is_among(missing_, key)) return;  // that it is missing says enough
   if (!has(key) || !complaints_.has_at(place)) complaints_.add(place, in_quotes(key) + " " + what);
 }
 

@@ -44,9 +44,10 @@ std::vector<Written> numbers_in(std::string_view text) {
     number.value = std::stod(digits);
     number.per_cent = text.substr(i).starts_with(" %") || text.substr(i).starts_with("%");
     const auto count = std::count_if(digits.begin(), digits.end(), is_digit);
+    const bool rough = number.value == 0 || digits.find_first_of("123456789") + 1 >= digits.size();  // "0.000001"
     const bool word = number.at > 0 && std::isalpha(static_cast<unsigned char>(text[number.at - 1])) != 0;  // "P123"
     number.whole = !point, number.after = text.substr(i);
-    if (!word && (point ? count >= 3 || number.per_cent : count >= 2 && !number.per_cent))
+    if (!word && (point ? (count >= 3 && !rough) || number.per_cent : count >= 2 && !number.per_cent))
       numbers.push_back(std::move(number));
   }
   return numbers;
@@ -73,7 +74,8 @@ std::vector<Shown> figures_of(const Lesson& lesson, const OpenSituation& there) 
 
 /// Whether the word after a whole number is the figure's unit: "66 pairs".
 bool has_unit(const Written& number, const Shown& figure) {
-  if (figure.unit.empty() || !number.after.starts_with(' ')) return false;
+  // A number of points is mostly that of the lesson's own, which no drag changes.
+  if (figure.unit.empty() || figure.unit == "points" || !number.after.starts_with(' ')) return false;
   const std::string_view word = number.after.substr(1);
   const bool ends =
       word.size() == figure.unit.size() ||
@@ -139,6 +141,7 @@ void warn_of_figures(const Lesson& lesson, const toml::table& toml, std::span<co
       const toml::table* table = tables->get(i)->as_table();
       warn_of_stretch(*stretch, {table, "text", table}, lesson.sections[i].situation, figures, complaints);
     }
+  if (!lesson.subject->asks_of_steps) return;  // such questions are asked of the lesson's own alone
   for (const PlacedText& text : prompts_of(toml)) {
     if (!is_said_of_any(text)) continue;
     std::vector<ProseFault> told;

@@ -28,7 +28,7 @@ lesson::Draft draft_of(const std::string& path, bool played) {
   tl::expected<std::optional<io::PointFile>, InputError> mesh;
   if (played && draft.lesson) mesh = mesh_of(*draft.lesson);
   if (mesh && *mesh) draft = lesson::read_draft(*text, path, lesson::Checked::kAsRun, &**mesh);
-  lesson::check_names_beside(draft, *text, path, beside(path));
+  lesson::check_names_beside(draft, path, beside(path));
   if (!mesh) draft.mistakes.push_back({1, mesh.error().what, path});
   else if (played) lesson::check_played(draft, path, *std::move(mesh));
   return draft;

@@ -88,7 +88,7 @@ CheckedFile check_lesson(const std::string& path) {
     mesh = *std::move(read);
   }
   if (mesh) draft = lesson::read_draft(*text, path, lesson::Checked::kAsRun, &*mesh);
-  lesson::check_names_beside(draft, *text, path, beside(path));
+  lesson::check_names_beside(draft, path, beside(path));
   lesson::check_played(draft, path, std::move(mesh));
   CheckedFile checked;
   for (lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(std::move(mistake)));

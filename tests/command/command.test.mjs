@@ -327,7 +327,7 @@ test("a link to a lesson that is not in the lesson's folder is refused with its 
   const text = readFileSync(join(lessons, "sphere-ritter.toml"), "utf8").replace("Drag a point.", "Drag\na [point](lesson:beside-it).");
   const line = 1 + text.split("\n").findIndex((row) => row.includes("lesson:beside-it"));
   write("linked.toml", text);
-  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}:10: "text" links to a lesson that is not there: beside-it`));
+  refused(["lesson", "check", "linked.toml"], new RegExp(`^snug: linked\\.toml:${line}:3: "text" links to a lesson that is not there: beside-it`));
   write("beside-it.toml", text.replace("lesson:beside-it", "lesson:linked"));
   good(["lesson", "check", "linked.toml"]);
 });
@@ -588,6 +588,13 @@ test("a lesson whose question is never asked is unsound", () => {
   assert.ok(at > 0 && at < line && line - at < 10, checked.err);
   assert.equal(checked.status, 2);
   refused(["lesson", "play", "nowhere"], /there is no lesson "nowhere"/);
+});
+
+test("a test that does not suit the volumes is refused, and nothing is run with it", () => {
+  const text = readFileSync(join(lessons, "examples", "volumes.toml"), "utf8").replace(/^algorithms = .*$/m, 'algorithms = ["spheres"]');
+  write("unsuited.toml", text);
+  refused(["lesson", "check", "unsuited.toml"], /the test of these two volumes is .*, not spheres$/m);
+  refused(["lesson", "facts", "unsuited.toml"], /is not a test of these two volumes$/m);
 });
 
 test("a fixed answer that the run contradicts is warned of, and makes play say no", () => {

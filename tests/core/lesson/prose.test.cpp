@@ -175,7 +175,7 @@ TEST_CASE("a mistake is told with its line and column, in prompts and hints too"
            {"\"It lies outside.\"", "\"It lies {outsid} outside.\"",
             "small.toml:39:20: \"because\" shows a figure that is none of "},
            {"because = \"It lies outside.\"", "because = \"It does.\"\nwrong = {P0 = \"It *lies.\"}",
-            "small.toml:40:19: \"P0\" has a * without a partner"},
+            "small.toml:40:19: \"wrong\" has a * without a partner"},
            {"\"Think.\"", "\"Think `twice.\"", "small.toml:64:15: \"hint\" has a ` without a partner"},
        })) {
     CAPTURE(one.to);

@@ -50,7 +50,7 @@ std::vector<double> read_axes(TomlTable& table, AxesByHand axes, int dim) {
   if (!table.has("axes")) return axes.row();
   std::vector<double> row;
   for (const Point3& axis : table.points("axes", dim)) row.insert(row.end(), axis.data(), axis.data() + dim);
-  if (const Done set = axes.set_row(row); !set) table.wrong("axes", set.error().what);
+  if (const Done set = axes.set_row(row); !set) table.wrong("axes", "cannot be drawn: " + set.error().what);
   return axes.row();
 }
 

@@ -108,6 +108,7 @@ Rows read_scene_model(TomlTable& task, const Lesson& lesson, Complaints& complai
   Rows rows = read_point_model(task, lesson, complaints);
   if (!task.has("effects") || lesson.tables == nullptr) return rows;
   const auto& set = static_cast<const SceneSet&>(*lesson.tables);
+  if (!set.graph) task.wrong("effects", "is for scenes with graph = true");
   const std::vector<std::string> wanted = task.texts("effects", 1);
   std::vector<std::string> known;
   std::vector<double> row;

@@ -127,9 +127,7 @@ std::pair<scene::EffectCall, bool> read_effect(const toml::table& toml, const st
 }
 
 void check_figure(TomlTable& table, const std::string& figure) {
-  const auto names = scene_figure_names();
-  if (!figure.empty() && figure != kOverHull && std::find(names.begin(), names.end(), figure) == names.end())
-    table.wrong("figure", "is no figure of a scene: " + figure);
+  if (figure != kOverHull) check_name(table, "figure", figure, scene_figure_names());
 }
 
 }  // namespace

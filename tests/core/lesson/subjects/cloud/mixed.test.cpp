@@ -195,6 +195,7 @@ TEST_CASE("what is asked of one algorithm's size stays hidden while another is o
   CHECK_FALSE(session.hides_result(other));
   CHECK_FALSE(excess_beside());
   REQUIRE(session.choose(0, "min_max").has_value());
+  session.first();
   session.go(session.steps());
   REQUIRE(session.answer(test::choice(0)));
   session.acknowledge();

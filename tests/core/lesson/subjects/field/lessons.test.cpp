@@ -42,7 +42,7 @@ TEST_CASE("each mistake about a field is told with its line") {
   };
   const std::string good = test::lessons_file("examples/field.toml");
   for (const Broken& broken : std::initializer_list<Broken>{
-           {"[field]", "[things]", "# A lesson", "the lesson lacks [field]"},
+           {"[field]", "[things]", "[things]", "the lesson has no key \"things\"; it lacks [field]"},
            {"objects = 1000", "objects = 3", "objects = 3", "8"},
            {"camera = [-20, 6, 14]", "camera = [-20, 6]", "camera = [", "three numbers"},
            {"camera = [-20, 6, 14]\n", "", "[field]", "camera"},

@@ -70,7 +70,7 @@ TEST_CASE("scattered anew, the lessons on trees still play, and every model answ
 TEST_CASE("each mistake about boxes under a tree is told with its line") {
   const std::string build = test::lessons_file("examples/tree.toml");
   for (const Broken& broken : std::initializer_list<Broken>{
-           {"[objects]", "[things]", "# A lesson", "the lesson lacks [objects]"},
+           {"[objects]", "[things]", "[things]", "the lesson has no key \"things\"; it lacks [objects]"},
            {"half_extents = [[0.25, 0.2]]\n\n[[section]]", "\n[[section]]", "[objects]", "half_extents"},
            {"half_extents = [[0.25, 0.2]]\n\n[[section]]", "half_extents = [[1, 1], [1, 1]]\n\n[[section]]",
             "half_extents = [[1, 1]", "as many as the centres"},
