@@ -90,13 +90,15 @@ void warn_of_own_words(const toml::table& table, std::string_view key, std::stri
                         "\", which a drag or other points may make false: " + std::string(mend));
 }
 
-/// Warns of words that stand on every run and may be true of one.
-void warn_of_own_words(const toml::table& table, Complaints& complaints) {
+/// Warns of words that stand on every run and may be true of one. handles: null where they are not known.
+void warn_of_own_words(const toml::table& table, const Handles* handles, Complaints& complaints) {
   if (text_of(table, "holds") == "here") return;
   warn_of_own_words(table, "prompt", "\"prompt_here\" is for the lesson's own run", complaints);
   warn_of_own_words(table, "because", "\"because_here\" is for the lesson's own run", complaints);
   if (const toml::table* wrong = table["wrong"].as_table())
-    for (const auto& [key, text] : *wrong) warn_of_own_words(*wrong, key.str(), "it stands on every run", complaints);
+    for (const auto& [key, text] : *wrong)
+      if (handles == nullptr || !handles->has(std::string(key.str())))  // what is said to a handle is of one run alone
+        warn_of_own_words(*wrong, key.str(), "it stands on every run", complaints);
 }
 
 }  // namespace
@@ -118,7 +120,7 @@ void warn_of_words(const Lesson& lesson, const toml::table& toml, std::span<cons
     if (i < lesson.sections.size()) warn_of_length(table, lesson.sections[i], complaints);
   });
   each_of("question", [&](const toml::table& table, std::size_t) {
-    if (lesson.subject->asks_of_steps) warn_of_own_words(table, complaints);
+    if (lesson.subject->asks_of_steps) warn_of_own_words(table, handles ? &*handles : nullptr, complaints);
   });
   if (!handles) return;
   for (const PlacedText& text : prompts_of(toml)) warn_of_handles(text, *handles, complaints);
