@@ -6,6 +6,10 @@ namespace {
 constexpr std::string_view kPlane = R"([points]
 list = [[-2, 0], [2, 0.3], [0.1, 1], [0, -1], [0.5, 2.5], [0.7, 0.2]]
 )";
+constexpr std::string_view kLoaded = R"([points]
+list = [[-2, 0], [2, 0.3], [0.1, 1], [0, -1], [0.5, 2.5], [0.7, 0.2]]
+[load]
+)";
 constexpr std::string_view kSpace = R"([points]
 dim = 3
 list = [[-2, 0, 0.2], [2, 0.3, 0], [0.1, 1, 1.5], [0, -1, -1.2], [0.5, 2.5, 0.4], [0.7, 0.2, 0.3]]
@@ -79,6 +83,10 @@ camera = [-42, 12, 14]
 aim = [0, 8, 0]
 )";
 constexpr std::string_view kObjects = R"([objects]
+center = [[-2, 0.8], [-1.2, -0.4], [-0.4, 0.6], [0.6, -0.7]]
+half_extents = [[0.25, 0.2]]
+)";
+constexpr std::string_view kQueried = R"([objects]
 center = [[-2, 0.8], [-1.2, -0.4], [-0.4, 0.6], [0.6, -0.7]]
 half_extents = [[0.25, 0.2]]
 [query]
@@ -164,13 +172,13 @@ constexpr LessonSample kSamples[] = {
     {"frustum_point", "", "", kPointAndFrustum},
     {"frustum_field", "", "", kField},
     {"bvh_build", "", "", kObjects},
-    {"bvh_query", "", "", kObjects},
+    {"bvh_query", "", "", kQueried},
     {"bvh_update", "", "", kMovedObjects},
     {"scene", "", "\"sweep_and_prune\", \"tree\"", kPile},
     {"scene", "", "\"rebuild\", \"loose\", \"sphere\", \"k14\"", kTurning},
     {"update", "", "", kPlane},
     {"update", "", "", kSpace},
-    {"sphere", "criteria", kOneOfEach, kPlane},
+    {"sphere", "criteria", kOneOfEach, kLoaded},
     {"sphere", "claims", kOneOfEach, kPlane},
 };
 
