@@ -64,6 +64,10 @@ FigureNow ProseFigures::look_up(const RunFigure& figure) {
   return {on_one_line(figure.count ? number_alone(*found) : found->text), {}};
 }
 
+bool may_tell_result(const Session& session, const Method& method, std::string_view key) {
+  return !hides_result(session, method, key);
+}
+
 std::string plain_now(std::string_view text, ProseFigures& figures) {
   std::vector<ProseFault> ignored;  // the lesson's reader has told them
   std::string plain;

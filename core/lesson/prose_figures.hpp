@@ -36,6 +36,9 @@ class ProseFigures {
   std::map<std::string, FigureNow> found_;
 };
 
+/// Whether a figure of a method's result may be told now, in a chart as in a text.
+[[nodiscard]] bool may_tell_result(const Session& session, const Method& method, std::string_view key);
+
 /// A text with inline markup, such as a prompt, with its figures as they are now, in plain words.
 [[nodiscard]] std::string plain_now(std::string_view text, ProseFigures& figures);
 

@@ -1,5 +1,12 @@
-// What a frame of dragging costs: one handle is moved, the algorithms run anew, and everything that the page shows is
-// worked out. First clouds, then every lesson of the course. Prints milliseconds; RESULTS.md keeps them.
+// What a frame of dragging costs the program, in the app without a screen: the hand moves a handle by a few pixels, the
+// algorithms run anew, what a door shows of it in words is worked out, and stage, timeline and inspector are drawn into
+// ImGui's triangles. What the graphics card does with them is not in it. Every algorithm of every lesson has a row;
+// what is set by hand is dragged by its own knob. Prints milliseconds of the processor's time, because others on the
+// machine do not add to it; RESULTS.md keeps them. bench_drag [--limit MS] [LESSON...]: exit status 1 if a row's median
+// is above the limit.
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,22 +15,37 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "app/bench.hpp"
+#include "app/cover.hpp"
 #include "bench/ratio.hpp"
+#include "fit/catalogue.hpp"
 #include "io/point_file.hpp"
-#include "lesson/session.hpp"
+#include "lesson/prose_figures.hpp"
+#include "lesson/stored.hpp"
 
 using namespace snug;
-using namespace snug::lesson;
 
 namespace {
 
-constexpr int kFrames = 200;
+constexpr int kFrames = 60;
+constexpr float kReach = 24;  // pixels, to which the hand goes round
 
-Lesson cloud(int count, int dim, const char* first, const char* second) {
-  Lesson lesson;
+struct Row {
+  std::string words;
+  int steps = 0, moved = 0;
+  double median = 0, most = 0;  // ms; most: the 95th percentile
+};
+
+/// The page's parts at 1280 x 800.
+app::Layout page() { return {{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 752}, false, 88}; }
+
+lesson::Lesson cloud(int count, int dim, const char* first, const char* second) {
+  lesson::Lesson lesson;
   lesson.id = "drag";
   lesson.points.dim = dim;
   lesson.points.generate = "gaussian";
@@ -33,35 +55,90 @@ Lesson cloud(int count, int dim, const char* first, const char* second) {
   return lesson;
 }
 
-/// What a view reads of a session for one frame. Returns something that depends on all of it.
-double look(const Session& session) {
-  double seen = static_cast<double>(session.rivals().size() + session.marks().size());
+/// Works out what a door shows of a session beside the canvas. Returns something that depends on all of it.
+double words_beside(const lesson::Session& session) {
+  double seen = static_cast<double>(session.marks().size() + session.caption().size());
   for (int slot = 0; slot < 2; ++slot)
     if (session.method(slot) != nullptr)
-      seen += static_cast<double>(session.figures(slot).size() + session.proofs(slot).size() +
-                                  session.support(slot).size());
-  return seen;
+      seen += static_cast<double>(session.figures(slot).size() + session.proofs(slot).size());
+  lesson::ProseFigures figures(session);
+  for (const lesson::RunFigure& figure : session.lesson().figures)
+    seen += static_cast<double>(figures.of(figure).text.size());
+  return seen + static_cast<double>(lesson::stored_of(session).size());
 }
 
-void one(int count, int dim, const char* first, const char* second) {
-  auto session = Session::open(cloud(count, dim, first, second));
-  if (!session) std::abort();
-  session->last();
-  session->begin_drag();
-  std::vector<double> move, all;
-  for (int frame = 0; frame < kFrames; ++frame) {
-    const double turn = 0.05 * frame;
-    const Vector<double, 3> to(1.5 * std::cos(turn), 1.5 * std::sin(turn), 0);
-    const double moving = bench::seconds([&] { bench::keep(session->move(7, to)); });
-    const double looking = bench::seconds([&] { bench::keep(look(*session)); });
-    move.push_back(1e3 * moving);
-    all.push_back(1e3 * (moving + looking));
+/// The handle to drag: a point or a vertex, but what is set by hand has its own knobs.
+std::string handle_to_drag(const app::Bench& bench, lesson::Session& session) {
+  const bool by_hand = session.method(0)->by_hand;
+  for (const app::Handle& handle : bench.app.handles())
+    for (Index i = 0; i < session.size(); ++i) {
+      const bool point = session.subject().points() != nullptr && i < fit::size_of(*session.subject().points());
+      if (session.name_of(i) == handle.id && session.may_move(i) && (!by_hand || !point)) return handle.id;
+    }
+  return {};
+}
+
+Index index_of(const lesson::Session& session, const std::string& name) {
+  Index i = 0;
+  while (session.name_of(i) != name) ++i;
+  return i;
+}
+
+/// Drags a handle around a circle. Nothing where the stage has none.
+std::optional<Row> drag_on(app::Bench& bench, std::string words) {
+  lesson::Session& session = bench.session();
+  session.jump(session.steps());
+  if (!session.subject().moves_at(session.step())) session.jump(0);
+  if (bench.app.cover() != nullptr) bench.app.cover()->show(false);
+  bench.frames(3);
+  const std::string name = handle_to_drag(bench, session);
+  if (name.empty()) return std::nullopt;
+  const app::Handle from = bench.handle(name);
+  const Index handle = index_of(session, name);
+  bench.press(from.x, from.y);
+  Row row{.words = std::move(words)};
+  std::vector<double> all;
+  Vector<double, 3> before = session.point(handle);
+  for (int frame = 1; frame <= kFrames; ++frame) {
+    const float turn = 0.1f * static_cast<float>(frame);
+    ImGui::GetIO().AddMousePosEvent(from.x + kReach * std::sin(turn), from.y + kReach * (1 - std::cos(turn)));
+    const std::clock_t start = std::clock();
+    bench.frames(1);
+    bench::keep(words_beside(session));
+    all.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    if (session.point(handle) != before) ++row.moved;
+    before = session.point(handle);
   }
-  session->end_drag();
-  std::sort(move.begin(), move.end());
+  bench.release();
   std::sort(all.begin(), all.end());
-  std::printf("| %d | %d-D | %s%s%s | %d | %.2f | %.2f | %.2f |\n", count, dim, first, *second != 0 ? " + " : "",
-              second, session->steps(), move[kFrames / 2], all[kFrames / 2], all[kFrames * 95 / 100]);
+  row.steps = session.steps(), row.median = all[kFrames / 2], row.most = all[kFrames * 95 / 100];
+  return row;
+}
+
+void print_head(const char* what) {
+  std::printf("| %s | steps | frames moved | median, ms | 95th percentile, ms |\n|---|---:|---:|---:|---:|\n", what);
+}
+
+/// Returns whether it is within the limit.
+bool print(const Row& row, double limit) {
+  std::printf("| %s | %d | %d | %.2f | %.2f |%s\n", row.words.c_str(), row.steps, row.moved, row.median, row.most,
+              row.median > limit ? " <- above the limit" : "");
+  std::fflush(stdout);
+  return row.median <= limit;
+}
+
+bool clouds(double limit) {
+  print_head("points, algorithm");
+  bool fine = true;
+  for (const char* algorithm : {"aabb_center", "ritter", "pca", "welzl", "ritter_iterative"})
+    for (const auto& [count, dim, beside] :
+         {std::tuple{1000, 2, ""}, std::tuple{1839, 3, ""}, std::tuple{1839, 3, "ritter_iterative"}}) {
+      app::Bench bench(cloud(count, dim, algorithm, beside), page());
+      const std::string words = std::to_string(count) + " in " + std::to_string(dim) + "-D, " + algorithm +
+                                (*beside != 0 ? std::string(" + ") + beside : std::string());
+      if (const auto row = drag_on(bench, words)) fine = print(*row, limit) && fine;
+    }
+  return fine;
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -69,64 +146,52 @@ std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The processor's time, because others on the machine do not add to it. A handle may be refused some places: then it
-/// stays.
-void drag_in(Session& session, const std::string& words) {
-  constexpr int kFew = 60;
-  session.jump(session.steps());
-  Index handle = 0;
-  while (handle < session.size() && !session.may_move(handle)) ++handle;
-  if (handle == session.size()) return;
-  const Vector<double, 3> from = session.point(handle);
-  double reach = 0;
-  for (Index i = 0; i < session.size(); ++i) reach = std::max(reach, (session.point(i) - from).norm());
-  session.begin_drag();
-  std::vector<double> all;
-  int moved = 0;
-  for (int frame = 1; frame <= kFew; ++frame) {
-    const double turn = 0.1 * frame;
-    const Vector<double, 3> to = from + 0.05 * reach * Vector<double, 3>(std::sin(turn), 1 - std::cos(turn), 0);
-    const std::clock_t start = std::clock();
-    if (session.move(handle, to)) ++moved;
-    bench::keep(look(session));
-    all.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+std::vector<std::filesystem::path> lesson_paths(const std::vector<std::string>& wanted) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(SNUG_LESSONS_DIR)) {
+    const std::string id = entry.path().stem().string();
+    const bool is_wanted = wanted.empty() || std::find(wanted.begin(), wanted.end(), id) != wanted.end();
+    if (entry.path().extension() == ".toml" && id != "course" && is_wanted) paths.push_back(entry.path());
   }
-  session.end_drag();
-  std::sort(all.begin(), all.end());
-  std::printf("| %s | %d | %d | %.2f | %.2f |\n", words.c_str(), session.steps(), moved, all[kFew / 2],
-              all[kFew * 95 / 100]);
+  std::sort(paths.begin(), paths.end());
+  return paths;
 }
 
-void every_lesson() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(SNUG_LESSONS_DIR))
-    if (entry.path().extension() == ".toml" && entry.path().stem() != "course") paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  std::puts("\n| lesson, algorithm | steps | frames moved | median, ms | 95th percentile, ms |");
-  std::puts("|---|---:|---:|---:|---:|");
-  for (const auto& path : paths) {
-    const auto lesson = read_lesson(text_of(path), path.filename().string(), Checked::kAsWritten);
+bool every_lesson(const std::vector<std::string>& wanted, double limit) {
+  print_head("lesson, algorithm");
+  bool fine = true;
+  for (const auto& path : lesson_paths(wanted)) {
+    const auto lesson = lesson::read_lesson(text_of(path), path.filename().string(), lesson::Checked::kAsWritten);
     if (!lesson) std::abort();
     std::optional<io::PointFile> mesh;
     if (const std::string& name = lesson->points.mesh; !name.empty())
       mesh = *io::read_points(text_of(SNUG_ASSETS_DIR "/meshes/" + name + ".ply"), name);
     for (const std::string& algorithm : lesson->algorithms) {
-      auto session = Session::open(*lesson, mesh);
-      if (!session) std::abort();
-      if (session->choose(0, algorithm)) drag_in(*session, path.stem().string() + ", " + algorithm);
+      app::Bench bench(*lesson, page(), mesh);
+      if (!bench.session().choose(0, algorithm)) continue;
+      if (const auto row = drag_on(bench, path.stem().string() + ", " + algorithm)) fine = print(*row, limit) && fine;
     }
   }
+  return fine;
 }
 
 }  // namespace
 
-int main() {
-  std::puts("| points | | algorithms | steps | moved, ms | with all that is shown, ms | 95th percentile, ms |");
-  std::puts("|---:|---|---|---:|---:|---:|---:|");
-  for (const char* algorithm : {"aabb_center", "ritter", "pca", "welzl", "ritter_iterative"}) {
-    one(1000, 2, algorithm, "");
-    one(1839, 3, algorithm, "");
-    one(1839, 3, algorithm, "ritter_iterative");
-  }
-  every_lesson();
+int main(int count, char** words) {
+  doctest::Context context;  // for what the front end without a screen asserts
+  context.setAsDefaultForAssertsOutOfTestCases();
+  context.setAssertHandler([](const doctest::AssertData& data) {
+    if (!data.m_failed) return;
+    std::fprintf(stderr, "%s:%d: %s\n", data.m_file, data.m_line, data.m_expr);
+    std::abort();
+  });
+  double limit = HUGE_VAL;
+  std::vector<std::string> wanted;
+  for (int i = 1; i < count; ++i)
+    if (std::string(words[i]) == "--limit" && i + 1 < count) limit = std::atof(words[++i]);
+    else wanted.emplace_back(words[i]);
+  bool fine = wanted.empty() ? clouds(limit) : true;
+  if (wanted.empty()) std::puts("");
+  fine = every_lesson(wanted, limit) && fine;
+  return fine ? 0 : 1;
 }

@@ -9,6 +9,7 @@
 
 #include "app/marks.hpp"
 #include "app/subjects/scene/graph.hpp"
+#include "app/subjects/scene/update_costs.hpp"
 #include "app/widgets.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
@@ -17,13 +18,12 @@ namespace snug::app {
 namespace {
 
 constexpr float kText = 14, kSmall = 13, kTiny = 12;
-constexpr double kLeastSlack = 0.01;  // the smallest end of the scale: less is mostly rounding
-constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20, kPlot = 84;
+constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20;
 constexpr float kReason = 11, kReasonToFinger = 18;  // what an effect's reason adds to its row
 
-const lesson::FrameTaken* taken(const lesson::Session& session, int slot, int step) {
-  if (step == 0) return nullptr;
-  return std::get_if<lesson::FrameTaken>(&lesson::scene_run(session.run(slot)).trace()[step - 1].step.fact);
+const lesson::FrameTaken* taken(const lesson::Session& session) {
+  if (session.step() == 0) return nullptr;
+  return std::get_if<lesson::FrameTaken>(&lesson::scene_run(session.run(0)).trace()[session.step() - 1].step.fact);
 }
 
 class ScenePanel {
@@ -86,38 +86,7 @@ class ScenePanel {
     y_ += look_.px(16);
   }
 
-  /// Draws the looseness of each frame so far, over the whole run; slot 1's is dashed.
-  void slack(const lesson::Session& session) {
-    heading("Looseness, frame by frame");
-    double most = kLeastSlack;
-    for (const int slot : {0, 1})
-      for (int step = 1; session.method(slot) != nullptr && step <= session.step_of(slot); ++step)
-        if (const auto* frame = taken(session, slot, step)) most = std::max(most, frame->slack);
-    const std::string most_words = lesson::scene_figure_text("slack", 100 * most);
-    const float bottom = y_ + look_.px(kPlot);
-    const float room = measure(look_, Face::kMono, kTiny, most_words).x + 10;
-    const float left = x_ + room, wide = width_ - room;
-    text_right(list_, look_, Face::kMono, kTiny, {left - 8, y_ - look_.px(2)}, look_->muted, most_words);
-    text_right(list_, look_, Face::kMono, kTiny, {left - 8, bottom - look_.px(12)}, look_->muted, "0");
-    rule(list_, left, y_, wide, look_->line);
-    rule(list_, left, bottom, wide, look_->muted);
-    for (const int slot : {1, 0}) {
-      if (session.method(slot) == nullptr) continue;
-      std::vector<ImVec2> curve;
-      const auto steps = static_cast<float>(session.run(slot).steps());
-      for (int step = 1; step <= session.step_of(slot); ++step)
-        if (const auto* frame = taken(session, slot, step))
-          curve.push_back({left + wide * static_cast<float>(step) / steps,
-                           bottom - (bottom - y_) * static_cast<float>(frame->slack / most)});
-      const Color color = slot == 0 ? look_->current : look_->previous;
-      path(list_, curve, false, slot == 0 ? Stroke::kSolid : Stroke::kDashed, color, 2);
-      if (slot == 0 && !curve.empty()) disc(list_, curve.back(), 4, color);
-    }
-    text(list_, look_, Face::kRegular, kTiny, {left, bottom + look_.px(5)}, look_->muted, "frame 1");
-    text_right(list_, look_, Face::kRegular, kTiny, {x_ + width_, bottom + look_.px(5)}, look_->muted,
-               std::to_string(session.steps()));
-    y_ = bottom + look_.px(44);
-  }
+  void updates(const lesson::Session& session) { y_ += draw_update_costs(look_, session, {x_, y_}, width_); }
 
   void graph(const lesson::Session& session) {
     const ImVec2 size = graph_size(look_, session, width_);
@@ -212,9 +181,9 @@ float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, fl
     panel.effects(session);
     panel.gap();
   }
-  if (const lesson::FrameTaken* now = taken(session, 0, session.step())) {
+  if (const lesson::FrameTaken* now = taken(session)) {
     if (now->all_pairs > 0) panel.funnel(session, *now);
-    else if (session.volume(0) != nullptr) panel.slack(session);
+    else if (session.volume(0) != nullptr) panel.updates(session);
   }
   if (!lesson::set_of(session).graph) panel.effects(session);
   return panel.height();

@@ -1,0 +1,82 @@
+// What the panel beside a scene says of the updates of its volume, and what it keeps to itself.
+#include "app/subjects/scene/update_costs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../../bench.hpp"
+#include "../../viewed_lessons.hpp"
+#include "lesson/subjects.hpp"
+
+namespace snug::app {
+namespace {
+
+constexpr Layout kNumbersBeside{{0, 0, 800, 440}, {0, 440, 800, 160}, {800, 0, 300, 1600}};
+
+lesson::Lesson scene_of_updates(std::string_view question = "") {
+  return test::viewed("volume = \"scene\"\nalgorithms = [\"k14\", \"k14_rebuild\", \"obb\"]\ncompare = \"obb\"",
+                      "[points]\ndim = 3\ngenerate = \"gaussian\"\ncount = 30\n[scene]\nframes = 12\n"
+                      "[[scene.body]]\nshape = \"points\"\n[[scene.effect]]\neffect = \"spin\"\nbody = 0\n"
+                      "turns_per_second = 0.5\n[[scene.effect]]\neffect = \"refit\"\n" +
+                          std::string(question));
+}
+
+std::vector<std::string> all_drawn_words(Bench& bench) {
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  bench.frames(1);
+  bench.app.note_words(nullptr);
+  std::vector<std::string> words;
+  for (const DrawnWords& one : drawn) words.push_back(one.words);
+  return words;
+}
+
+bool is_drawn(const std::vector<std::string>& words, const std::string& one) {
+  return std::find(words.begin(), words.end(), one) != words.end();
+}
+
+/// The points that an update examines in the last frame, as a text.
+std::string last_cost_text(const lesson::Session& session, std::string_view algorithm) {
+  for (const lesson::Figure& figure : session.result(*lesson::find_method(session.lesson(), algorithm)))
+    if (figure.key == "cost") return lesson::count_text(static_cast<std::int64_t>(figure.value));
+  return "no cost";
+}
+
+}  // namespace
+
+TEST_CASE("the panel of an updated volume shows its cost frame by frame, and what each update costs") {
+  Bench bench(scene_of_updates(), kNumbersBeside);
+  bench.session().jump(6);
+  const auto words = all_drawn_words(bench);
+  for (const char* due : {"Looseness, frame by frame", "Points examined, frame by frame", "Points examined in frame 12",
+                          "14-DOP by hill climbing", "Transformed OBB"})
+    CHECK_MESSAGE(is_drawn(words, due), due);
+  for (const char* update : {"k14", "k14_rebuild", "obb"})
+    CHECK_MESSAGE(is_drawn(words, last_cost_text(bench.session(), update)), update);
+}
+
+TEST_CASE("while its cost is to be predicted, neither the curve nor any bar tells it") {
+  Bench bench(scene_of_updates(R"(
+[[question]]
+id = "cost"
+algorithm = "k14"
+before = "frame_taken"
+nth = 6
+asks = "figure"
+figure = "cost"
+bounds = [14, 30]
+prompt = "How many?"
+because = "So many."
+)"),
+              kNumbersBeside);
+  bench.session().go(5);
+  REQUIRE(bench.session().asked() != nullptr);
+  const auto words = all_drawn_words(bench);
+  CHECK(is_drawn(words, "Looseness, frame by frame"));
+  CHECK_FALSE(is_drawn(words, "Points examined, frame by frame"));
+  CHECK(is_drawn(words, "Points examined in frame 12"));
+  CHECK_FALSE(is_drawn(words, last_cost_text(bench.session(), "k14_rebuild")));
+}
+
+}  // namespace snug::app
