@@ -6,6 +6,7 @@
 #include "lesson/subjects/cloud/call_tree.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cloud/covariance_digits.hpp"
+#include "lesson/subjects/cloud/edge_pairs.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/subjects/cloud/passes.hpp"
 #include "lesson/subjects/cloud/volume_check.hpp"
@@ -37,6 +38,7 @@ class FitBoard {
     best();
     hull();
     slabs();
+    searched();
     calls();
     if (entry_ != nullptr) spread(entry_->step.fact);
     image();
@@ -170,6 +172,19 @@ class FitBoard {
     add("Slabs" + so_far(), "slabs", things_text(found, "slab", "slabs"), static_cast<double>(found), "slabs");
     add("Stored as float", "bytes", things_text(kBytes * found, "byte", "bytes"), static_cast<double>(kBytes * found),
         "bytes");
+  }
+
+  /// How far the exact search among pairs of edges has come.
+  void searched() {
+    const EdgePairs pairs = edge_pairs(trace_, view_.step);
+    if (pairs.all == 0) return;
+    const auto number = [&](std::string_view name, std::string key, std::int64_t n, std::string_view unit) {
+      add(name, std::move(key), count_text(n), static_cast<double>(n), unit);
+    };
+    add("Pairs of edges left", "pairs_left", count_text(pairs.left) + " of " + count_text(pairs.all),
+        static_cast<double>(pairs.left), "pairs");
+    number("Ruled out at once", "pairs_ruled_out", pairs.ruled_out, "pairs");
+    number("Halvings", "halvings", pairs.halvings, "halvings");
   }
 
   /// How deep the recursion is.
