@@ -14,7 +14,8 @@ void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_fram
 void draw_projections(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis);
 
 /// The projections of two volumes onto a direction. ends: least and greatest, scene units along it; farthest: the
-/// points there. reach: points that the axis is drawn clear of, a point of A first.
+/// points there. reach: points that the axis is drawn clear of, a point of A first. tested: whether the test has
+/// reached that axis; if not, both intervals are faint, and nothing is said of them.
 struct Intervals {
   Point3 direction;  // unit
   std::array<std::array<double, 2>, 2> ends;
@@ -22,8 +23,15 @@ struct Intervals {
   std::vector<Point3> reach;
   bool separates = false;
   std::string name;
+  bool tested = true;
 };
 void draw_intervals(Brush& brush, const Intervals& both);
+
+/// The coordinate axes that a test of two AABBs has not reached after these steps. None while a question is open whose
+/// answer can be read from the intervals along them.
+[[nodiscard]] std::vector<int> untested_axes(const lesson::Session& session, lesson::PairSteps steps);
+/// Draws both intervals along these axes, faintly.
+void draw_untested(Brush& brush, lesson::PairSteps steps);
 
 /// Draws two volumes of any kind, and what the last of the steps is about.
 void draw_volumes(Brush& brush, lesson::PairSteps steps);

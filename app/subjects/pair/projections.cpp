@@ -161,6 +161,11 @@ void draw_intervals(Brush& brush, const Intervals& both) {
   const ImVec2 tip = ruler.at(last + beyond, 0), tail = ruler.at(first - beyond, 0);
   arrow(brush.list, tail, tip, both.separates ? p.wrong : p.muted, brush.stroke(0.8f));
   brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
+  if (!both.tested) {
+    for (const int side : {0, 1})
+      ruler.bar(place(side, 0), place(side, 1), side == 0 ? kLaneA : kLaneB, with_alpha(p.muted, 0.6f), 1.2f);
+    return brush.label(tip, 6, {tip.x - tail.x, tip.y - tail.y}, both.name, p.muted);
+  }
   const int low = place(0, 0) <= place(1, 0) ? 0 : 1;  // the one whose interval begins first
   const std::array<double, 2> gap{place(low, 1), place(1 - low, 0)};
   draw_gap(ruler, gap, both.separates);

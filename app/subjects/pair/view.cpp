@@ -97,7 +97,10 @@ class VolumesView final : public SubjectView {
     shown_.spoken_of = named_now(session);
   }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
-  void draw(Brush& brush) const override { draw_volumes(brush, steps_shown(brush.session)); }
+  void draw(Brush& brush) const override {
+    draw_untested(brush, steps_shown(brush.session));
+    draw_volumes(brush, steps_shown(brush.session));
+  }
   [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
     return draw_difference(brush, steps_shown(brush.session), top);
   }
