@@ -1,6 +1,7 @@
 #include "lesson/stored.hpp"
 
 #include "lesson/figures.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -23,6 +24,13 @@ int StoredForm::numbers() const {
 std::string StoredForm::bytes() const {
   const auto of = [&](std::size_t each) { return count_text(numbers() * static_cast<int>(each)); };
   return of(sizeof(float)) + " bytes in float, " + of(sizeof(double)) + " in double";
+}
+
+std::string stored_title(const fit::Volume3& volume, int dim) {
+  if (const auto* kdop = std::get_if<Kdop<double, 3>>(&volume)) return std::to_string(kdop->k) + "-DOP";
+  const std::string_view kind = kVolumeNames[volume.index()];
+  if (kind == "aabb") return "AABB";
+  return kind == "obb" ? "OBB" : std::string(volume_word(kind, dim));
 }
 
 std::vector<StoredVolume> stored_of(const Session& session) {

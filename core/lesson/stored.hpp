@@ -50,6 +50,9 @@ struct StoredVolume {
 /// The representations of a volume; none of a kind that has none in stored_forms.cpp. In 2-D its z is 0.
 [[nodiscard]] std::vector<StoredForm> stored_forms(const fit::Volume3& volume, int dim);
 
+/// What a student calls it: "AABB", "8-DOP", "lozenge".
+[[nodiscard]] std::string stored_title(const fit::Volume3& volume, int dim);
+
 /// The volumes whose representations the lesson shows, each with a mark for each of its members; none if it asks for
 /// none. Every subject that stores volumes has its own in the list of subjects.cpp.
 [[nodiscard]] std::vector<StoredVolume> stored_of(const Session& session);

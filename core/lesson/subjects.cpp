@@ -8,6 +8,7 @@
 #include "lesson/stored.hpp"
 #include "lesson/subjects/claims/claims.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
+#include "lesson/subjects/cloud/stored.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 #include "lesson/subjects/cost/criteria.hpp"
 #include "lesson/subjects/field/field.hpp"
@@ -29,7 +30,7 @@ std::span<const SubjectRow* const> subjects() {
 }
 
 std::span<const StoredOn> stored_on_subjects() {
-  static constexpr std::array<StoredOn, 1> kStored{&stored_volumes};
+  static constexpr std::array<StoredOn, 2> kStored{&stored_volumes, &stored_fit};
   return kStored;
 }
 

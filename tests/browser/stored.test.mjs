@@ -57,6 +57,17 @@ test("in a wide window it is a tab beside the numbers, over the code; on a phone
   assert.ok(await phone.locator("#stored").isVisible());
 });
 
+test("the bounds of a k-DOP around a cloud are filled in slab by slab", async (t) => {
+  const dashes = async (page) => Object.values(await numbers(page)).filter((text) => text === "—").length;
+  const some = await visit(t, "?lesson=kdop-slabs&step=2");
+  await until(some, (now) => now.step === 2);
+  assert.equal(await dashes(some), 4);
+  const all = await visit(t, "?lesson=kdop-slabs&step=99");
+  await until(all, (now) => now.step === now.steps);
+  assert.equal(await dashes(all), 0);
+  assert.equal(Object.keys(await numbers(all)).length, 8);
+});
+
 test("a lesson that asks for nothing has no such tab", async (t) => {
   const page = await visit(t, "?lesson=swept-overlap");
   await still(page);

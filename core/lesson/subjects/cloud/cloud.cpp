@@ -11,6 +11,7 @@
 #include "lesson/subjects/cloud/entries.hpp"
 #include "lesson/subjects/cloud/left_outside.hpp"
 #include "lesson/subjects/cloud/read_hand.hpp"
+#include "lesson/subjects/cloud/stored.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -49,6 +50,10 @@ const fit::Algorithm& algorithm_of(const Method& method) { return *fit::find_alg
 
 void read_cloud(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.points = read_points(*table.table("points"), complaints, true);
+  if (!table.has("stored")) return table.allow("stored");
+  auto tables = std::make_shared<CloudTables>();
+  tables->stored = table.flag_or("stored", false);
+  lesson.tables = std::move(tables);
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_cloud(const Lesson& lesson, std::optional<io::PointFile> mesh,

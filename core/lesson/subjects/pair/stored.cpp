@@ -2,16 +2,9 @@
 
 #include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/subjects/pair/stored.hpp"
-#include "lesson/words.hpp"
 
 namespace snug::lesson {
 namespace {
-
-/// What a student calls a kind of volume.
-std::string_view title_of(std::string_view kind, int dim) {
-  if (kind == "aabb") return "AABB";
-  return kind == "obb" ? "OBB" : volume_word(kind, dim);
-}
 
 /// The tables of the situation that is shown, if it says what is stored, or else the lesson's own.
 const VolumeTables& tables_of(const Session& session) {
@@ -34,8 +27,7 @@ std::vector<StoredVolume> stored_volumes(const Session& session) {
     if (!wanted[side]) continue;
     const HeldVolume& held = subject->pair().held[side];
     const std::string name = side == 0 ? "A" : "B";
-    const std::string_view title = title_of(kVolumeNames[held.volume.index()], held.dim);
-    all.push_back({name, name + ": " + std::string(title), stored_forms(held.volume, held.dim)});
+    all.push_back({name, name + ": " + stored_title(held.volume, held.dim), stored_forms(held.volume, held.dim)});
   }
   return all;
 }

@@ -1,0 +1,16 @@
+// How the volume around a cloud is stored.
+#pragma once
+
+#include "lesson/stored.hpp"
+
+namespace snug::lesson {
+
+/// Whether it is shown how the volume is stored; a situation that does not say has the lesson's own.
+struct CloudTables final : Tables {
+  bool stored = false;
+};
+
+/// The volume at the current step, if the lesson asks for it with "stored". What the run has not found yet is a dash.
+[[nodiscard]] std::vector<StoredVolume> stored_fit(const Session& session);
+
+}  // namespace snug::lesson
