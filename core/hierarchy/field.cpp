@@ -86,6 +86,16 @@ struct OneByOne {
     answer(i, result, sphere.crossing);
   }
 
+  /// The boxes from one up to another.
+  void all(FieldWay way, std::size_t from, std::size_t to, std::span<std::int8_t> last) {
+    for (std::size_t i = from; i < to; ++i) {
+      if (way == FieldWay::kAllVertices) all_vertices(i);
+      else if (way == FieldWay::kPnVertex) p_n_vertex(i);
+      else if (way == FieldWay::kSpheresFirst) sphere_first(i);
+      else last_plane(i, last[i]);
+    }
+  }
+
   void last_plane(std::size_t i, std::int8_t& last) {
     const int first = last;
     const CullResult result = query::classify(frustum, field.boxes[i], {.first = first});
@@ -174,12 +184,14 @@ FieldCost cull_field(const Field& field, const Frustum<double, 3>& frustum, Fiel
   if (way == FieldWay::kTree) return down_the_tree(field, frustum, verdicts, record);
   if (way == FieldWay::kAtOnce) return all_at_once(field, frustum, verdicts);
   OneByOne test{field, frustum, verdicts, record};
-  for (std::size_t i = 0; i < field.boxes.size(); ++i) {
-    if (way == FieldWay::kAllVertices) test.all_vertices(i);
-    else if (way == FieldWay::kPnVertex) test.p_n_vertex(i);
-    else if (way == FieldWay::kSpheresFirst) test.sphere_first(i);
-    else test.last_plane(i, last[i]);
-  }
+  test.all(way, 0, field.boxes.size(), last);
+  return test.cost;
+}
+
+FieldCost cull_boxes(const Field& field, const Frustum<double, 3>& frustum, FieldWay way, std::size_t from,
+                     std::size_t to, std::span<std::int8_t> last, std::span<Culling> verdicts) {
+  OneByOne test{field, frustum, verdicts, nullptr};
+  test.all(way, from, to, last);
   return test.cost;
 }
 

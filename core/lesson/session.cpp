@@ -40,8 +40,10 @@ Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 View Session::view(int slot) const {
-  return {
-      {Slot{slots_[0].method, slots_[0].run.get()}, Slot{slots_[1].method, slots_[1].run.get()}}, slot, step_of(slot)};
+  return {{Slot{slots_[0].method, slots_[0].run.get()}, Slot{slots_[1].method, slots_[1].run.get()}},
+          slot,
+          step_of(slot),
+          drag_.subject != nullptr};
 }
 
 void Session::use(int slot, const Method* method) {

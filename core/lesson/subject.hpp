@@ -152,6 +152,7 @@ struct View {
   std::array<Slot, 2> slots;  // the main one, and the one for comparison
   int slot = 0;               // which slot is meant, and
   int step = 0;               // how many of its steps are shown
+  bool in_hand = false;  // whether something is being dragged: what takes long and tells little waits until it rests
   [[nodiscard]] const Method& method() const { return *slots[slot].method; }
   [[nodiscard]] const Run& run() const { return *slots[slot].run; }
   [[nodiscard]] bool at_end() const { return step == run().steps(); }
@@ -276,7 +277,7 @@ class Subject {
   /// The lesson's methods with their results, in order; none if there is nothing to compare.
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
   /// The figures at the end of a method's run. A run that the view has is not repeated.
-  [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
+  [[nodiscard]] virtual std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
   /// The figures by which tasks and conditions are judged: those at the end, with every part switched on.
   [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;
   /// The same after one of a scene's frames, counted from 1; none where there is no such frame.

@@ -36,6 +36,7 @@ void measure(int objects) {
     std::vector<query::Culling> verdicts(subject.field().boxes.size());
     std::vector<std::int8_t> last(verdicts.size(), -1);
     std::vector<double> culls, frames;
+    session.begin_drag();
     for (int frame = 0; frame < 60; ++frame) {
       const double way = 0.05 * frame;
       frames.push_back(1e3 * bench::seconds([&] {
@@ -51,6 +52,7 @@ void measure(int objects) {
                         bench::keep(verdicts);
                       }));
     }
+    session.end_drag();
     std::sort(culls.begin(), culls.end());
     std::sort(frames.begin(), frames.end());
     std::printf("| %d | %s | %.3f | %.2f | %.2f |\n", objects, method.name.data(), culls[30], frames[30], frames[57]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/brush.hpp"
 #include "lesson/subjects/field/field.hpp"
@@ -30,16 +31,16 @@ void draw_field(Brush& brush);
 /// Draws what the camera sees, in a corner of the stage, below a height. Returns the room that it takes.
 [[nodiscard]] Rect draw_camera_image(Brush& brush, float top);
 
-/// What each method costs, measured one after the other while nothing moves: to measure all of them would take longer
-/// than a frame.
+/// What each method costs, measured one after the other while nothing moves, and a slow one over several frames: to
+/// measure all of them would take longer than a frame.
 class FieldCosts {
  public:
   struct Entry {
     const lesson::Method* method = nullptr;
-    lesson::FieldSubject::Measured measured;
+    lesson::FieldMeasured measured;
     std::uint64_t stage = 0;  // the number of the stage that it was measured on
   };
-  /// Measures the next one, if the stage has not changed since the last frame.
+  /// Goes on measuring, if the stage has not changed since the last frame.
   void measure(const lesson::Session& session);
   [[nodiscard]] bool working() const { return working_; }
   /// Null if it has never been measured.
@@ -48,7 +49,11 @@ class FieldCosts {
   [[nodiscard]] bool is_of_now(const Entry& entry) const { return entry.stage == stage_; }
 
  private:
+  void measure_next(const lesson::Session& session, const lesson::Method& method);
+
   std::vector<Entry> entries_;
+  std::optional<lesson::FieldMeasuring> at_work_;
+  const lesson::Method* measured_ = nullptr;  // by that
   std::uint64_t stage_ = 0;
   lesson::Rows rows_;  // of that stage, and its seed
   std::uint64_t seed_ = 0;

@@ -84,10 +84,13 @@ Rect draw_camera_image(Brush& brush, float top) {
        small ? "Camera" : "From the camera");
   brush.list->AddRectFilled(low, high, p.ground);
   brush.list->PushClipRect(low, high, true);
+  const ImDrawListFlags flags = brush.list->Flags;
+  brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // fringes are three quarters of the triangles
   const CameraImage picture{lesson::camera_of(stage.recipe, stage.now), image};
   const lesson::FieldRun& run = lesson::field_run(brush.session.run(0));
   for (const std::size_t i : boxes_seen(picture, run))
     draw_seen(brush, picture, run.field().boxes[i], run.verdicts()[i] == Culling::kInside ? p.current : p.examined);
+  brush.list->Flags = flags;
   brush.list->PopClipRect();
   brush.list->AddRect(low, high, p.previous, 0, 0, 1);
   return panel;

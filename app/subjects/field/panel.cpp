@@ -11,6 +11,7 @@
 namespace snug::app {
 namespace {
 
+constexpr double kMeasuringOfFrame = 3e6;  // ns
 constexpr float kFieldHead = 26, kFieldTime = 74, kFieldWords = 13;
 
 /// The figures that the panel's bars would give away.
@@ -100,20 +101,28 @@ void FieldCosts::measure(const lesson::Session& session) {
   const auto& subject = *lesson::as<lesson::FieldSubject>(session.subject());
   lesson::Rows rows = subject.rows();
   const bool still = rows == rows_ && seed_ == session.seed();
-  if (!still) rows_ = std::move(rows), seed_ = session.seed(), ++stage_;
+  if (!still) rows_ = std::move(rows), seed_ = session.seed(), ++stage_, at_work_.reset();
   working_ = false;
   for (const std::string& name : session.lesson().algorithms) {
     const lesson::Method& method = *lesson::find_method(session.lesson(), name);
-    const auto own =
-        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.method == &method; });
-    if (own != entries_.end() && own->stage == stage_) continue;
+    if (const Entry* own = of(method); own != nullptr && is_of_now(*own)) continue;
     working_ = true;
-    if (!still) return;
-    const Entry entry{&method, subject.measured(method), stage_};
-    if (own != entries_.end()) *own = entry;
-    else entries_.push_back(entry);
+    if (still) measure_next(session, method);
     return;
   }
+}
+
+void FieldCosts::measure_next(const lesson::Session& session, const lesson::Method& method) {
+  if (!at_work_ || measured_ != &method) {
+    at_work_.emplace(lesson::as<lesson::FieldSubject>(session.subject())->measuring(method));
+    measured_ = &method;
+  }
+  at_work_->work(kMeasuringOfFrame);
+  if (!at_work_->done()) return;
+  const Entry entry{&method, at_work_->result(), stage_};
+  at_work_.reset();
+  std::erase_if(entries_, [&](const Entry& one) { return one.method == &method; });
+  entries_.push_back(entry);
 }
 
 const FieldCosts::Entry* FieldCosts::of(const lesson::Method& method) const {

@@ -54,26 +54,10 @@ FieldSubject::FieldSubject(const FieldTables& tables, std::uint64_t seed, Clock 
   origin_.seed = seed;
 }
 
-FieldSubject::Measured FieldSubject::measured(const Method& method) const {
-  constexpr double kEnough = 2e6;  // ns: a few runs of a fast way, one of a slow one
-  constexpr std::size_t kMostRuns = 7;
-  const hierarchy::FieldWay way = way_of(method);
-  const auto frustum = *frustum_of(stage_.recipe, stage_.now);
-  std::vector<query::Culling> verdicts(field_->boxes.size());
-  std::vector<std::int8_t> last(way == hierarchy::FieldWay::kLastPlane ? verdicts.size() : 0, -1);
-  if (!last.empty()) hierarchy::cull_field(*field_, *frustum_of(stage_.recipe, stage_.before), way, last, verdicts);
-  Measured measured;
-  std::vector<double> times;
-  for (double spent = 0; times.empty() || (spent < kEnough && times.size() < kMostRuns); spent += times.back()) {
-    std::vector<std::int8_t> own = last;
-    const double begin = clock_ != nullptr ? clock_() : 0;
-    measured.cost = hierarchy::cull_field(*field_, frustum, way, own, verdicts);
-    times.push_back(clock_ != nullptr ? clock_() - begin : kEnough);
-  }
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  if (clock_ != nullptr) measured.ns = *middle;
-  return measured;
+FieldMeasured FieldSubject::measured(const Method& method) const {
+  FieldMeasuring measuring = this->measuring(method);
+  while (!measuring.done()) measuring.work(HUGE_VAL);
+  return measuring.result();
 }
 
 Rows FieldSubject::planes() const {
@@ -170,16 +154,18 @@ std::vector<Proof> FieldSubject::proofs(const View& view) const {
   if (!view.at_end()) return {};
   const FieldRun& run = field_run(view.run());
   const bool at_once = run.way() == hierarchy::FieldWay::kAtOnce;
+  const std::string other_way = at_once ? "one by one" : "eight at once";
+  const Proof exact{"decided in exact arithmetic wherever rounding could matter", true, true};
+  if (view.in_hand) return {{"compared with " + other_way + " once the hand rests", false, false}, exact};
   const auto frustum = *frustum_of(stage_.recipe, stage_.now);
   std::vector<query::Culling> other(run.verdicts().size());
   hierarchy::cull_field(run.field(), frustum, at_once ? hierarchy::FieldWay::kPnVertex : hierarchy::FieldWay::kAtOnce,
                         {}, other);
   const auto same = static_cast<std::int64_t>(std::inner_product(other.begin(), other.end(), run.verdicts().begin(),
                                                                  std::size_t{0}, std::plus<>(), std::equal_to<>()));
-  return {{"the same answer as " + std::string(at_once ? "one by one" : "eight at once") + " for " + count_text(same) +
-               " of " + objects_text(run.objects()),
+  return {{"the same answer as " + other_way + " for " + count_text(same) + " of " + objects_text(run.objects()),
            same == run.objects(), true},
-          {"decided in exact arithmetic wherever rounding could matter", true, true}};
+          exact};
 }
 
 }  // namespace snug::lesson

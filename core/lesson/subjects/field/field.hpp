@@ -1,6 +1,7 @@
 // A field of thousands of boxes, and a camera that flies over it: which of them it sees, and what it costs to find out.
 #pragma once
 
+#include "lesson/subjects/field/field_measuring.hpp"
 #include "lesson/subjects/field/field_methods.hpp"
 #include "lesson/subjects/field/field_run.hpp"
 
@@ -15,13 +16,11 @@ class FieldSubject final : public Subject {
   FieldSubject(const FieldTables& tables, std::uint64_t seed, Clock clock);
   [[nodiscard]] const FieldStage& stage() const { return stage_; }
   [[nodiscard]] const hierarchy::Field& field() const { return *field_; }
-  /// What a method costs on what stands on the stage.
-  struct Measured {
-    hierarchy::FieldCost cost;
-    std::optional<double> ns;  // the median of a few runs; none without a clock. It is no figure, because figures are
-                               // the same everywhere
-  };
-  [[nodiscard]] Measured measured(const Method& method) const;
+  /// What a method costs on what stands on the stage: to be measured in parts, or at once.
+  [[nodiscard]] FieldMeasuring measuring(const Method& method) const {
+    return {field_, stage_, way_of(method), clock_};
+  }
+  [[nodiscard]] FieldMeasured measured(const Method& method) const;
 
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<FieldSubject>(*this); }

@@ -149,6 +149,36 @@ TEST_CASE("a camera that aims at itself, straight down, or from far away is refu
     CHECK_FALSE(session.set_rows(rows).has_value());
 }
 
+TEST_CASE(
+    "while the camera is dragged, its answers are not compared with those of another way; once it rests they are") {
+  Session session = field_session(200);
+  session.last();
+  session.begin_drag();
+  REQUIRE(session.move(1, Point3(0, 6, 2)).has_value());
+  REQUIRE(session.proofs().size() == 2);
+  CHECK_FALSE(session.proofs().front().holds);
+  CHECK_FALSE(session.proofs().front().claimed);
+  session.end_drag();
+  REQUIRE(session.proofs().size() == 2);
+  CHECK(session.proofs().front().holds);
+}
+
+TEST_CASE("a way that takes boxes one by one is measured in parts, and costs what it costs in one") {
+  const Session session = field_session(9000);
+  for (const Method& method : field_methods()) {
+    CAPTURE(method.name);
+    FieldMeasuring measuring = field_of(session).measuring(method);
+    int parts = 0;
+    while (!measuring.done()) measuring.work(0), ++parts;
+    const bool alone = hierarchy::one_by_one(way_of(method));
+    CHECK(parts == (way_of(method) == FieldWay::kLastPlane ? 6 : alone ? 3 : 1));
+    CHECK(measuring.result().cost.planes == field_of(session).measured(method).cost.planes);
+    const auto run = field_of(session).run(method, nullptr);
+    CHECK(measuring.result().cost.planes == field_run(*run).tally(run->steps()).planes);
+    CHECK(measuring.result().cost.products == field_run(*run).tally(run->steps()).products);
+  }
+}
+
 TEST_CASE("the time of a way is measured by the clock that was passed in") {
   static double now = 0;
   Lesson lesson;
