@@ -70,17 +70,23 @@ class TopDown {
   std::optional<Split> divide(const Part& part) {
     const bool few = part.count() <= most_in_leaf_;
     if (part.count() == 1 || (few && rule_ == SplitRule::kMedian)) return std::nullopt;
-    Bin all, centers;
-    for (Index i = part.begin; i < part.end; ++i) {
-      const Index body = bodies_[i];
-      Box point;
-      for (int axis = 0; axis < layout_.dim; ++axis) point.low[axis] = point.high[axis] = center(body, axis);
-      all.take({box(body), 1}), centers.take({point, 1});
-    }
-    if (rule_ == SplitRule::kMedian || part.depth >= kMostUneven) return halve(part, centers.box);
-    const Split best = cheapest(part, all.box, centers.box);
+    const Box centers = centers_of(part);
+    if (rule_ == SplitRule::kMedian || part.depth >= kMostUneven) return halve(part, centers);
+    Bin all;
+    for (Index i = part.begin; i < part.end; ++i) all.take({box(bodies_[i]), 1});
+    const Split best = cheapest(part, all.box, centers);
     if (few && part.count() <= best.cost) return std::nullopt;
-    return best.axis != kNoIndex ? best : halve(part, centers.box);
+    return best.axis != kNoIndex ? best : halve(part, centers);
+  }
+
+  [[nodiscard]] Box centers_of(const Part& part) const {
+    Box centers = Bin().box;
+    for (Index i = part.begin; i < part.end; ++i)
+      for (int axis = 0; axis < layout_.dim; ++axis) {
+        const double at = center(bodies_[i], axis);
+        centers.low[axis] = std::min(centers.low[axis], at), centers.high[axis] = std::max(centers.high[axis], at);
+      }
+    return centers;
   }
 
   /// Splits at the median along the axis where the centres spread most, equal ones by index. This is always possible.

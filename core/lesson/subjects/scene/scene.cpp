@@ -225,6 +225,15 @@ std::vector<Figure> SceneSubject::figures(const View& view) const {
 /// None: its figures are counts.
 std::vector<Proof> SceneSubject::proofs(const View&) const { return {}; }
 
+/// Where nothing is switched off or pushed, the last frame alone is worked out: no frame before it is recorded.
+std::vector<Figure> SceneSubject::figures_at_end(const Method& method, const View& view) const {
+  const auto is_shown = [&](const Slot& slot) { return slot.method == &method && slot.run != nullptr; };
+  if (has_switched_off() || std::any_of(view.slots.begin(), view.slots.end(), is_shown))
+    return PointSubject::figures_at_end(method, view);
+  const auto last = last_frame(set(), method.name, *points(), origin_.seed);
+  return last ? scene_figures(last->step, *points(), sorts(method)) : PointSubject::figures_at_end(method, view);
+}
+
 /// Those of the last frame, with every effect on and nothing pushed. If the scene cannot run, none is known.
 std::vector<Figure> SceneSubject::results(const Method& method, const View&) const {
   return results_at(method, set().frames);

@@ -61,6 +61,7 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+  [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Figure> results(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Figure> results_at(const Method& method, int frame) const override;
   [[nodiscard]] std::vector<Switch> switches(const View& view) const override;

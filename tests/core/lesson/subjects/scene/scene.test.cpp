@@ -7,6 +7,7 @@
 
 #include "core/lesson/lesson_files.hpp"
 #include "lesson/play.hpp"
+#include "lesson/subjects.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
 #include "lesson/subjects/scene/still_scene.hpp"
@@ -128,6 +129,25 @@ TEST_CASE("a figure is not told before the first question about it is answered")
   CHECK_FALSE(told("touching"));
   session.jump(60);
   CHECK(told("touching"));  // the frame that it is about
+}
+
+TEST_CASE("the result of a method that is not on the stage is what its own run ends with") {
+  for (const char* id : {"kdop-update", "scene-broad"}) {
+    const lesson::Session beside = opened(id);
+    lesson::Session session = opened(id);
+    for (const std::string& algorithm : session.lesson().algorithms) {
+      CAPTURE(algorithm);
+      REQUIRE(session.choose(0, algorithm).has_value());
+      session.jump(session.steps());
+      const auto& result = beside.result(*lesson::find_method(session.lesson(), algorithm));
+      const auto own = session.subject().figures(session.view());
+      REQUIRE(result.size() == own.size());
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        CHECK(result[i].key == own[i].key);
+        CHECK(result[i].text == own[i].text);
+      }
+    }
+  }
 }
 
 TEST_CASE("no frame of a scene is marked, but for questions") {
