@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/crowded.hpp"
 #include "geometry/convert.hpp"
 #include "query/support_function.hpp"
 
@@ -276,6 +277,7 @@ void draw_volume(const Canvas& canvas, const Polytope& polytope, const VolumeSty
   }
   // An edge is in front if at least one of its faces faces the eye.
   const std::vector<bool> front = faces_in_front(canvas, polytope);
+  if (is_crowded(polytope, screen, front)) return draw_crowded(canvas, polytope, screen, front, style);
   for (const bool near : {false, true})
     for (std::size_t f = 0; f < polytope.faces.size(); ++f)
       if (front[f] == near) draw_face(canvas, around(screen, polytope.faces[f]), style, near);
