@@ -207,6 +207,8 @@ std::vector<Figure> Session::figures(int slot) const {
 }
 
 const std::vector<Figure>& Session::result(const Method& of) const {
+  static const std::vector<Figure> kNotYet;
+  if (drag_.subject != nullptr && &of != method(0) && now_->results_wait()) return kNotYet;
   const auto [found, is_new] = results_.try_emplace(&of);
   if (is_new && now_->suits(of)) found->second = now_->figures_at_end(of, view());
   return found->second;

@@ -276,7 +276,8 @@ class Session {
   using Figure = lesson::Figure;
   [[nodiscard]] std::vector<Figure> figures(int slot = 0) const;
   /// The figures of one of the lesson's methods at the end of its run; computed when first needed after an edit. None
-  /// if it cannot take these points. Whether they are hidden is for hides_result and is_hidden to say.
+  /// if it cannot take these points, or if they wait until a drag is over. Whether they are hidden is for hides_result
+  /// and is_hidden to say.
   [[nodiscard]] const std::vector<Figure>& result(const Method& of) const;
   /// The key of the figure that the open question asks for, which is hidden meanwhile; empty for none.
   [[nodiscard]] std::string_view asked_figure() const;

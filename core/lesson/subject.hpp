@@ -278,6 +278,8 @@ class Subject {
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
   /// The figures at the end of a method's run. A run that the view has is not repeated.
   [[nodiscard]] virtual std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
+  /// Whether those of methods that are not on the stage take too long to be worked out while something is dragged.
+  [[nodiscard]] virtual bool results_wait() const { return false; }
   /// The figures by which tasks and conditions are judged: those at the end, with every part switched on.
   [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;
   /// The same after one of a scene's frames, counted from 1; none where there is no such frame.

@@ -130,25 +130,25 @@ struct Entry<fit::EdgeSearched> : FitEntry {
   using Fact = fit::EdgeSearched;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const EdgePairs pairs = edge_pairs(where.run.trace(), where.i + 1);
-    const std::string edge = "A face on the edge from " + where.name(fact.a) + " to " + where.name(fact.b) +
-                             ", the next on one of " + counted(fact.pairs, "other edge") + ": ";
+    const std::string edge = "The edge from " + where.name(fact.a) + " to " + where.name(fact.b) + " with ";
     const std::string best =
         "Best so far: " + where.size_word() + number_text(fit::measure_of(where.step().volume, where.dim()));
-    return edge + outcome(fact) + best + "; " + (pairs.left == 0 ? "no pair is left." : left_words(pairs));
+    return edge + outcome(fact) + best + "; " + left_words(pairs);
   }
   /// What became of its pairs.
   static std::string outcome(const Fact& fact) {
+    if (fact.pairs == 0) return "no other makes a box. ";
+    const std::string others = fact.pairs == 1 ? "one other: " : "each of " + count_text(fact.pairs) + " others: ";
     const Index searched = fact.pairs - fact.ruled_out;
-    if (fact.pairs == 0) return "there is none. ";
-    if (searched == 0) return fact.pairs == 1 ? "it is ruled out at once. " : "all are ruled out at once. ";
+    if (searched == 0) return others + (fact.pairs == 1 ? "ruled out at once. " : "all are ruled out at once. ");
     const std::string after = " after " + counted(fact.halvings, "halving") + ". ";
-    if (fact.ruled_out == 0) return "all are done" + after;
-    return std::to_string(fact.ruled_out) + (fact.ruled_out == 1 ? " is" : " are") + " ruled out at once, the other" +
-           (searched == 1 ? "" : "s") + after;
+    if (fact.ruled_out == 0) return others + "done" + after;
+    return others + count_text(fact.ruled_out) + (fact.ruled_out == 1 ? " is" : " are") +
+           " ruled out at once, the rest" + after;
   }
   static std::string left_words(const EdgePairs& pairs) {
-    return count_text(pairs.left) + " of " + count_text(pairs.all) + " pairs " + (pairs.left == 1 ? "is" : "are") +
-           " left.";
+    if (pairs.left == 0) return "no pair is left.";
+    return count_text(pairs.left) + " of " + count_text(pairs.all) + " pairs left.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.a, fact.b}; }
   static std::string predicate(const Fact&, const FitWhere&, bool) { return "are the ends of the edge"; }

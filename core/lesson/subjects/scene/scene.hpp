@@ -62,6 +62,7 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
   [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const override;
+  [[nodiscard]] bool results_wait() const override { return true; }
   [[nodiscard]] std::vector<Figure> results(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Figure> results_at(const Method& method, int frame) const override;
   [[nodiscard]] std::vector<Switch> switches(const View& view) const override;

@@ -150,6 +150,18 @@ TEST_CASE("the result of a method that is not on the stage is what its own run e
   }
 }
 
+TEST_CASE("while a body is dragged, the results of methods that are not on the stage wait until it rests") {
+  lesson::Session session = opened("kdop-update");
+  session.jump(0);
+  const lesson::Method& other = *lesson::find_method(session.lesson(), "sphere");
+  session.begin_drag();
+  REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
+  CHECK(session.result(other).empty());
+  CHECK_FALSE(session.result(*session.method(0)).empty());
+  session.end_drag();
+  CHECK_FALSE(session.result(other).empty());
+}
+
 TEST_CASE("no frame of a scene is marked, but for questions") {
   for (const std::string id : {"scene-broad", "scene-updates"})
     for (const lesson::Session session = opened(id); const lesson::Mark& mark : session.marks())
