@@ -15,11 +15,12 @@ namespace {
 constexpr Layout kNumbersBeside{{0, 0, 800, 440}, {0, 440, 800, 160}, {800, 0, 300, 1600}};
 
 lesson::Lesson scene_of_updates(std::string_view question = "") {
-  return test::viewed("volume = \"scene\"\nalgorithms = [\"k14\", \"k14_rebuild\", \"obb\"]\ncompare = \"obb\"",
-                      "[points]\ndim = 3\ngenerate = \"gaussian\"\ncount = 30\n[scene]\nframes = 12\n"
-                      "[[scene.body]]\nshape = \"points\"\n[[scene.effect]]\neffect = \"spin\"\nbody = 0\n"
-                      "turns_per_second = 0.5\n[[scene.effect]]\neffect = \"refit\"\n" +
-                          std::string(question));
+  return test::viewed(
+      "volume = \"scene\"\nalgorithms = [\"k14\", \"k14_rebuild\", \"obb\"]\ncompare = \"obb\"",
+      "[points]\ndim = 3\ngenerate = \"gaussian\"\ncount = 30\n[scene]\nframes = 12\n"
+      "[[scene.body]]\nname = \"body\"\nshape = \"points\"\n[[scene.effect]]\neffect = \"spin\"\nbody = \"body\"\n"
+      "turns_per_second = 0.5\n[[scene.effect]]\neffect = \"refit\"\n" +
+          std::string(question));
 }
 
 std::vector<std::string> all_drawn_words(Bench& bench) {
