@@ -78,10 +78,11 @@ class CloudView final : public SubjectView {
   [[nodiscard]] std::string_view optimum_button() const override { return button_; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    float height = draw_call_panel(look, session, at, width);
+    // At the end no call is open, and the certificate stands in the list's place.
+    float height = draw_certificate_panel(look, session, shown_, at, width, pointed_);
+    if (height == 0) height = draw_call_panel(look, session, at, width);
     if (height == 0) height = draw_call_stack(look, session, at, width);
     if (height == 0) height = draw_products_panel(look, session, at, width);
-    if (height == 0) height = draw_certificate_panel(look, session, shown_, at, width, pointed_);
     return height > 0 ? height : draw_census_panel(look, session, at, width);
   }
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override {
