@@ -1,5 +1,5 @@
-// At every step of every lesson, on screens of three sizes: no words over others, none cut off; and beside a question
-// none that tell its answer.
+// At the steps of every lesson, in each situation, beside a second algorithm and at its questions, on screens of many
+// sizes: no words over others, none cut off; and beside a question none that tell its answer.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "bench.hpp"
 #include "io/point_file.hpp"
 #include "lesson/say.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
 #include "viewed_lessons.hpp"
@@ -39,6 +40,8 @@ const std::vector<Screen>& screens() {
       {"phone, numbers", {{}, {}, {0, 0, 390, 604}, true}},
       {"phone, large text", {{0, 0, 390, 340}, {0, 340, 390, 190}, {}, true, 104}, 1.4f},
       {"window 1280", {{371, 48, 627, 600}, {371, 648, 627, 152}, {998, 48, 282, 752}}, 1, true},
+      {"window 960", {{300, 48, 380, 816}, {300, 864, 380, 136}, {680, 48, 280, 952}}, 1, true},
+      {"presentation", {{0, 0, 999, 664}, {0, 664, 999, 136}, {999, 80, 281, 720}, false, 120}, 1, true},
       {"window 1920", {{380, 48, 1250, 880}, {380, 928, 1250, 152}, {1630, 48, 290, 1032}}, 1, true},
       {"projector",
        {{0, 0, 1268, 896}, {0, 896, 1268, 160}, {1268, 0, 380, 1032}, false, 88},
@@ -126,7 +129,7 @@ class Faults {
       if (words[i].low.x < part.x - 1 || words[i].high.x > part.x + part.width + 1 ||
           (!scrolls && (words[i].low.y < part.y - 1 || words[i].high.y > part.y + part.height + 1)))
         add(words[i].words + " | runs off", where);
-      const bool gap = words[i].words == "…";  // in Welzl's list, between what is shown of a long one
+      const bool gap = words[i].words.starts_with("…");  // in lists, between what is shown of a long one
       if (words[i].words.ends_with("…") && !gap) add(words[i].words + " | is cut", where);
       if (!visible(here)) continue;
       for (std::size_t j = i + 1; j < words.size(); ++j)
@@ -157,38 +160,107 @@ class Faults {
 
 namespace {
 
-/// The chosen algorithms' steps, forty of each at most.
-void walk(Bench& bench, const Screen& screen, const std::vector<std::string>& algorithms, const std::string& name,
-          Faults& faults) {
-  bench.app.settings().text_scale = screen.text_scale;
-  bench.app.settings().theme = screen.theme;
-  bench.app.settings().prose_in_canvas = screen.prose_in_canvas;
-  std::vector<DrawnWords> drawn;
-  bench.app.note_words(&drawn);
-  for (const std::string& algorithm : algorithms) {
-    if (!bench.session().choose(0, algorithm)) continue;
-    const int steps = bench.session().steps(), stride = std::max(1, steps / 40);
-    for (int step = 0; step <= steps; step = step == steps ? steps + 1 : std::min(step + stride, steps)) {
-      bench.session().jump(step);
-      bench.frames(2);
-      faults.look_at(screen, drawn, name + " " + screen.name + ", " + algorithm + " step " + std::to_string(step));
-    }
+constexpr int kMostSteps = 24;  // of an algorithm, on one screen
+
+/// A bench whose drawn words are looked at.
+class Watched {
+ public:
+  Watched(const lesson::Lesson& lesson, const Screen& screen, Faults& faults)
+      : bench_(lesson, screen.layout, mesh_of(lesson.points.mesh)), screen_(screen), faults_(faults) {
+    bench_.app.settings().text_scale = screen.text_scale;
+    bench_.app.settings().theme = screen.theme;
+    bench_.app.settings().prose_in_canvas = screen.prose_in_canvas;
+    bench_.app.note_words(&drawn_);
   }
-  bench.app.note_words(nullptr);
+  ~Watched() { bench_.app.note_words(nullptr); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+  [[nodiscard]] lesson::Session& session() { return bench_.session(); }
+  [[nodiscard]] App& app() { return bench_.app; }
+
+  void look(const std::string& where) {
+    bench_.frames(2);
+    faults_.look_at(screen_, drawn_, where);
+  }
+  /// The run's steps, the first, the last and so many between; each screen has others of a long run.
+  void walk(const std::string& name, int most = kMostSteps) {
+    const int steps = session().steps(), stride = std::max(1, (steps + most - 1) / most);
+    const int first = static_cast<int>(std::string_view(screen_.name).size()) % stride;
+    see(0, name);
+    for (int step = first; step < steps; step += stride)
+      if (step > 0) see(step, name);
+    see(steps, name);
+  }
+  void walk_all(const std::vector<std::string>& algorithms, const std::string& name, int most = kMostSteps) {
+    for (const std::string& algorithm : algorithms)
+      if (session().choose(0, algorithm)) walk(name + ", " + algorithm, most);
+  }
+
+ private:
+  void see(int step, const std::string& name) {
+    session().jump(step);
+    look(name + " " + screen_.name + ", step " + std::to_string(step));
+  }
+
+  std::vector<DrawnWords> drawn_;
+  Bench bench_;
+  const Screen& screen_;
+  Faults& faults_;
+};
+
+/// Every third screen, another third for each number.
+std::vector<const Screen*> some_screens(std::size_t number) {
+  std::vector<const Screen*> some;
+  for (std::size_t i = number % 3; i < screens().size(); i += 3) some.push_back(&screens()[i]);
+  return some;
+}
+
+const Screen& screen_named(std::string_view name) {
+  for (const Screen& screen : screens())
+    if (screen.name == name) return screen;
+  FAIL("no screen ", name);
+  return screens().front();
 }
 
 }  // namespace
 
-TEST_CASE("no words stand over others, run off or are cut, at any step of any lesson") {
+TEST_CASE("no words stand over others, run off or are cut, at the steps of every lesson") {
   Faults faults;
   for (const lesson::Lesson& lesson : without_questions())
-    for (const Screen& screen : screens()) {
-      Bench bench(lesson, screen.layout, mesh_of(lesson.points.mesh));
-      walk(bench, screen, lesson.algorithms, lesson.id, faults);
-    }
+    for (const Screen& screen : screens()) Watched(lesson, screen, faults).walk_all(lesson.algorithms, lesson.id);
   INFO(faults.text());
   CHECK(faults.text().empty());
   CHECK(faults.seen() > 10'000);
+}
+
+TEST_CASE("nor in any situation of a lesson") {
+  Faults faults;
+  std::size_t number = 0;
+  for (const lesson::Lesson& lesson : without_questions())
+    for (const lesson::Situation& situation : lesson.situations)
+      for (const Screen* screen : some_screens(number++)) {
+        Watched watched(lesson, *screen, faults);
+        REQUIRE(watched.session().show_situation(situation.name));
+        watched.walk_all(lesson.algorithms, lesson.id + " " + situation.name, 12);
+      }
+  INFO(faults.text());
+  CHECK(faults.text().empty());
+  CHECK(number > 40);
+}
+
+TEST_CASE("nor beside a second algorithm") {
+  Faults faults;
+  std::size_t number = 0;
+  for (const lesson::Lesson& lesson : without_questions())
+    for (std::size_t i = 1; i < lesson.algorithms.size(); ++i)
+      for (const Screen* screen : some_screens(number++)) {
+        Watched watched(lesson, *screen, faults);
+        if (watched.session().choose(1, lesson.algorithms[i]))
+          watched.walk(lesson.id + " beside " + lesson.algorithms[i], 8);
+      }
+  INFO(faults.text());
+  CHECK(faults.text().empty());
+  CHECK(number > 50);
 }
 
 TEST_CASE("nor on k-DOPs, in close-ups or about a pile of bodies") {
@@ -200,10 +272,7 @@ TEST_CASE("nor on k-DOPs, in close-ups or about a pile of bodies") {
       test::boxes_apart("0.9997", "inset = { at = \"gap\" }", 3),
       test::falling("zoom = 2\nlook_at = \"P0\"", "color = \"blue\"", "color = \"grey\"")};
   for (const lesson::Lesson& lesson : lessons)
-    for (const Screen& screen : screens()) {
-      Bench bench(lesson, screen.layout);
-      walk(bench, screen, lesson.algorithms, lesson.volume, faults);
-    }
+    for (const Screen& screen : screens()) Watched(lesson, screen, faults).walk_all(lesson.algorithms, lesson.volume);
   INFO(faults.text());
   CHECK(faults.text().empty());
   CHECK(faults.seen() > 1'000);
@@ -211,20 +280,66 @@ TEST_CASE("nor on k-DOPs, in close-ups or about a pile of bodies") {
 
 TEST_CASE("nor among the points of a mesh, or of any scatter") {
   Faults faults;
+  std::size_t number = 0;
   for (const lesson::Lesson& lesson : without_questions())
-    for (const Screen& screen : screens()) {
-      Bench bench(lesson, screen.layout, mesh_of(lesson.points.mesh));
-      const std::vector<std::string> first{lesson.algorithms.front()};
-      for (int seed = 1; seed <= 3; ++seed) {
-        bench.session().scatter(static_cast<std::uint64_t>(seed));
-        walk(bench, screen, first, lesson.id + " scattered", faults);
+    for (int seed = 1; seed <= 6; ++seed)
+      for (const Screen* screen : some_screens(number++)) {
+        Watched watched(lesson, *screen, faults);
+        watched.session().scatter(static_cast<std::uint64_t>(seed));
+        watched.walk(lesson.id + " scattered", 12);
+        if (lesson.meshes.empty() || seed > 3) continue;
+        REQUIRE(watched.app().load(*mesh_of("bunny"), "Bunny"));
+        watched.walk(lesson.id + " bunny", 12);
       }
-      if (lesson.meshes.empty()) continue;
-      REQUIRE(bench.app.load(*mesh_of("bunny"), "Bunny"));
-      walk(bench, screen, first, lesson.id + " bunny", faults);
+  INFO(faults.text());
+  CHECK(faults.text().empty());
+}
+
+namespace {
+
+/// Each question of the run as it stands, with an answer chosen, and told. name: of what is on the stage.
+int look_at_standing(Watched& watched, const std::string& name) {
+  int seen = 0;
+  lesson::Session& session = watched.session();
+  for (session.first(); session.step() < session.steps() || session.asked() != nullptr;) {
+    const lesson::Asked* asked = session.asked();
+    if (asked == nullptr) {
+      session.forward();
+      continue;
+    }
+    const std::string where = name + ", asked " + asked->question->id;
+    watched.look(where);
+    const lesson::Answer answer = lesson::model_answer(*asked, session.run(0));
+    if (session.pick(answer)) watched.look(where + ", chosen");
+    if (asked->step == lesson::Asked::kAnytime) return ++seen;  // of a chart, before anything is measured
+    REQUIRE(session.answer(answer));
+    watched.look(where + ", told");
+    session.acknowledge();
+    ++seen;
+  }
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("nor while a question stands over the foot of the stage, or beside it") {
+  Faults faults;
+  int seen = 0;
+  Screen page = screen_named("page 1280");
+  page.layout.foot = 230;
+  for (const lesson::Lesson& lesson : all_lessons())
+    for (const Screen* screen : {const_cast<const Screen*>(&page), &screen_named("phone")}) {
+      Watched watched(lesson, *screen, faults);
+      for (const std::string_view situation : lesson::situation_names(lesson)) {
+        if (!watched.session().show_situation(situation)) continue;
+        for (const std::string& algorithm : lesson.algorithms)
+          if (watched.session().choose(0, algorithm))
+            seen += look_at_standing(watched, lesson.id + " " + std::string(situation) + " " + screen->name);
+      }
     }
   INFO(faults.text());
   CHECK(faults.text().empty());
+  CHECK(seen > 300);
 }
 
 namespace {
