@@ -96,7 +96,7 @@ double Settings::number(std::string_view key, double otherwise, double least, do
   if (setting == nullptr) return otherwise;
   if (setting->numbers.size() != 1) return wrong(key, "must be a number"), otherwise;
   const double value = setting->numbers.front();
-  if (!(value >= least && value <= most)) wrong(key, "is out of range");
+  if (!(value >= least && value <= most)) return wrong(key, "is out of range"), otherwise;
   return value;
 }
 
@@ -105,7 +105,7 @@ V3 Settings::vector(std::string_view key, const V3& otherwise) {
   if (setting == nullptr) return otherwise;
   if (setting->numbers.size() != 3) return wrong(key, "must be three numbers"), otherwise;
   const V3 v(setting->numbers[0], setting->numbers[1], setting->numbers[2]);
-  if (!(v.cwiseAbs().maxCoeff() <= 1e12)) wrong(key, "is not finite, or too large");
+  if (!(v.cwiseAbs().maxCoeff() <= 1e12)) return wrong(key, "is not finite, or too large"), otherwise;
   return v;
 }
 

@@ -173,6 +173,8 @@ TEST_CASE("settings that an effect does not know, or cannot use, are refused by 
   CHECK(with(call("shadow", {{"light", {0, 1, 0}, ""}})) == "shadow: the light does not come from above");
   CHECK(with(call("shadow", {{"light", {0, -1e-200, 0}, ""}})) == "shadow: the light does not come from above");
   CHECK(with(call("trail", {{"length", {2.5}, ""}})) == "trail: \"length\" must be a whole number");
+  CHECK(with(call("trail", {{"length", {-4}, ""}})) == "trail: \"length\" is out of range");
+  CHECK(with(call("trail", {{"length", {kNaN}, ""}})) == "trail: \"length\" is out of range");
   CHECK(with(call("bounce", {{"restitution", {1.5}, ""}})) == "bounce: \"restitution\" is out of range");
   Body capsule{.name = "c", .shape = scene::Volume3(Capsule<double, 3>{V3::Zero(), V3::UnitX(), 1})};
   CHECK(refusal({.bodies = {capsule},
