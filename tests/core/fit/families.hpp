@@ -13,8 +13,9 @@ struct Traits {
   int dim = 3, points = 0;
   int hull_dim = 0;  // of its hull, decided exactly
   int hull_vertices = 0;
-  int support = 0;    // of its smallest sphere
-  int on_sphere = 0;  // points within 4 ulps of that sphere's boundary
+  int support = 0;      // of its smallest sphere
+  int on_sphere = 0;    // points within 4 ulps of that sphere's boundary
+  int near_sphere = 0;  // points within a part of 1e-11 of its radius (in float 3e-6)
   double radius = 0;
   double farthest = 0;   // the largest coordinate
   double thickness = 0;  // of a box along its principal axes: the shortest edge by the longest

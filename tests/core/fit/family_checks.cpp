@@ -214,10 +214,12 @@ class Member {
     const auto hull = std::get<ConvexHull<double, 3>>(fit::find_algorithm("hull", "quickhull")->fit(set_, {}).volume);
     traits_.hull_dim = hull.affine_dim;
     traits_.hull_vertices = static_cast<int>(hull.vertices.size());
-    const double near = 4 * ulp<Scalar>(known_.size);
-    for (Index i = 0; i < fit::size_of(set_); ++i)
-      traits_.on_sphere +=
-          std::abs(scaled_norm<double, 3>(fit::point_of(set_, i) - ball_.center) - ball_.radius) <= near;
+    const double on = 4 * ulp<Scalar>(known_.size), near = (sizeof(Scalar) == 4 ? 3e-6 : 1e-11) * ball_.radius;
+    for (Index i = 0; i < fit::size_of(set_); ++i) {
+      const double off = std::abs(scaled_norm<double, 3>(fit::point_of(set_, i) - ball_.center) - ball_.radius);
+      traits_.on_sphere += off <= on;
+      traits_.near_sphere += off <= near;
+    }
     const auto lengths = lengths_of(fit::find_algorithm("obb", "pca")->fit(set_, {}).volume, Dim);
     const double longest = *std::max_element(lengths.begin(), lengths.end());
     traits_.thickness = longest > 0 ? *std::min_element(lengths.begin(), lengths.end()) / longest : 0;
@@ -261,15 +263,21 @@ class Member {
   Traits traits_;
 };
 
-/// Where volumes are tested against each other, one fitter serves for each kind.
-const std::array<const fit::Algorithm*, 7>& fitters_of_pairs() {
-  static const std::array<const fit::Algorithm*, 7> fitters{
-      fit::find_algorithm("sphere", "pivot"),   fit::find_algorithm("aabb", "min_max"),
-      fit::find_algorithm("obb", "pca"),        fit::find_algorithm("capsule", "pca"),
-      fit::find_algorithm("lozenge", "pca"),    fit::find_algorithm("kdop", "k6"),
-      fit::find_algorithm("hull", "quickhull"),
-  };
-  return fitters;
+/// Where volumes are tested against each other, one fitter serves for each kind; for k-DOPs, any of them.
+template <int Dim>
+const fit::Algorithm& any_fitter(Random& random) {
+  constexpr std::array<std::array<std::string_view, 2>, 6> kFitters{{{"sphere", "pivot"},
+                                                                     {"aabb", "min_max"},
+                                                                     {"obb", "pca"},
+                                                                     {"capsule", "pca"},
+                                                                     {"lozenge", "pca"},
+                                                                     {"hull", "quickhull"}}};
+  constexpr std::array<std::string_view, 4> kSlabs = Dim == 2
+                                                         ? std::array<std::string_view, 4>{"k4", "k6", "k8", "k8"}
+                                                         : std::array<std::string_view, 4>{"k6", "k14", "k18", "k26"};
+  const std::size_t kind = random.below(kFitters.size() + 1), k = random.below(kSlabs.size());
+  return kind < kFitters.size() ? *fit::find_algorithm(kFitters[kind][0], kFitters[kind][1])
+                                : *fit::find_algorithm("kdop", kSlabs[k]);
 }
 
 /// Two volumes of any kinds round two members, which share a point if they are to.
@@ -278,11 +286,12 @@ void check_pair(PairTally& tally, const Cloud<Scalar, Dim>& first, Cloud<Scalar,
   Random random(seed);
   const bool share = random.below(2) == 0;
   if (share) second.front() = first.back();
-  const fit::Algorithm& of_a = *fitters_of_pairs()[random.below(7)];
-  const fit::Algorithm& of_b = *fitters_of_pairs()[random.below(7)];
+  const fit::Algorithm& of_a = any_fitter<Dim>(random);
+  const fit::Algorithm& of_b = any_fitter<Dim>(random);
   const auto tested = [&](const Cloud<Scalar, Dim>& p, const Cloud<Scalar, Dim>& q) {
     const auto a = own<Scalar, Dim>(of_a.fit(set_of<Scalar, Dim>(p), {}).volume);
     const auto b = own<Scalar, Dim>(of_b.fit(set_of<Scalar, Dim>(q), {}).volume);
+    if (const auto separation = query::gjk<Scalar, Dim>(a, b)) tally.turns = std::max(tally.turns, separation->turns);
     return std::pair(query::test_overlap<Scalar, Dim>(a, b), query::test_overlap<Scalar, Dim>(b, a));
   };
   const auto [one, other] = tested(first, second);
@@ -308,6 +317,36 @@ void check_pair(PairTally& tally, const Cloud<Scalar, Dim>& first, Cloud<Scalar,
 }
 
 }  // namespace
+
+void FitterTally::add(const FitterTally& other) {
+  sets += other.sets;
+  excess = std::max(excess, other.excess);
+  steps = std::max(steps, other.steps);
+  of_stated_steps = std::max(of_stated_steps, other.of_stated_steps);
+  outside += other.outside, not_finite += other.not_finite, off_boundary += other.off_boundary;
+  unproven += other.unproven, unlike += other.unlike, moved += other.moved, other_scalar += other.other_scalar;
+}
+
+void PairTally::add(const PairTally& other) {
+  pairs += other.pairs, overlapping += other.overlapping;
+  turns = std::max(turns, other.turns);
+  unordered += other.unordered, missed += other.missed, unlike += other.unlike, turned += other.turned;
+}
+
+void FamilyTally::add(const FamilyTally& other) {
+  sets += other.sets, hard += other.hard, hash += other.hash;
+  fitters.resize(std::max(fitters.size(), other.fitters.size()));
+  for (std::size_t i = 0; i < other.fitters.size(); ++i) fitters[i].add(other.fitters[i]);
+  pairs.add(other.pairs);
+}
+
+template <class Scalar>
+double stated_excess(const fit::Algorithm& algorithm) {
+  constexpr double kUlps = 4, kOfBoxProof = 64;
+  return algorithm.volume == "obb" && sizeof(Scalar) == 8 ? kOfBoxProof : kUlps;
+}
+template double stated_excess<float>(const fit::Algorithm&);
+template double stated_excess<double>(const fit::Algorithm&);
 
 double stated_steps(const fit::Algorithm& algorithm, int n, int dim) {
   double subsets = 0, chosen = 1;  // of 1 to dim + 1 points

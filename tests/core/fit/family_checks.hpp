@@ -28,11 +28,13 @@ struct FitterTally {
   [[nodiscard]] std::int64_t broken() const {
     return outside + not_finite + off_boundary + unproven + unlike + moved + other_scalar;
   }
+  void add(const FitterTally& other);
 };
 
 /// Of the tests of two volumes fitted round members of one family, in one scalar.
 struct PairTally {
   std::int64_t pairs = 0, overlapping = 0;
+  int turns = 0;  // the most simplices that GJK tried on one of them
   // Zero is promised of what follows.
   std::int64_t unordered = 0;  // another answer when the volumes change places
   std::int64_t missed = 0;     // called apart, though they share a point
@@ -40,6 +42,7 @@ struct PairTally {
   std::int64_t turned = 0;     // turned by right angles: another verdict, though farther apart than kTouching
 
   [[nodiscard]] std::int64_t broken() const { return unordered + missed + unlike + turned; }
+  void add(const PairTally& other);
 };
 
 /// Of one family in one scalar.
@@ -48,10 +51,21 @@ struct FamilyTally {
   std::uint64_t hash = 0xcbf29ce484222325u;  // over every volume and its support
   std::vector<FitterTally> fitters;          // in the order of fit::algorithms()
   PairTally pairs;
+
+  /// Of other members: in any order the sum is the same, its hash as well.
+  void add(const FamilyTally& other);
 };
 
 /// The number of steps within which an algorithm ends on n points, whatever they are.
 [[nodiscard]] double stated_steps(const fit::Algorithm& algorithm, int n, int dim);
+
+/// The number of simplices that GJK tries at most, whatever the two volumes.
+inline constexpr int kStatedTurns = 64;
+
+/// The excess, in ulps, that a smallest volume may have. A sphere's proof is exact. That of a box is known within
+/// tolerance::kBoxProof, 64 roundings or 32 ulps of double on either side of its bound, whichever scalar it is in.
+template <class Scalar>
+[[nodiscard]] double stated_excess(const fit::Algorithm& algorithm);
 
 /// Adds a family's member to the tally. thorough: transformed as well.
 template <class Scalar, int Dim>

@@ -4,19 +4,13 @@
 #include "core/query/exact_boxes.hpp"
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
+#include "core/query/lattice_pairs.hpp"
+#include "core/query/tree_queries.hpp"
 #include "query/classify.hpp"
 #include "query/obb_sat.hpp"
 
 namespace snug::test {
 namespace {
-
-void add(QueryTally& tally, int answer, bool right, bool hard) {
-  ++tally.sets;
-  ++tally.answers[static_cast<std::size_t>(answer)];
-  tally.wrong += !right;
-  tally.hard += hard;
-  tally.hash = (tally.hash ^ static_cast<std::uint64_t>(answer)) * 0x100000001b3u;
-}
 
 template <class Scalar, int Dim>
 bool looked_closer(const auto& steps) {
@@ -40,7 +34,7 @@ void add_boxes(QueryTally& tally, Random& random) {
   const auto found = query::obb_sat(pair.a, pair.b, query::SatExtent::kFirst, steps);
   const bool right = found.overlap == overlap && query::obbs_overlap(pair.a, pair.b) == overlap &&
                      query::obbs_overlap(pair.b, pair.a) == overlap;
-  add(tally, overlap ? 1 : 0, right, looked_closer<Scalar, Dim>(steps));
+  tally.count(overlap ? 1 : 0, right, looked_closer<Scalar, Dim>(steps));
 }
 
 template <class Scalar, int Dim>
@@ -87,7 +81,7 @@ class Cull {
       if (const auto* plane = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact))
         hard = hard || plane->looked_closer;
     const auto right = exact::classify(scene_.frustum, exact::sum_of(shape));
-    add(tally_, static_cast<int>(right), found == right, hard);
+    tally_.count(static_cast<int>(right), found == right, hard);
   }
 
   QueryTally& tally_;
@@ -114,6 +108,12 @@ template <class Scalar, int Dim>
 void add_query(QueryTally& tally, std::size_t family, std::uint64_t seed) {
   Random random(seed * 8 + family);
   if (family == 0) return add_boxes<Scalar, Dim>(tally, random);
+  if (family == 3) return add_lattice_pairs<Scalar, Dim>(tally, random);
+  if (family == 4) return add_tree<Scalar, Dim>(tally, random);
+  if (family == 5) {
+    if constexpr (std::is_same_v<Scalar, double> && Dim == 3) add_field(tally, random);
+    return;
+  }
   const auto scene = family == 1 ? any_scene<Scalar, Dim>(static_cast<int>(random.below(kFrustumKinds)), random)
                                  : deep_scene<Scalar, Dim>(random);
   Cull<Scalar, Dim>(tally, scene, random).run();
