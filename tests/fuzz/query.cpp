@@ -1,11 +1,9 @@
 // libFuzzer: volumes of any two kinds, fitted round points that they share or do not share, and a frustum round some of
-// them. What has a point in common overlaps, in either order; what has a point in the frustum is not outside of it, and
-// what is inside has none outside. Boxes may miss that by the rounding of their axes: see "boxes may be apart although
-// they share a point".
+// them; in float and double, in the plane and in space. What has a point in common overlaps, in either order; what has
+// a point in the frustum is not outside of it, and what is inside has none outside. Boxes may miss that by the rounding
+// of their axes: see "boxes may be apart although they share a point".
 #include "core/exact.hpp"
-#include "fit/catalogue.hpp"
-#include "fuzz/bytes.hpp"
-#include "geometry/tolerance.hpp"
+#include "fuzz/volumes.hpp"
 #include "query/classify.hpp"
 #include "query/overlaps.hpp"
 
@@ -13,69 +11,71 @@ namespace {
 
 using namespace snug;
 using fuzz::require;
-using Point = Vector<double, 3>;
-using Cloud = std::vector<Point>;
 
 constexpr unsigned kMostPoints = 8;
+constexpr int kMostTurns = 64;  // of GJK, as in tests/core/fit/family_checks.hpp
 
-/// Fitted by one of the algorithms whose result is sure to contain the points.
-fit::Volume3 fitted(fuzz::Bytes& bytes, const Cloud& points) {
-  std::vector<const fit::Algorithm*> fitting;
-  for (const fit::Algorithm& algorithm : fit::algorithms())
-    if (algorithm.space && !algorithm.naive) fitting.push_back(&algorithm);
-  const fit::Algorithm& algorithm = *fitting[bytes.below(static_cast<unsigned>(fitting.size()))];
-  return algorithm.fit(*PointSet<double, 3>::make(points), {}).volume;
-}
-
-/// How far a point within a box's slabs may be from every sum of its edges.
-double axes_off(const fit::Volume3& volume) {
-  const auto* box = std::get_if<Obb<double, 3>>(&volume);
-  return box == nullptr ? 0 : 2 * tolerance::kObbAxes<double> * box->half_extents.sum();
-}
-
-void check_pair(const fit::Volume3& a, const fit::Volume3& b, bool shared) {
-  const auto one = query::test_overlap(a, b), other = query::test_overlap(b, a);
+template <class Scalar, int Dim>
+void check_pair(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, bool shared) {
+  const auto one = query::test_overlap<Scalar, Dim>(a, b), other = query::test_overlap<Scalar, Dim>(b, a);
   require(one.overlap == other.overlap);
-  require(!shared || one.overlap || one.separating_axis->gap <= axes_off(a) + axes_off(b));
+  require(query::overlaps<Scalar, Dim>(a, b) == one.overlap && query::overlaps<Scalar, Dim>(b, a) == one.overlap);
+  require(!shared || one.overlap ||
+          static_cast<double>(one.separating_axis->gap) <=
+              fuzz::axes_off<Scalar, Dim>(a) + fuzz::axes_off<Scalar, Dim>(b));
   if (one.distance) require(*one.distance >= 0 && (one.overlap ? *one.distance == 0 : true));
+  const auto separation = query::gjk<Scalar, Dim>(a, b);
+  require(separation && separation->turns <= kMostTurns);
 }
 
 /// The sign of normal . p + d, after p was moved by so much of the normal's coordinates' sizes against its direction.
-int exact_side(const Plane<double, 3>& plane, const Point& p, double moved) {
-  exact::Rational sum = plane.d;
-  for (int i = 0; i < 3; ++i)
-    sum += exact::Rational(plane.normal[i]) * exact::Rational(p[i]) -
-           abs(exact::Rational(plane.normal[i])) * exact::Rational(moved);
+template <class Scalar, int Dim>
+int exact_side(const Plane<Scalar, Dim>& plane, const Vector<Scalar, Dim>& p, double moved) {
+  const auto exact = [](Scalar x) { return exact::Rational(static_cast<double>(x)); };
+  exact::Rational sum = exact(plane.d);
+  for (int i = 0; i < Dim; ++i)
+    sum += exact(plane.normal[i]) * exact(p[i]) - abs(exact(plane.normal[i])) * exact::Rational(moved);
   return sum.sign();
 }
 
-void check_cull(fuzz::Bytes& bytes, const fit::Volume3& volume, const Cloud& points) {
-  Frustum<double, 3>::Planes planes;
-  for (auto& plane : planes) plane = {bytes.point<double, 3>(), bytes.number<double>()};
-  const auto frustum = Frustum<double, 3>::make(planes);
+template <class Scalar, int Dim>
+void check_cull(fuzz::Bytes& bytes, const Volume<Scalar, Dim>& volume, const fuzz::Cloud<Scalar, Dim>& points) {
+  const auto frustum = fuzz::any_frustum<Scalar, Dim>(bytes);
   if (!frustum) return;
+  const auto& planes = frustum->planes();
   const auto inside = [&](double moved) {
-    return [&planes, moved](const Point& p) {
+    return [&planes, moved](const Vector<Scalar, Dim>& p) {
       return std::all_of(planes.begin(), planes.end(),
-                         [&](const auto& plane) { return exact_side(plane, p, moved) <= 0; });
+                         [&](const auto& plane) { return exact_side<Scalar, Dim>(plane, p, moved) <= 0; });
     };
   };
   const auto verdict = query::classify_volume(*frustum, volume).verdict;
-  const double off = axes_off(volume);
+  const double off = fuzz::axes_off<Scalar, Dim>(volume);
   if (std::any_of(points.begin(), points.end(), inside(-off))) require(verdict != query::Culling::kOutside);
   if (verdict == query::Culling::kInside) require(std::all_of(points.begin(), points.end(), inside(off)));
+}
+
+template <class Scalar, int Dim>
+void check(fuzz::Bytes& bytes) {
+  const auto first = bytes.cloud<Scalar, Dim>(kMostPoints);
+  auto second = bytes.cloud<Scalar, Dim>(kMostPoints);
+  const bool shared = bytes.below(2) == 0;
+  if (shared) second.front() = first.back();
+  const auto any = [](const fit::Algorithm&) { return true; };
+  const auto a = fuzz::fitted<Scalar, Dim>(bytes, first, any), b = fuzz::fitted<Scalar, Dim>(bytes, second, any);
+  check_pair<Scalar, Dim>(a, b, shared);
+  check_cull<Scalar, Dim>(bytes, a, first);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  const Cloud first = bytes.cloud<double, 3>(kMostPoints);
-  Cloud second = bytes.cloud<double, 3>(kMostPoints);
-  const bool shared = bytes.below(2) == 0;
-  if (shared) second.front() = first.back();
-  const fit::Volume3 a = fitted(bytes, first), b = fitted(bytes, second);
-  check_pair(a, b, shared);
-  check_cull(bytes, a, first);
+  switch (bytes.below(4)) {
+    case 0: check<double, 2>(bytes); break;
+    case 1: check<double, 3>(bytes); break;
+    case 2: check<float, 2>(bytes); break;
+    default: check<float, 3>(bytes); break;
+  }
   return 0;
 }
