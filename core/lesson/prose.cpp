@@ -122,7 +122,8 @@ class Line {
   }
 
   bool told_at(std::size_t at) const {
-    return std::any_of(faults_.begin(), faults_.end(), [&](const ProseFault& fault) { return fault.at == begin_ + at; });
+    return std::any_of(faults_.begin(), faults_.end(),
+                       [&](const ProseFault& fault) { return fault.at == begin_ + at; });
   }
 
   void toggle(std::optional<std::size_t>& since, const std::string& mark, std::size_t from) {

@@ -453,7 +453,7 @@ TEST_CASE("at the end the certificate stands beside the stage with its exact num
   CHECK(wrote(drawn, heading));
   const auto lines = lesson::certificate_lines(lesson::fit_run(bench.session().run(0)));
   REQUIRE(lines.has_value());
-  CHECK(lines->contained.front().excess.sign > 0);  // the naive circle leaves a point outside
+  CHECK(lines->contained.front().excess.sign > 0);              // the naive circle leaves a point outside
   CHECK(wrote(drawn, lines->contained.front().excess.text()));  // longer ones take two lines
   std::vector<DrawnWords> before;
   bench.session().back();

@@ -123,8 +123,7 @@ TEST_CASE("points beyond the first few are counted, and so are those of them tha
   CHECK(certificate_lines(FitRun(points, false, std::move(small)))->others_outside == 24);
 }
 
-TEST_CASE_TEMPLATE("a certified radius is the rounded distance, widened by an ulp at most", Scalar, float,
-                   double) {
+TEST_CASE_TEMPLATE("a certified radius is the rounded distance, widened by an ulp at most", Scalar, float, double) {
   int widened = 0, kept = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const AnyPointSet points = some_points<Scalar, 2>(seed, 9);
