@@ -33,7 +33,7 @@ void draw_file_text(Shell& shell, Column& column, const lesson::StageFile& file,
                                                ImGuiInputTextFlags_CallbackResize, &grow, &text);
   shell.file_typing = ImGui::IsItemActive();
   const bool left = ImGui::IsItemDeactivated();
-  app::offer_field("The scene's file");
+  app::offer_field("The stage's file");
   ImGui::PopID();
   ImGui::PopFont();
   column.gap(height);
@@ -48,7 +48,7 @@ void draw_file(Shell& shell, Column& column, float height) {
   if (!file) return;
   const app::Look& look = column.look();
   const float top = column.y();
-  column.title("The scene's file");
+  column.title("The stage's file");
   column.words(
       "Change a number, add an effect: the stage answers at once. Bodies with at_points stand where you drag them.",
       Face::kRegular, 13, look->muted);

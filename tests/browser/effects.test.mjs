@@ -53,7 +53,7 @@ test("the scene's file is edited beside the stage: a setting is seen at once, a 
   const { file: { own }, trace } = await state(page);
   assert.match(own, /^\[scene\]\nframes = 260\n/);
   await page.locator("#tab-file").click();
-  const text = page.getByRole("textbox", { name: "The scene’s file" });
+  const text = page.getByRole("textbox", { name: "The stage’s file" });
   assert.equal(await text.inputValue(), own);
   const bouncy = own.replace("restitution = 0.2", "restitution = 0.9"), broken = bouncy.replace("friction = 0.6", "friction = -1\nglue = 3");
   assert.notEqual(bouncy, own);

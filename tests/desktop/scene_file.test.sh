@@ -6,7 +6,7 @@ until_state 's.steps === 260'
 for i in 1 2 3; do [[ $(state 's.asked === null') == true ]] || xdotool key s sleep 0.3; done
 tab_to File
 xdotool key Return
-tab_to "The scene's file"
+tab_to "The stage's file"
 sleep 0.5
 for key in ctrl+Home Down End BackSpace; do xdotool key "$key" sleep 0.3; done
 until_state 's.steps === 26 && s.file.typed.startsWith("[scene]\nframes = 26\n")'

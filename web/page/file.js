@@ -1,4 +1,4 @@
-// The file of the scene on the stage, edited here and checked as one types: the stage follows each text without a
+// The file of what is on the stage, edited here and checked as one types: the stage follows each text without a
 // mistake, and what was typed stays.
 import { by_id, element, set_hidden, set_text, when_changed } from "./dom.js";
 import { answer_edit } from "./messages.js";
@@ -16,7 +16,7 @@ export class SceneFile {
   constructor(door, act) {
     this.#door = door;
     this.#act = act;
-    by_id("file").append(element("h2", { id: "file-heading" }, "The scene’s file"),
+    by_id("file").append(element("h2", { id: "file-heading" }, "The stage’s file"),
       element("p", { class: "label", id: "file-says" }, "Change a number, add an effect: the stage answers at once. Bodies with at_points stand where you drag them."),
       this.#text, this.#heading, this.#mistakes);
   }
