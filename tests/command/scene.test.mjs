@@ -159,10 +159,10 @@ test("what a lesson declares wrongly is refused with file and line", () => {
 
 test("places are lists of three numbers, and no two effects drive the same of a body", () => {
   const own = '[[scene.body]]\nname = "a"\nshape = "sphere"\nradius = 0.1\n\n';
-  const fault = (effect, at, says) => {
+  const fault = (effect, at, says, mistakes = 1) => {
     const text = lesson("scene-broad").replace("[[scene.effect]]", `${own}${effect}\n\n[[scene.effect]]`);
     const line = text.slice(0, text.indexOf(at)).split("\n").length;
-    refused(["lesson", "check", write("a.toml", text)], mistake("a.toml", line, says));
+    refused(["lesson", "check", write("a.toml", text)], mistake("a.toml", line, says), undefined, mistakes);
   };
   const path = (places) => `[[scene.effect]]\neffect = "path"\nbody = "a"\nplaces = ${places}`;
   for (const places of ["[0, 0, 0, 1, 0, 0]", "[[0, 0], [0, 1, 0, 0]]", "[[0, 0, 0, 1, 0, 0]]", "[[0, 0, 0], [1, 0]]", "[[0, 0, 0], [1, nan, 0]]"])
@@ -170,7 +170,7 @@ test("places are lists of three numbers, and no two effects drive the same of a 
   fault(path("[]"), "places", '"places" must be a list of points');
   fault(path("[[0, 0, 0], [1, 0, 0]]"), '[[scene.effect]]\neffect = "orbit"', "path and orbit would both drive a: one undoes the other");
   fault('[[scene.effect]]\neffect = "spin"', '[[scene.effect]]\neffect = "spin"\naxis', "spin and spin would both drive every body: one undoes the other");
-  fault('[[scene.effect]]\neffect = "drag"\nbody = "a"', '[[scene.effect]]\neffect = "orbit"', "drag and orbit would both drive a: one undoes the other");
+  fault('[[scene.effect]]\neffect = "drag"\nbody = "a"', '[[scene.effect]]\neffect = "orbit"', "drag and orbit would both drive a: one undoes the other", 2); // spin, too
 });
 
 test("a scene with too many frames of too many bodies is refused before it is run", () => {
@@ -195,7 +195,7 @@ test("a scene with too many pairs is refused with the line of what looks for the
 test("more points than a method takes are refused with their line", () => {
   const text = lesson("scene-broad").replace(/\[\[question\]\][^]*/, "").replace("count = 40", "count = 4001").replace("frames = 120", "frames = 20");
   const line = text.slice(0, text.indexOf("[points]")).split("\n").length;
-  refused(["lesson", "check", write("crowd.toml", text)], mistake("crowd.toml", line, "Sort and sweep takes at most 4000 points"));
+  refused(["lesson", "check", write("crowd.toml", text)], mistake("crowd.toml", line, "Sort and sweep takes at most 4000 points"), undefined, 2); // and there are too many pairs
 });
 
 test("a mesh is a body: it is run, and impulses refuse it with file and line", () => {

@@ -39,12 +39,12 @@ export function good(args, input) {
 export const mistake = (file, line, says) => new RegExp(`^snug: ${escaped(file)}:${line}:\\d+: ${escaped(says)}`);
 const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
-/** Exit 2, nothing on stdout, and one line on stderr. */
-export function refused(args, line, input) {
+/** Exit 2, nothing on stdout, and one line on stderr, or as many as there are mistakes. line: the first of them. */
+export function refused(args, line, input, mistakes = 1) {
   const { out, err, status } = snug(args, input);
   assert.equal(out, "");
   if (line instanceof RegExp) assert.match(err, line);
   else assert.equal(err, `snug: ${line}\n`);
-  assert.match(err, /^snug: [^\n]+\n$/);
+  assert.match(err, new RegExp(`^(snug: [^\\n]+\\n){${mistakes}}$`));
   assert.equal(status, 2);
 }

@@ -113,17 +113,22 @@ void draw_built(Brush& brush, const lesson::TreeStage& stage) {
   }
 }
 
-/// Writes a copy's name into its box, where other names keep clear of it.
-void name_copy(Brush& brush, const ScreenBox& box, Index i, Color color) {
+/// Writes a copy's name into its box, where other names keep clear of it; none where it would stand over another copy's
+/// (named: where those are).
+void name_copy(Brush& brush, const ScreenBox& box, Index i, Color color, std::vector<Rect>& named) {
   const float high = brush.look.px(kCopyWords);
   const ImVec2 middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+  const Rect room{middle.x - high / 2, middle.y - high / 2, high, high};
+  if (std::any_of(named.begin(), named.end(), [&](const Rect& other) { return overlap(room, other); })) return;
   text_middle(brush.list, brush.look, Face::kSemiBold, kCopyWords, {middle.x, middle_of(middle.y, high)}, color,
               lesson::small(lesson::box_name(i)));
-  brush.canvas.obstacles.taken.push_back({middle.x - high / 2, middle.y - high / 2, high, high});
+  brush.canvas.obstacles.taken.push_back(room);
+  named.push_back(room);
 }
 
 void draw_boxes(Brush& brush, const TreeShown& shown, TreeSide side) {
   const std::vector<Box2>& boxes = side == TreeSide::kOwn ? shown.run->boxes() : shown.run->pairing()->moved;
+  std::vector<Rect> named;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const ScreenBox box = on_screen(brush, boxes[i], 0);
     const TreeInk ink = ink_of_box(brush.p, shown, static_cast<Index>(i), side);
@@ -132,7 +137,7 @@ void draw_boxes(Brush& brush, const TreeShown& shown, TreeSide side) {
     const bool waits = static_cast<Index>(i) == shown.incoming;
     const bool dotted = ink.pale || side == TreeSide::kCopy;
     draw_rim(brush, box, dotted ? Stroke::kDotted : Stroke::kSolid, ink.line, brush.stroke(waits ? 1.4f : 0.8f));
-    if (side == TreeSide::kCopy) name_copy(brush, box, static_cast<Index>(i), ink.words);
+    if (side == TreeSide::kCopy) name_copy(brush, box, static_cast<Index>(i), ink.words, named);
   }
 }
 

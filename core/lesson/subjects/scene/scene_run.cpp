@@ -160,9 +160,14 @@ std::vector<InputError> scene_faults(const SceneSet& set, std::span<const std::s
                                      const AnyPointSet& points, std::uint64_t seed) {
   if (set.is_too_long(fit::size_of(points))) return {scene::error_at(set.frames_line, too_long_text())};
   std::vector<InputError> all;
+  // A table that makes many bodies is told of a mistake once, at the first of them.
+  const auto without_name = [](std::string_view what) { return what.substr(std::min(what.size(), what.find(": "))); };
   const auto add = [&](const InputError& fault) {
-    if (std::none_of(all.begin(), all.end(), [&](const InputError& one) { return one.message() == fault.message(); }))
-      all.push_back(fault);
+    const auto is_told = [&](const InputError& one) {
+      return one.message() == fault.message() ||
+             (one.position == fault.position && without_name(one.what) == without_name(fault.what));
+    };
+    if (std::none_of(all.begin(), all.end(), is_told)) all.push_back(fault);
   };
   for (const std::string& method : methods) {
     const auto declaration = declaration_with(set, method, points, seed);
