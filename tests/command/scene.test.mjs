@@ -138,7 +138,7 @@ test("what a lesson declares wrongly is refused with file and line", () => {
   broken("scene-updates", 'after = "frame_taken"\n', "", { at: "after_nth = 1", says: '"after_nth" needs "after", whose steps it counts' });
   broad("half_extents = [0.30, 0.07, 0.12]", "half_extents = [0.3, 0.1]", "half_extents", '"half_extents" must be three numbers');
   broad("bounds = [20, 120, 400]", "bounds = [20, 20]", "bounds = [20, 20]", '"bounds" must be numbers that rise');
-  broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is no figure of a scene: beauty');
+  broad('figure = "after_broad"\nbounds', 'figure = "beauty"\nbounds', 'figure = "beauty"', '"figure" is none of all_pairs, compared,');
   broad("bounds = [20, 120, 400]", "bounds = [nan]", "bounds = [nan]", '"bounds" must be numbers that rise');
   broad("bounds = [20, 120, 400]", "bounds = [20, nan, 400]", "bounds = [20, nan", '"bounds" must be numbers that rise');
   broad("bounds = [20, 120, 400]", "bounds = [20, inf]", "bounds = [20, inf", '"bounds" must be numbers that rise');
