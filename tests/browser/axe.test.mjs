@@ -24,7 +24,7 @@ async function violations(page) {
 const answer_with = (page, asked, number) => answer(page, asked.choices.length > 0 ? number % Math.min(asked.choices.length, 9) : asked.targets[number % asked.targets.length], "keyboard");
 
 /** Plays what is open to its end and looks at every question and at what stands beside its outcome. Returns how many
- *  questions there were and the situations in which others wait. seen: receives the outcomes. */
+ *  questions there were, and the situations and the algorithms in which others wait. seen: receives the outcomes. */
 async function play(page, name, seen) {
   let questions = 0;
   let now = await state(page);
@@ -50,7 +50,7 @@ async function play(page, name, seen) {
     seen.add(now.outcome.skipped ? "skipped" : now.outcome.right ? "right" : "wrong");
     assert.deepEqual(await violations(page), [], `${name}, the outcome of ${now.outcome.question}`);
   }
-  return { questions, of: now.questions, waiting: now.situationsWaiting };
+  return { questions, of: now.questions, situations: now.situationsWaiting, algorithms: now.waiting };
 }
 
 for (const [name, size, played_of] of [["laptop", kWide, lessons], ["phone", { ...kPhone, deviceScaleFactor: 1 }, kinds]]) {
@@ -61,13 +61,17 @@ for (const [name, size, played_of] of [["laptop", kWide, lessons], ["phone", { .
       const page = await visit(t, `?lesson=${id}&step=0`, size);
       assert.deepEqual(await violations(page), [], `${id}, at rest`);
       if (!played.includes(id)) continue;
-      const { questions, of, waiting } = await play(page, id, seen);
+      const { questions, of, situations } = await play(page, id, seen);
       // Some of its questions may wait in other situations and algorithms.
       assert.ok(questions > 0 && questions >= Math.min(3, of), `${id} asks ${questions} times of ${of}`);
       assert.deepEqual(await violations(page), [], `${id}, at its end`);
-      for (const situation of waiting) {
-        const other = await visit(t, `?lesson=${id}&situation=${situation}&step=0`, size);
-        assert.ok((await play(other, `${id}, ${situation}`, seen)).questions > 0, `${id} asks nothing in the situation ${situation}`);
+      for (const situation of situations) {
+        const there = `?lesson=${id}&situation=${situation}`;
+        const own = await play(await visit(t, `${there}&step=0`, size), `${id}, ${situation}`, seen);
+        let asked = own.questions;
+        for (const algorithm of own.algorithms)
+          asked += (await play(await visit(t, `${there}&a=${algorithm}&step=0`, size), `${id}, ${situation}, ${algorithm}`, seen)).questions;
+        assert.ok(asked > 0, `${id} asks nothing in the situation ${situation}`);
       }
     }
     assert.deepEqual([...seen].sort(), ["right", "skipped", "wrong"]);

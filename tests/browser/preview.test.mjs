@@ -127,7 +127,7 @@ test("a link to no lesson stands in the strip until that lesson is there", async
   const linked = changed("has a centre.", "has a centre, as [there](lesson:other).");
   write("mine.toml", linked);
   await page.locator("#strip li").getByText("links to a lesson that is not there: other").waitFor({ timeout: kSoon });
-  assert.ok((await page.locator("#strip li").textContent()).startsWith(`${place_of(linked, "(lesson:other)")}: `));
+  assert.ok((await page.locator("#strip li").textContent()).startsWith(`${place_of(linked, "[there](lesson:other)")}: `));
   write("other.toml", kCloud); // and now it is there
   await page.locator("#strip").waitFor({ state: "hidden", timeout: kSoon });
 });

@@ -93,7 +93,7 @@ constexpr std::array kSphereRows{
                       .loses_points = true}),
     row<kWelzlEpsilon>({.volume = "sphere",
                         .name = "welzl_epsilon",
-                        .title = "Welzl, absolute epsilon (naive)",
+                        .title = "Welzl, epsilon (naive)",
                         .source = kWelzlPaper,
                         .theory = kStoppedInTime,
                         .pseudocode = kWelzlEpsilonPseudocode,
