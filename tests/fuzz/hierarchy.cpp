@@ -115,8 +115,9 @@ void check(fuzz::Bytes& bytes) {
   std::array<hierarchy::LastRejected, 4> last;
   const unsigned proven = bytes.below(4);  // rationals take long
   for (int round = 0; round < 2; ++round) {
+    if (round > 0)
+      for (hierarchy::Tree<Kind>& tree : trees) hierarchy::refit<Kind>(tree, bodies);  // all, for pairs between two
     for (std::size_t i = 0; i < trees.size(); ++i) {
-      if (round > 0) hierarchy::refit<Kind>(trees[i], bodies);
       if (i == proven) check_nodes(trees[i], bodies);
       check_search(trees[i], bodies, sought);
       check_pairs(trees[i], trees[(i + 1) % trees.size()], bodies);
