@@ -38,8 +38,8 @@ struct Look {
   const Palette* operator->() const { return palette; }
 };
 
-// Of the em: how far a line's baseline is below the top of its box, in both typefaces; and of a subscript its size, and
-// how much lower its baseline is.
+// Parts of the em. A line's baseline is kBaseline below the top of its box, in both typefaces; a subscript is
+// kScriptSize as large, and its baseline is kLowered lower.
 inline constexpr float kBaseline = 0.864f, kScriptSize = 0.75f, kLowered = 0.14f;
 
 /// Letters that stand at one height.

@@ -176,8 +176,8 @@ std::int64_t print_queries(const Run& run) {
   return broken;
 }
 
-/// Of a kind of volume: worst excess in ulps of what claims to be smallest, and the most steps. Returns how many
-/// excesses are above what is stated.
+/// Prints, for the fitters of a kind of volume, the worst excess in ulps of what claims to be smallest, and the most
+/// steps. Returns how many excesses are above what is stated.
 std::int64_t print_fitters(const Run& run, std::string_view volume) {
   std::int64_t broken = 0;
   std::vector<std::size_t> columns;

@@ -24,7 +24,7 @@ inline constexpr const char *kLeaveKeyed = "Leave presentation (Esc)", *kPreviou
 inline constexpr std::string_view kSettingsWord = "Settings", kThemeWord = "Theme", kTextSizeWord = "Text size",
                                   kPresentWord = "Present", kScalarWord = "Computed in";
 
-/// By app::Theme.
+/// The names of the themes, in the order of app::Theme.
 inline constexpr std::array<std::string_view, 4> kThemeWords{"Light", "Dark", "High contrast", "Projector"};
 
 }  // namespace snug::lesson

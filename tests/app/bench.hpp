@@ -10,8 +10,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/app.hpp"
+#include "app/look.hpp"
 
 namespace snug::app {
 
@@ -58,6 +60,16 @@ class Bench {
         texture->SetStatus(ImTextureStatus_OK);
       }
     }
+  }
+  /// The words of one more frame.
+  [[nodiscard]] std::vector<std::string> words() {
+    std::vector<DrawnWords> drawn;
+    app.note_words(&drawn);
+    frames(1);
+    app.note_words(nullptr);
+    std::vector<std::string> all;
+    for (const DrawnWords& one : drawn) all.push_back(one.words);
+    return all;
   }
   [[nodiscard]] Handle handle(const std::string& id) const {
     for (const Handle& handle : app.handles())

@@ -17,18 +17,8 @@ const Layout kPhone{.stage = {0, 0, 390, 390}, .timeline = {0, 390, 390, 160}, .
 
 double distance(const Handle& a, const Handle& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-std::vector<std::string> words_of(Bench& bench) {
-  std::vector<DrawnWords> drawn;
-  bench.app.note_words(&drawn);
-  bench.frames(1);
-  bench.app.note_words(nullptr);
-  std::vector<std::string> words;
-  for (const DrawnWords& one : drawn) words.push_back(one.words);
-  return words;
-}
-
 bool says(Bench& bench, const std::string& words) {
-  const auto all = words_of(bench);
+  const auto all = bench.words();
   return std::find(all.begin(), all.end(), words) != all.end();
 }
 
@@ -96,7 +86,7 @@ TEST_CASE("a gap of 0.003 is seen in the close-up, which says how many times lar
       CHECK(close_up->times > 40);
       CHECK(handles_under(bench, close_up->panel) == 0);
       CHECK_FALSE(holds(close_up->panel, close_up->x, close_up->y));
-      const auto words = words_of(bench);
+      const auto words = bench.words();
       CHECK(std::any_of(words.begin(), words.end(), [&](const std::string& one) {
         return phone ? one.starts_with("×") : one.ends_with(" times larger");
       }));
@@ -220,7 +210,7 @@ TEST_CASE("nothing is called smallest that is compared with nothing") {
   CHECK_FALSE(says(bench, "Smallest"));
   bench.session().jump(bench.session().steps());
   bench.frames(2);
-  for (const std::string& words : words_of(bench)) CHECK(words.find("the ") != 0);
+  for (const std::string& words : bench.words()) CHECK(words.find("the ") != 0);
   Bench hull(
       test::viewed("algorithms = [\"kdop/k8\", \"obb/exact\"]\nreference = \"hull/quickhull\"", test::kEightPoints));
   CHECK(says(hull, "Hull"));

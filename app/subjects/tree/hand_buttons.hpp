@@ -32,7 +32,7 @@ struct HandButtons {
     if (x > 0) y += row() + kGap;
     x = 0;
   }
-  /// With the heading, up to the end of the last row.
+  /// The height of the heading and all rows.
   [[nodiscard]] float height() const { return y + look.px(kHandHead) + row(); }
 
  private:

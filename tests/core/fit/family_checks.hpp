@@ -52,7 +52,7 @@ struct FamilyTally {
   std::vector<FitterTally> fitters;          // in the order of fit::algorithms()
   PairTally pairs;
 
-  /// Of other members: in any order the sum is the same, its hash as well.
+  /// Adds the tally of other members. The order does not matter, not even to the hash.
   void add(const FamilyTally& other);
 };
 

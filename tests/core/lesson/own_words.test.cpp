@@ -35,11 +35,7 @@ TEST_CASE("a question's words of one run are warned of, unless it is asked of th
         test::small_lesson_with("[[task]]", "[[question]]\nid = \"own\"\nalgorithm = \"welzl\"\nbefore = \"finished\"\n"
                                             "asks = \"choice\"\nchoices = [\"So\", \"Otherwise\"]\nanswer = \"So\"\n" +
                                                 keys + "\n[[task]]");
-    std::string all;
-    const Draft draft = read_draft(text, "small.toml");
-    REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
-    for (const FileError& warning : draft.warnings) all += warning.message() + "\n";
-    return all;
+    return test::warnings_of(text);
   };
   const std::string prompt = "prompt = \"These points lie on a line. Why?\"\n", because = "because = \"So.\"\n";
   CHECK(warnings(prompt + because + "holds = \"always\"") ==

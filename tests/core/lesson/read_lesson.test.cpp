@@ -303,11 +303,7 @@ TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, 
         "[[task]]", "[[question]]\nid = \"own\"\nalgorithm = \"welzl\"\nbefore = \"finished\"\nasks = "
                     "\"choice\"\nbecause = \"So.\"\n" +
                         keys + "\n[[task]]");
-    std::string all;
-    const Draft draft = read_draft(text, "small.toml");
-    REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
-    for (const FileError& warning : draft.warnings) all += warning.message() + "\n";
-    return all;
+    return test::warnings_of(text);
   };
   SUBCASE("handles") {
     const std::string about = "prompt = \"Which point supports it?\"\nchoices = [\"P4\", \"P2\"]\n";

@@ -91,6 +91,15 @@ inline std::string small_lesson_with(std::string_view from, std::string_view to)
   return text.replace(at, from.size(), to);
 }
 
+/// The warnings of a lesson's text that has no mistake, a line each.
+inline std::string warnings_of(const std::string& text) {
+  const lesson::Draft draft = lesson::read_draft(text, "small.toml");
+  REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
+  std::string all;
+  for (const lesson::FileError& warning : draft.warnings) all += warning.message() + "\n";
+  return all;
+}
+
 inline lesson::Session open(const std::string& text) {
   auto read = lesson::read_lesson(text, "small.toml");
   REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().message()));

@@ -23,7 +23,7 @@ struct QueryTally {
     hard += is_hard;
     hash = (hash ^ static_cast<std::uint64_t>(answer)) * 0x100000001b3u;
   }
-  /// Of other queries: in any order the sum is the same, its hash as well.
+  /// Adds the tally of other queries. The order does not matter, not even to the hash.
   void add(const QueryTally& other) {
     sets += other.sets, hard += other.hard, wrong += other.wrong, hash += other.hash;
     for (std::size_t i = 0; i < answers.size(); ++i) answers[i] += other.answers[i];

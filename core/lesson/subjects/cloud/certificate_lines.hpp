@@ -44,8 +44,8 @@ struct CertificateLines {
 /// Those of a finished run; none if its result is no sphere.
 [[nodiscard]] std::optional<CertificateLines> certificate_lines(const FitRun& run);
 
-/// By how many ulps the radius is larger than the distance of the farthest point, rounded to the nearest number of its
-/// scalar: a certified radius is widened by so much.
+/// The ulps by which the radius is larger than the farthest point's distance, once that is rounded to the nearest
+/// number of its scalar. A certified radius is widened by so much.
 [[nodiscard]] double widened_ulps(const AnyPointSet& points, const fit::Sphere3& sphere);
 
 }  // namespace snug::lesson

@@ -12,7 +12,8 @@ namespace snug::lesson {
 namespace {
 
 constexpr int kMostEdges = 3;
-// Of what is summed up, far above the rounding errors of a few dozen operations with twice a double's digits.
+// A result is sure if it is at least this share of the terms that were summed: the rounding errors of a few dozen
+// operations with twice a double's digits are far below it.
 constexpr double kSureShare = 0x1p-90;
 
 template <class Number>
@@ -48,7 +49,7 @@ Number determinant(const ThreeByThree<Number>& m, int n) {
   return m[0][0] * minor(1, 2, 1) - m[0][1] * minor(0, 2, 1) + m[0][2] * minor(0, 1, 1);
 }
 
-/// By Cramer's rule: with the edges e from the first support point p, the centre is p + sum x e, where the matrix of
+/// Uses Cramer's rule: with the edges e from the first support point p, the centre is p + sum x e, where the matrix of
 /// 2 e·e times x is the vector of the e·e. A point p + d is outside if |d|² exceeds 2 d·(centre − p).
 template <class Number>
 struct Sides {

@@ -35,8 +35,8 @@ using TreeOfBoxes = hierarchy::Tree<Box2>;
 /// The whole tree, with the volumes of a kind that its nodes have.
 [[nodiscard]] Forest forest_of(const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind = NodeKind::kAabb);
 
-/// By the surface-area heuristic, the expected number of tests once a line meets the root (hierarchy/cost.hpp), by the
-/// perimeters of the nodes' own volumes. whole: with a single root.
+/// The expected number of tests once a line meets the root, by the surface-area heuristic (hierarchy/cost.hpp) with the
+/// perimeters of the nodes' own volumes. whole: has a single root.
 [[nodiscard]] double expected_cost(const Forest& whole);
 /// How many tests the same lines at random make in one tree, of those that they make in the other: 1 for as many.
 [[nodiscard]] double tests_of_lines(const Forest& one, const Forest& other);

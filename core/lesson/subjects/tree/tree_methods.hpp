@@ -43,7 +43,7 @@ inline constexpr std::string_view kRayByHand = "ray_by_hand", kTwoTrees = "two_t
 [[nodiscard]] TreeOfBoxes build_tree(std::string_view method, std::span<const Box2> boxes, TreeTrace* trace = nullptr);
 /// The tree that mergers by hand make. pairs: all that it takes.
 [[nodiscard]] TreeOfBoxes tree_by_hand(std::span<const HandPair> pairs, std::span<const Box2> boxes);
-/// By the surface-area heuristic, the cost of a tree whose nodes have volumes of a kind. tree: a whole one.
+/// The cost of a whole tree by the surface-area heuristic, where its nodes have volumes of this kind.
 [[nodiscard]] double cost_of_tree(const TreeOfBoxes& tree, std::span<const Box2> boxes, NodeKind kind);
 [[nodiscard]] Growth::Way way_of(std::string_view method);
 

@@ -47,8 +47,8 @@ struct TreeStage {
   std::optional<QueryPlaces> query = {};
   std::vector<Point2> built = {};  // where the centres were when the tree was built; empty: where they are
   std::optional<std::vector<HandPair>> by_hand = {};  // the mergers so far, in a lesson with that method
-  /// Of a ray whose order is chosen by hand, in a lesson with that method: for each node whose children are both met, 0
-  /// if the left one comes first, 1 if the right one does.
+  /// The order of a ray that is steered by hand, in a lesson with that method. An entry for each node whose children
+  /// are both met: 0 if the left one comes first, 1 if the right one does.
   std::optional<std::vector<Index>> order = {};
   NodeKind nodes = NodeKind::kAabb;  // of trees that are built
   [[nodiscard]] std::vector<Box2> aabbs() const;

@@ -23,16 +23,6 @@ lesson::Lesson scene_of_updates(std::string_view question = "") {
           std::string(question));
 }
 
-std::vector<std::string> all_drawn_words(Bench& bench) {
-  std::vector<DrawnWords> drawn;
-  bench.app.note_words(&drawn);
-  bench.frames(1);
-  bench.app.note_words(nullptr);
-  std::vector<std::string> words;
-  for (const DrawnWords& one : drawn) words.push_back(one.words);
-  return words;
-}
-
 bool is_drawn(const std::vector<std::string>& words, const std::string& one) {
   return std::find(words.begin(), words.end(), one) != words.end();
 }
@@ -49,7 +39,7 @@ std::string last_cost_text(const lesson::Session& session, std::string_view algo
 TEST_CASE("the panel of an updated volume shows its cost frame by frame, and what each update costs") {
   Bench bench(scene_of_updates(), kNumbersBeside);
   bench.session().jump(6);
-  const auto words = all_drawn_words(bench);
+  const auto words = bench.words();
   for (const char* due : {"Looseness, frame by frame", "Points examined, frame by frame", "Points examined in frame 12",
                           "14-DOP by hill climbing", "Transformed OBB"})
     CHECK_MESSAGE(is_drawn(words, due), due);
@@ -73,7 +63,7 @@ because = "So many."
               kNumbersBeside);
   bench.session().go(5);
   REQUIRE(bench.session().asked() != nullptr);
-  const auto words = all_drawn_words(bench);
+  const auto words = bench.words();
   CHECK(is_drawn(words, "Looseness, frame by frame"));
   CHECK_FALSE(is_drawn(words, "Points examined, frame by frame"));
   CHECK(is_drawn(words, "Points examined in frame 12"));

@@ -96,10 +96,9 @@ void check_all_steps(Session& session) {
   for (const Proof& proof : session.proofs()) CHECK(proof.holds);
 }
 
-}  // namespace
-
-TEST_CASE("every pair of volumes opens, is tested step by step, and says what overlaps says, wherever it is dragged") {
-  int apart = 0, together = 0;
+/// Opens each pair of kinds of volumes, in the plane and in space.
+template <class Test>
+void each_pair(Test test) {
   for (const int dim : {2, 3})
     for (std::size_t a = 0; a < kVolumeNames.size(); ++a)
       for (std::size_t b = a; b < kVolumeNames.size(); ++b) {
@@ -107,31 +106,40 @@ TEST_CASE("every pair of volumes opens, is tested step by step, and says what ov
         CAPTURE(kVolumeNames[a]);
         CAPTURE(kVolumeNames[b]);
         Session session = session_of(a, b, dim);
-        std::set<std::string> names;
-        for (Index i = 0; i < session.size(); ++i) {
-          CAPTURE(session.name_of(i));
-          CHECK(names.insert(session.name_of(i)).second);
-          const Vector<double, 3> to = session.point(i) + Vector<double, 3>(0.11, -0.07, dim == 3 ? 0.05 : 0);
-          if (!session.move(i, to)) continue;  // slabs that would have no point in common
-          CHECK(session.subject().origin().edited);
-          // The handle went where the hand is, or as near as its kind can be.
-          CHECK((session.point(i) - to).norm() < 1.2);
-          CHECK(overlap_said(session) == overlap_of(pair_of(session)));
-          (overlap_said(session) ? together : apart) += 1;
-        }
-        check_all_steps(session);
-        for (const std::uint64_t seed : {2, 3, 4}) {
-          session.scatter(seed);
-          CHECK(overlap_said(session) == overlap_of(pair_of(session)));
-        }
-        session.undo();
-        session.scatter(1);
-        if (session.lesson().algorithms.size() == 2) {
-          REQUIRE(session.choose(0, "gjk"));
-          CHECK(overlap_said(session) == overlap_of(pair_of(session)));
-          check_all_steps(session);
-        }
+        test(session, dim);
       }
+}
+
+}  // namespace
+
+TEST_CASE("every pair of volumes opens, is tested step by step, and says what overlaps says, wherever it is dragged") {
+  int apart = 0, together = 0;
+  each_pair([&](Session& session, int dim) {
+    std::set<std::string> names;
+    for (Index i = 0; i < session.size(); ++i) {
+      CAPTURE(session.name_of(i));
+      CHECK(names.insert(session.name_of(i)).second);
+      const Vector<double, 3> to = session.point(i) + Vector<double, 3>(0.11, -0.07, dim == 3 ? 0.05 : 0);
+      if (!session.move(i, to)) continue;  // slabs that would have no point in common
+      CHECK(session.subject().origin().edited);
+      // The handle went where the hand is, or as near as its kind can be.
+      CHECK((session.point(i) - to).norm() < 1.2);
+      CHECK(overlap_said(session) == overlap_of(pair_of(session)));
+      (overlap_said(session) ? together : apart) += 1;
+    }
+    check_all_steps(session);
+    for (const std::uint64_t seed : {2, 3, 4}) {
+      session.scatter(seed);
+      CHECK(overlap_said(session) == overlap_of(pair_of(session)));
+    }
+    session.undo();
+    session.scatter(1);
+    if (session.lesson().algorithms.size() == 2) {
+      REQUIRE(session.choose(0, "gjk"));
+      CHECK(overlap_said(session) == overlap_of(pair_of(session)));
+      check_all_steps(session);
+    }
+  });
   CHECK(apart > 100);
   CHECK(together > 100);
 }
@@ -231,37 +239,31 @@ bool is_rounded(const HeldVolume& held) {
 
 TEST_CASE("in float both volumes are rounded, whatever their kinds, and in double they are what they were") {
   int traces = 0;
-  for (const int dim : {2, 3})
-    for (std::size_t a = 0; a < kVolumeNames.size(); ++a)
-      for (std::size_t b = a; b < kVolumeNames.size(); ++b) {
-        CAPTURE(dim);
-        CAPTURE(kVolumeNames[a]);
-        CAPTURE(kVolumeNames[b]);
-        Session session = session_of(a, b, dim);
-        const std::uint64_t trace = session.run(0).hash();
-        const Rows rows = session.subject().rows();
-        REQUIRE(session.set_float(true).has_value());
-        CHECK(session.subject().in_float());
-        CHECK(session.subject().rows() == rows);
-        for (const HeldVolume& held : pair_of(session).held) CHECK(is_rounded(held));
-        traces += session.run(0).hash() != trace ? 1 : 0;
+  each_pair([&](Session& session, int) {
+    const std::uint64_t trace = session.run(0).hash();
+    const Rows rows = session.subject().rows();
+    REQUIRE(session.set_float(true).has_value());
+    CHECK(session.subject().in_float());
+    CHECK(session.subject().rows() == rows);
+    for (const HeldVolume& held : pair_of(session).held) CHECK(is_rounded(held));
+    traces += session.run(0).hash() != trace ? 1 : 0;
 
-        // The tests are careful in both: in float they are right about the rounded volumes.
-        VolumePair in_double = pair_of(session);
-        in_double.in_float = false;
-        CHECK(overlap_said(session) == overlap_of(in_double));
+    // The tests are careful in both: in float they are right about the rounded volumes.
+    VolumePair in_double = pair_of(session);
+    in_double.in_float = false;
+    CHECK(overlap_said(session) == overlap_of(in_double));
 
-        REQUIRE(session.move(0, session.point(0) + Point3(0.123456789, 0, 0)).has_value());
-        CHECK(is_rounded(pair_of(session).held[0]));
-        session.scatter(7);
-        CHECK(session.subject().in_float());
-        CHECK(is_rounded(pair_of(session).held[1]));
-        session.undo();
-        session.undo();
-        REQUIRE(session.set_float(false).has_value());
-        CHECK(session.subject().rows() == rows);
-        CHECK(session.run(0).hash() == trace);
-      }
+    REQUIRE(session.move(0, session.point(0) + Point3(0.123456789, 0, 0)).has_value());
+    CHECK(is_rounded(pair_of(session).held[0]));
+    session.scatter(7);
+    CHECK(session.subject().in_float());
+    CHECK(is_rounded(pair_of(session).held[1]));
+    session.undo();
+    session.undo();
+    REQUIRE(session.set_float(false).has_value());
+    CHECK(session.subject().rows() == rows);
+    CHECK(session.run(0).hash() == trace);
+  });
   CHECK(traces > 40);
 }
 
