@@ -168,7 +168,8 @@ inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
 
 /// The part by which a box has to be smaller than the one before for shrinking to go on. Around some points (a
 /// tetrahedron's) the k-th rectangle gains a part of about 3 / k^2, which goes on for millions before it is rounding;
-/// so, after about 440. Held by "rectangles that shrink a box by less and less come to an end".
+/// so, after about 440, and in any case after fit::kMostRectangles. Held by "rectangles that shrink a box by less and
+/// less come to an end".
 inline constexpr double kSameBox = 0x1p-16;
 
 /// A turned coordinate is a sum of three products, of which each carries up to 3u: 4u of the sum of their sizes with

@@ -100,7 +100,7 @@ Bound smallest_measure(const ConvexHull<Scalar, Dim>& hull, const Obb<Scalar, Di
   } else {
     const HullSolid solid(hull);
     EdgePairSearch pairs(solid, orthonormal<double, 3>(box.axes.template cast<double>()));
-    for (Index e = 0; e < static_cast<Index>(solid.edges().size()); ++e) pairs.search(e, [](const auto&) {});
+    for (Index e = 0; e < static_cast<Index>(solid.edges().size()); ++e) pairs.search(e);
     return {pairs.lower_bound(), tolerance::kBoxProof * solid.size()};
   }
 }

@@ -51,7 +51,7 @@ bool EdgePairSearch::take(const Matrix<double, 3>& axes) {
 }
 
 template <class Count>
-PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count) {
+PairTally EdgePairSearch::search(Index edge, Count& count) {
   PairTally tally;
   const std::vector<NormalArc>& arcs = solid_.arcs();
   const auto by_edge = [](const NormalArc& arc, Index e) { return arc.edge < e; };
@@ -73,7 +73,7 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count
       if (std::min(std::min(aa, ab), std::min(ba, bb)) > 0 || std::max(std::max(aa, ab), std::max(ba, bb)) < 0)
         continue;
       ++tally.pairs;
-      search_pair({*first, arcs[second], aa, ab, ba, bb}, tally, see, count);
+      search_pair({*first, arcs[second], aa, ab, ba, bb}, tally, count);
     }
   }
   return tally;
@@ -82,7 +82,7 @@ PairTally EdgePairSearch::search(Index edge, const SeeSmaller& see, Count& count
 // A normal of the first arc is perpendicular to some normal of the second if its dot products with the second's ends
 // have opposite signs.
 template <class Count>
-void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see, Count& count) {
+void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, Count& count) {
   std::array<double, 4> breaks{0, root(pair.aa, pair.ba), root(pair.ab, pair.bb), 1};
   if (breaks[1] > breaks[2]) std::swap(breaks[1], breaks[2]);
   bool all_ruled_out = true;
@@ -96,7 +96,7 @@ void EdgePairSearch::search_pair(const Pair& pair, PairTally& tally, const SeeSm
     count.count(Operation::kPointsTouched, 2);
     if (all_larger(pair.by_first(stretch), nearby_spans(pair, middle), count)) continue;
     all_ruled_out = false;
-    halve(pair, stretch, tally, see, count);
+    halve(pair, stretch, tally, count);
   }
   if (all_ruled_out) ++tally.ruled_out;
 }
@@ -111,8 +111,7 @@ EdgePairSearch::Place EdgePairSearch::within(const Stretch& stretch, const Place
 }
 
 template <class Count>
-void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, const SeeSmaller& see,
-                           Count& count) {
+void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& tally, Count& count) {
   open_.assign({whole});
   while (!open_.empty()) {
     const Stretch stretch = open_.back();
@@ -132,7 +131,7 @@ void EdgePairSearch::halve(const Pair& pair, const Stretch& whole, PairTally& ta
     count.count(Operation::kComparisons, 1);
     if (measure < measure_) {
       count_box<3>(solid_.vertices().size(), count);
-      if (take(frame(first, second))) see(vertices_of(pair));
+      if (take(frame(first, second))) tally.smaller_on = vertices_of(pair);
     }
     if (all_larger(by_first ? pair.by_first(stretch) : pair.by_second(stretch), spans, count)) continue;
     if (first_turn + second_turn <= kShortTurn && all_larger_around(pair, stretch, spans, count)) continue;
@@ -255,7 +254,7 @@ EdgePairSearch::Ends EdgePairSearch::Pair::by_second(const Stretch& stretch) con
   return ends;
 }
 
-template PairTally EdgePairSearch::search(Index, const SeeSmaller&, Ignore&);
-template PairTally EdgePairSearch::search(Index, const SeeSmaller&, Tally&);
+template PairTally EdgePairSearch::search(Index, Ignore&);
+template PairTally EdgePairSearch::search(Index, Tally&);
 
 }  // namespace snug::fit

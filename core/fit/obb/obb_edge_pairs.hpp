@@ -8,7 +8,7 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include "fit/obb/obb_hull_solid.hpp"
@@ -20,23 +20,22 @@ struct PairTally {
   Index pairs = 0;      // later edges that an adjacent face can be flush with
   Index ruled_out = 0;  // how many of them the first bound ruled out
   Index halvings = 0;
+  std::optional<std::array<Index, 4>> smaller_on;  // the vertices of both edges, by index in the hull, if a smaller box
+                                                   // was found: those of the smallest, whose axes are axes()
 };
 
 class EdgePairSearch {
  public:
-  /// Called for each smaller box, with the vertices of both edges, by index in the hull. Its axes are axes() then.
-  using SeeSmaller = std::function<void(const std::array<Index, 4>& on)>;
-
   /// start: the axes of the box to beat; the smaller it is, the less work is left.
   EdgePairSearch(const HullSolid& solid, const Matrix<double, 3>& start);
 
   /// Searches all boxes with one face flush with this edge and an adjacent one flush with a later edge. Once all edges
   /// are searched, no box is smaller than lower_bound(). count: Ignore or Tally.
   template <class Count>
-  PairTally search(Index edge, const SeeSmaller& see, Count& count);
-  PairTally search(Index edge, const SeeSmaller& see) {
+  PairTally search(Index edge, Count& count);
+  PairTally search(Index edge) {
     Ignore ignore;
-    return search(edge, see, ignore);
+    return search(edge, ignore);
   }
 
   /// The axes of the smallest box found.
@@ -77,9 +76,9 @@ class EdgePairSearch {
   };
 
   template <class Count>
-  void search_pair(const Pair& pair, PairTally& tally, const SeeSmaller& see, Count& count);
+  void search_pair(const Pair& pair, PairTally& tally, Count& count);
   template <class Count>
-  void halve(const Pair& pair, const Stretch& stretch, PairTally& tally, const SeeSmaller& see, Count& count);
+  void halve(const Pair& pair, const Stretch& stretch, PairTally& tally, Count& count);
   [[nodiscard]] Spans nearby_spans(const Pair& pair, double t) const;
   template <class Count>
   [[nodiscard]] Spans spans_at(const Pair& pair, const Point& first, const Point& second, Count& count) const;

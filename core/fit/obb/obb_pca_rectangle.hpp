@@ -25,6 +25,12 @@ inline constexpr std::array<std::string_view, 9> kObbPcaRectanglePseudocode{
     "return box",
 };
 
+/// After so many rectangles a box is shrunk no further, whatever they would gain. Where the k-th gains a part of about
+/// 3 / k^2 (tolerance::kSameBox), those after these have less than 3 / 512 to gain together; where points are flat but
+/// for their rounding, each of thousands may gain some. Held by "however many rectangles would shrink a box, no more
+/// than stated are tried".
+inline constexpr int kMostRectangles = 512;
+
 /// Reports a rectangle. found: with its edge as indices of points. line: as below.
 template <class Scalar, int Dim, class Observer>
 void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const RectangleFrame<Dim>& found, int line,
@@ -39,11 +45,12 @@ void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const Rectangle
 }
 
 /// Tries rectangles perpendicular to the best box's axes, the shortest axis first, until none makes the box smaller by
-/// more than a fraction tolerance::kSameBox. line: for a rectangle; the line after it is for a smaller box.
+/// more than a fraction tolerance::kSameBox, but at most kMostRectangles of them. line: for a rectangle; the line after
+/// it is for a smaller box.
 template <class Scalar, class Observer>
 void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vector<Index>& indices, int line,
                           Observer& observe) {
-  for (int turn = 0; turn < 3;) {
+  for (int turn = 0, tried = 0; turn < 3 && tried < kMostRectangles; ++tried) {
     const auto& points = trials.local().at;
     const double before = trials.least();
     const Matrix<double, 3> box = by_length<3>(LocalBox<3>(trials.axes(), points));
@@ -58,7 +65,7 @@ void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vec
 
 /// The PCA box, improved by rectangles of least area perpendicular to its axes until it no longer shrinks. In 2-D there
 /// is one such rectangle, which is the smallest box. points: n >= 1 finite points, scene units. Expected O(n log n)
-/// time, and O(h log h) for each rectangle, with h vertices on the hull.
+/// time, and O(h log h) for each of at most kMostRectangles rectangles, with h vertices on the hull.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_pca_rectangle(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Watcher = std::remove_reference_t<Observer>;

@@ -8,6 +8,7 @@
 
 #include "core/fit/volume_hash.hpp"
 #include "core/query/volume_pairs.hpp"
+#include "fit/obb/obb_pca_rectangle.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/overlaps.hpp"
@@ -366,10 +367,10 @@ double stated_steps(const fit::Algorithm& algorithm, int n, int dim) {
       {"sphere/brute_force_slide", 2 * subsets + 4},
       {"obb/pca_sums", n + 5},
       {"obb/pca_one_pass", n + 5},
-      {"obb/pca_rectangle", 1400},  // some 450 rectangles until they gain too little: tolerance::kSameBox
+      {"obb/pca_rectangle", fit::kMostRectangles + 8},
       {"obb/face_aligned", 2 * n + 4},
       {"obb/dito", 32},
-      {"obb/exact", 1400 + 9 * n * n},  // as much, and pairs of edges, of which there are up to 3 n
+      {"obb/exact", fit::kMostRectangles + 6 * n},  // twice 3 n - 6 edges: a smaller box on it, and what was searched
   };
   const std::string name = std::string(algorithm.volume) + "/" + std::string(algorithm.name);
   for (const auto& [known, steps] : stated)

@@ -1,7 +1,10 @@
 // What each box fitter is known to be worth. What all promise is in promises.test.cpp.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "core/at_random.hpp"
+#include "core/fit/families.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
 #include "fit/obb/certify_obb.hpp"
@@ -18,6 +21,12 @@ fit::Result fit_box(std::string_view name, const test::Cloud<double, 3>& points)
 
 double volume_of(std::string_view name, const test::Cloud<double, 3>& points) {
   return fit::measure_of(fit_box(name, points).volume, 3);
+}
+
+int rectangles_of(const fit::Recording& run) {
+  return static_cast<int>(std::count_if(run.steps.begin(), run.steps.end(), [](const auto& entry) {
+    return std::holds_alternative<fit::RectangleFound<double, 3>>(entry.step.fact);
+  }));
 }
 
 /// The corners of a box, and points inside it.
@@ -82,13 +91,47 @@ TEST_CASE("on a regular tetrahedron the best box with a face on a face is twice 
 
 TEST_CASE("rectangles that shrink a box by less and less come to an end") {
   // Around a tetrahedron each gains on the one before by a part that falls with the square of their number.
+  int most = 0;
   Random random(2);
   for (int turned = 0; turned < 20; ++turned) {
     const Matrix<double, 3> pose = turn(test::any_direction(random), random.between(-3, 3));
     test::Cloud<double, 3> cloud;
     for (const Vector<double, 3>& p : test::Cloud<double, 3>{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
       cloud.push_back(pose * p);
-    CHECK(fit::find_algorithm("obb", "pca_rectangle")->watch(test::set_of<double, 3>(cloud), {}, {}).steps < 1000);
+    const int tried =
+        rectangles_of(fit::find_algorithm("obb", "pca_rectangle")->record(test::set_of<double, 3>(cloud), {}));
+    most = std::max(most, tried);
+  }
+  CHECK(most > 400);
+  CHECK(most < fit::kMostRectangles);
+}
+
+TEST_CASE("however many rectangles would shrink a box, no more than stated are tried") {
+  // Nine points in a plane but for float's rounding: 2,176 rectangles would each gain more than tolerance::kSameBox.
+  const auto families = test::families();
+  const auto circle = std::find_if(families.begin(), families.end(), [](auto& f) { return f.name == "on a circle"; });
+  REQUIRE(circle != families.end());
+  const auto cloud = test::member<float, 3>(circle - families.begin(), 4670);
+  for (const std::string name : {"pca_rectangle", "exact"}) {
+    CAPTURE(name);
+    const auto run = fit::find_algorithm("obb", name)->record(test::set_of<float, 3>(cloud), {});
+    CHECK(rectangles_of(run) == fit::kMostRectangles);
+  }
+}
+
+TEST_CASE("the search for the smallest box tells at most one smaller box of each edge") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto run = fit::find_algorithm("obb", "exact")
+                         ->record(test::set_of<double, 3>(test::generated<double, 3>("ball", 30, seed)), {});
+    int boxes = -1, edges = 0, since = 0;  // the first box is the one to beat
+    for (const auto& entry : run.steps) {
+      if (std::holds_alternative<fit::BoxTried<double, 3>>(entry.step.fact)) ++boxes, ++since;
+      if (!std::holds_alternative<fit::EdgeSearched>(entry.step.fact)) continue;
+      CHECK(since - (edges == 0) <= 1);
+      ++edges, since = 0;
+    }
+    CHECK(boxes > 0);
+    CHECK(static_cast<int>(run.steps.size()) == 4 + rectangles_of(run) + boxes + edges);
   }
 }
 
