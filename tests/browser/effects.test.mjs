@@ -30,6 +30,7 @@ test("a push of a body at rest wakes its island alone, and undo puts it to sleep
   const awake = await until(page, (now) => now.step === 241);
   const [, some] = /; (\d) of 8 bodies are awake\.$/.exec(awake.caption);
   assert.ok(some >= 1 && some < 8, awake.caption);
+  assert.equal(Number(some), 4, "as snug scene --push 240:P0 has it: tests/command/scene.test.mjs");
   assert.match(awake.effects.find(({ effect }) => effect === "fall").says, /^runs: new time/);
   await page.keyboard.press("Control+z");
   await until(page, (now) => now.steps === 260);
@@ -82,4 +83,31 @@ test("the scene's file is edited beside the stage: a setting is seen at once, a 
   await page.locator("#undo").click();
   const back = await until(page, (now) => now.file.typed === now.file.own);
   assert.equal(back.trace, trace);
+});
+
+test("the fewest effects for a picture: what nobody needs is taken out, what is missing is called for, and one less is too few", async (t) => {
+  const page = await visit(t, "?lesson=scene-effects&situation=picture&step=0");
+  await page.locator("#task").getByRole("button").nth(1).click();
+  const own = await until(page, (now) => now.task === 1 && now.situation === "picture");
+  assert.equal(own.grade.done, false);
+  const box = (effect) => page.getByRole("checkbox", { name: effect });
+  const press = async (effect, on) => {
+    await box(effect).focus();
+    await page.keyboard.press(" ");
+    return until(page, (now, [name, wanted]) => now.effects.some(({ effect: one, on: is, called }) => one.replaceAll("_", " ").startsWith(name) && (is && called) === wanted), [effect, on]);
+  };
+  for (const effect of ["cull", "trail", "projection rays"]) assert.equal((await press(effect, false)).grade.done, false, `without ${effect}`);
+  for (const effect of ["shadow", "broad phase", "narrow phase"]) assert.equal((await press(effect, true)).grade.done, false, `with ${effect}`);
+  await press("bounce", true);
+  const { tasks } = await until(page, (now) => now.grade.done);
+  assert.ok(tasks[1].was);
+  for (const effect of ["shadow", "bounce"]) {
+    await press(effect, false);
+    await until(page, (now) => !now.grade.done);
+    await press(effect, true);
+    await until(page, (now) => now.grade.done);
+  }
+  await press("trail", true);
+  const { grade } = await until(page, (now) => !now.grade.done);
+  assert.ok(grade.says.length > 0, "one more is too many");
 });

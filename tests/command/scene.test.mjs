@@ -40,6 +40,27 @@ test("the pile sleeps while the crane moves, and then nothing runs", () => {
   for (const [effect, [, run]] of Object.entries(end)) assert.equal(run, rest[effect][1], effect);
 });
 
+test("a push wakes the body's island alone, as on the page, and the scene comes to rest again", () => {
+  const at = (frames, ...pushes) => scene("scene-effects", "--frames", String(frames), ...pushes.flatMap((push) => ["--push", push])).at(-1);
+  assert.equal(at(241).awake, 0);
+  const { awake } = at(241, "240:P0");
+  assert.equal(awake, 4, "as on the page: tests/browser/effects.test.mjs");
+  assert.equal(at(241, "240:P0", "240:P7").awake, at(241, "240:P7").awake + awake);
+  const rest = at(390, "240:P0");
+  assert.deepEqual([rest.awake, rest.resting], [0, true]);
+  assert.notEqual(rest.hash, at(390).hash);
+  assert.equal(at(240, "200:P0").hash, at(240, "200:P0").hash);
+});
+
+test("a push that cannot be is refused", () => {
+  const push = (text, says) => refused(["scene", "scene-effects", "--frames", "100", "--push", text], says);
+  for (const text of ["P1", "0:P1", "2.5:P1", "x:P1", ":P1"]) push(text, `--push ${text}: must be a frame from 1 on and the name of a body, as 240:P1`);
+  push("100:P1", "--push 100:P1: frame 100 is the last one that is run");
+  push("50:P99", '--push 50:P99: the scene has no body "P99"');
+  push("50:", '--push 50:: the scene has no body ""');
+  for (const name of ["floor", "crane"]) push(`50:${name}`, `--push 50:${name}: velocities do not move this body`);
+});
+
 test("a lesson that declares no scene stands still", () => {
   const all = json_lines(good(["lesson", "list"])).map((line) => line.lesson).filter((id) => !lesson(id).includes("\n[scene]"));
   assert.ok(all.length > 8);
