@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "fit/sphere/aabb_center.hpp"
 #include "hierarchy/build.hpp"
@@ -29,6 +30,13 @@ std::int64_t products_of(const CullResult& result) {
   return 2 * std::int64_t{result.planes_tested} - (result.rejected_by >= 0 ? 1 : 0);
 }
 
+/// How many vertices of a box are in a plane's positive half-space.
+int outside_exactly(const Plane<double, 3>& plane, const FieldBox& box) {
+  int outside = 0;
+  for (int bits = 0; bits < kVertices; ++bits) outside += query::corner_is_outside(plane, box, bits) ? 1 : 0;
+  return outside;
+}
+
 /// Culls with one of the ways that take the boxes one after the other.
 struct OneByOne {
   const Field& field;
@@ -49,15 +57,18 @@ struct OneByOne {
   void all_vertices(std::size_t i) {
     const FieldBox& box = field.boxes[i];
     const double size = size_of(box);
+    std::array<Vector<double, 3>, kVertices> vertices;
+    for (int bits = 0; bits < kVertices; ++bits) vertices[bits] = query::corner_of(box, bits);
     CullResult result;
     for (int at = 0; at < kPlanes; ++at) {
-      const double doubt = query::doubt_of(frustum[at], size);
       int outside = 0;
-      for (int bits = 0; bits < kVertices; ++bits) {
-        const double value = query::value_at_corner<double>(frustum[at], box, bits);
-        const bool known = std::abs(value) > doubt;
-        outside += (known ? value > 0 : query::corner_is_outside(frustum[at], box, bits)) ? 1 : 0;
+      double nearest = HUGE_VAL;
+      for (const Vector<double, 3>& vertex : vertices) {
+        const double value = value_at<double>(frustum[at], vertex);
+        outside += value > 0 ? 1 : 0;
+        nearest = std::min(nearest, std::abs(value));
       }
+      if (nearest <= query::doubt_of(frustum[at], size)) outside = outside_exactly(frustum[at], box);
       if (outside == kVertices && result.rejected_by < 0) result.rejected_by = at;
       if (outside > 0 && result.verdict == Culling::kInside) result.verdict = Culling::kIntersecting;
     }

@@ -1,8 +1,9 @@
 // What a frame of the field takes: each way to cull it, and what the lesson does besides when its camera moves. Prints
-// the table that RESULTS.md keeps.
+// the table that RESULTS.md keeps: milliseconds of the processor's time, because others on the machine must not count.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "bench/ratio.hpp"
 #include "lesson/session.hpp"
@@ -27,6 +28,13 @@ Session session_with(int objects) {
   return *std::move(session);
 }
 
+/// Milliseconds of the processor's time that work takes.
+double milliseconds(auto&& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
 void measure(int objects) {
   Session session = session_with(objects);
   for (const Method& method : field_methods()) {
@@ -39,18 +47,18 @@ void measure(int objects) {
     session.begin_drag();
     for (int frame = 0; frame < 60; ++frame) {
       const double way = 0.05 * frame;
-      frames.push_back(1e3 * bench::seconds([&] {
-                         static_cast<void>(session.move(1, Point3(0, 6, way)));
-                         bench::keep(session.figures());
-                         bench::keep(session.proofs());
-                         bench::keep(session.caption());
-                       }));
+      frames.push_back(milliseconds([&] {
+        static_cast<void>(session.move(1, Point3(0, 6, way)));
+        bench::keep(session.figures());
+        bench::keep(session.proofs());
+        bench::keep(session.caption());
+      }));
       const FieldStage& stage = as<FieldSubject>(session.subject())->stage();
       const auto frustum = *frustum_of(stage.recipe, stage.now);
-      culls.push_back(1e3 * bench::seconds([&] {
-                        hierarchy::cull_field(subject.field(), frustum, way_of(method), last, verdicts);
-                        bench::keep(verdicts);
-                      }));
+      culls.push_back(milliseconds([&] {
+        hierarchy::cull_field(subject.field(), frustum, way_of(method), last, verdicts);
+        bench::keep(verdicts);
+      }));
     }
     session.end_drag();
     std::sort(culls.begin(), culls.end());

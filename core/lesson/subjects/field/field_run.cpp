@@ -54,7 +54,7 @@ void FieldRun::tell(const FieldRecord& record, const FieldCost& cost) {
   else {
     if (way_ == FieldWay::kSpheresFirst) tell_spheres(record);
     if (way_ == FieldWay::kLastPlane) tell_last_planes(record);
-    for (int plane = 0; plane < kFieldPlanes; ++plane) tell_sweep(record, plane);
+    tell_sweeps(record);
   }
   for (std::size_t box = 0; box < decided_.size(); ++box)
     if (is_open(box)) decide(box);
@@ -92,35 +92,45 @@ void FieldRun::tell_last_planes(const FieldRecord& record) {
   add(2, fact, fact.tested, 2 * fact.tested - fact.rejected);
 }
 
-/// Where every plane is tested, a box that was rejected is tested on.
-void FieldRun::tell_sweep(const FieldRecord& record, int plane) {
+/// Where every plane is tested, a box that was rejected is tested on. All boxes are looked at once, for all planes.
+void FieldRun::tell_sweeps(const FieldRecord& record) {
   const bool all = way_ == FieldWay::kAllVertices;
-  PlaneSwept fact{.plane = plane};
+  std::array<PlaneSwept, kFieldPlanes> facts;
+  const int first_step = next_step();
   for (std::size_t box = 0; box < decided_.size(); ++box) {
+    if (!is_open(box)) continue;
     const FieldAnswer& answer = record.answers[box];
-    if (!all && (!is_open(box) || (answer.planes >> plane & 1) == 0 || answer.first == plane)) continue;
-    ++fact.tested;
-    if (answer.rejected_by != plane || !is_open(box)) continue;
-    ++fact.rejected;
-    decide(box);
+    const int end = answer.rejected_by < 0 ? kFieldPlanes : answer.rejected_by + 1;
+    for (int plane = 0; plane < end; ++plane)
+      facts[plane].tested += (answer.planes >> plane & 1) != 0 && answer.first != plane ? 1 : 0;
+    if (answer.rejected_by < 0) continue;
+    ++facts[answer.rejected_by].rejected;
+    decided_[box] = static_cast<std::uint8_t>(first_step + answer.rejected_by);
   }
-  fact.left = left_;
-  add(line_of_sweep(way_), fact, fact.tested, all ? 8 * fact.tested : 2 * fact.tested - fact.rejected);
+  for (int plane = 0; plane < kFieldPlanes; ++plane) {
+    PlaneSwept& fact = facts[plane];
+    fact.plane = plane;
+    if (all) fact.tested = objects();
+    fact.left = left_ -= fact.rejected;
+    add(line_of_sweep(way_), fact, fact.tested, all ? 8 * fact.tested : 2 * fact.tested - fact.rejected);
+  }
 }
 
 void FieldRun::tell_levels(const FieldRecord& record) {
-  std::vector<std::vector<std::size_t>> decided(record.levels.size());
-  for (std::size_t box = 0; box < decided_.size(); ++box) decided[record.answers[box].level].push_back(box);
+  std::vector<std::int64_t> boxes(record.levels.size());
+  std::vector<std::uint8_t> steps(record.levels.size(), kOpen);  // that give their boxes the answer
+  for (const FieldAnswer& answer : record.answers) ++boxes[answer.level];
   for (std::size_t level = 0; level < record.levels.size(); ++level) {
     const hierarchy::LevelTests& tests = record.levels[level];
     const int at = static_cast<int>(level);
     if (tests.volumes == 0) continue;
     if (tests.skipped > 0) add(2, PlanesSkipped{at, tests.skipped, tests.planes}, 0, 0, tests.skipped);
-    for (const std::size_t box : decided[level]) decide(box);
+    steps[level] = next_step(), left_ -= boxes[level];
     const int line = tests.left_out > 0 ? 3 : tests.taken > 0 ? 4 : 5;
     add(line, LevelTested{at, tests.volumes, tests.planes, tests.left_out, tests.taken, left_}, tests.planes,
         2 * tests.planes - tests.rejected);
   }
+  for (std::size_t box = 0; box < decided_.size(); ++box) decided_[box] = steps[record.answers[box].level];
 }
 
 void FieldRun::tell_lanes(const FieldCost& cost) {

@@ -105,7 +105,7 @@ class FieldRun final : public FactRun<FieldRun, FieldStep> {
   void tell(const hierarchy::FieldRecord& record, const hierarchy::FieldCost& cost);
   void tell_spheres(const hierarchy::FieldRecord& record);
   void tell_last_planes(const hierarchy::FieldRecord& record);
-  void tell_sweep(const hierarchy::FieldRecord& record, int plane);
+  void tell_sweeps(const hierarchy::FieldRecord& record);
   void tell_levels(const hierarchy::FieldRecord& record);
   void tell_lanes(const hierarchy::FieldCost& cost);
   void add(int line, FieldStep::Fact fact, std::int64_t planes, std::int64_t products, std::int64_t skipped = 0);
