@@ -419,6 +419,7 @@ bool App::command(std::string_view name) {
   if (!s.session) return false;
   if (s.session->deciding() != nullptr) return s.end_watching(), true;
   if (s.cover && s.cover->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
+  if (s.view->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   const int step = s.session->step();
   const auto turn = [&](std::string_view part) {
@@ -526,6 +527,16 @@ void App::advance(double now) {
   if (state_->session) state_->play_on();
 }
 
+void App::advance_unseen(double now) {
+  advance(now);
+  if (!state_->session) return;
+  state_->view->work(*state_->session);
+}
+
+double App::seconds_until_unseen(double now) const {
+  return state_->session && state_->view->working() ? 0 : seconds_until_step(now);
+}
+
 void App::draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale) {
   if (state_->session && !state_->covered())
     state_->gl.draw(state_->stage.scene(), framebuffer_width, framebuffer_height, scale);
@@ -555,6 +566,11 @@ long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
   if (state_->covered()) return state_->cover->caption(*state_->session);
   return state_->session ? state_->session->caption() : std::string();
+}
+std::vector<PanelWords> App::panel_words() const {
+  if (!state_->session || state_->covered()) return {};
+  const lesson::WithDecimals wished(state_->session->lesson().view.decimals);
+  return state_->view->panel_words(*state_->session);
 }
 std::optional<CloseUp> App::close_up() const {
   return state_->session && !state_->covered() ? state_->stage.close_up() : std::nullopt;

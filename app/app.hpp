@@ -78,6 +78,7 @@ struct Invitation {
 struct Look;
 struct DrawnWords;
 class Cover;
+struct PanelWords;
 
 class App {
  public:
@@ -115,18 +116,17 @@ class App {
   /// The fonts and palette of the last frame, for a door that draws more (app/look.hpp).
   [[nodiscard]] const Look& look() const;
 
-  /// Runs the command of a button or key. Names: those of the cover, and first back step play last next_mark
-  /// previous_mark faster slower undo redo add_point delete_point push scatter reset_points reset_view skip_question
-  /// commit_answer
-  /// select_next select_previous select_none move_left move_right move_up move_down move_nearer move_farther (for the
-  /// selected point; with "_fine" added, by a tenth), zoom_in zoom_out orbit_left orbit_right orbit_up orbit_down
-  /// toggle_optimum watch_outcome continue show_answer close_summary; predict_again, which forgets the lesson's answers
-  /// and starts it over; review:QUESTION, which shows its outcome again; and turn:EFFECT, which does with an effect of
-  /// the scene what Session::toggle does. push lets the selected body of a scene hop. At a question, next_mark and step
-  /// announce that a second press skips it, because a clicker has no other key. At an outcome, they, play and
-  /// commit_answer continue. While the way to an outcome is played, any command ends that. watch_outcome goes back to
-  /// the question and plays up to the outcome; it fails if no steps lie between. Returns false if the name is unknown
-  /// or the command impossible now (undo with nothing to undo).
+  /// Runs the command of a button or key. Names: those of the cover and of the panels' buttons, and first back step
+  /// play last next_mark previous_mark faster slower undo redo add_point delete_point push scatter reset_points
+  /// reset_view skip_question commit_answer select_next select_previous select_none move_left move_right move_up
+  /// move_down move_nearer move_farther (for the selected point; with "_fine" added, by a tenth), zoom_in zoom_out
+  /// orbit_left orbit_right orbit_up orbit_down toggle_optimum watch_outcome continue show_answer close_summary;
+  /// predict_again, which forgets the lesson's answers and starts it over; review:QUESTION, which shows its outcome
+  /// again; and turn:EFFECT, which does with an effect of the scene what Session::toggle does. push lets the selected
+  /// body of a scene hop. At a question, next_mark and step announce that a second press skips it, because a clicker
+  /// has no other key. At an outcome, they, play and commit_answer continue. While the way to an outcome is played, any
+  /// command ends that. watch_outcome goes back to the question and plays up to the outcome; it fails if no steps lie
+  /// between. Returns false if the name is unknown or the command impossible now (undo with nothing to undo).
   bool command(std::string_view name);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
   /// Arrow keys move the selected point if it was selected by a key, by select() or by a click without a drag.
@@ -161,10 +161,12 @@ class App {
   /// Draws into the rectangles and answers ImGui's input; call between ImGui::NewFrame and ImGui::Render, then
   /// draw_3d_behind with the framebuffer bound, then ImGui's own drawing. now: seconds, rising.
   void frame(const Layout& layout, double now);
-  /// Takes the steps that are due while playing: frame without drawing, for a door that cannot draw.
+  /// Takes the steps that are due while playing.
   void advance(double now);
-  /// The time until the next playing step, in seconds; infinity if nothing plays.
-  [[nodiscard]] double seconds_until_step(double now) const;
+  /// The same, and goes on with what the panels measure: frame without drawing, for a door that cannot draw.
+  void advance_unseen(double now);
+  /// The time until that is due again, in seconds: 0 while something is measured; infinity if nothing plays either.
+  [[nodiscard]] double seconds_until_unseen(double now) const;
   /// Draws the GL part of the stage, beneath ImGui's. The door first clears colour (to that of the panels) and depth.
   /// The framebuffer's size is in device pixels; scale: device pixels per page pixel.
   void draw_3d_behind(int framebuffer_width, int framebuffer_height, float scale);
@@ -181,11 +183,14 @@ class App {
   /// The sentence of the step, for both doors; "" before a lesson is open.
   [[nodiscard]] std::string caption() const;
   [[nodiscard]] std::vector<Handle> handles() const;
+  /// What the panels beside the stage tell beyond the figures; none while the stage is covered.
+  [[nodiscard]] std::vector<PanelWords> panel_words() const;
   /// The lesson's close-up, as of the last frame; none if there is none on the stage.
   [[nodiscard]] std::optional<CloseUp> close_up() const;
 
  private:
   struct State;
+  [[nodiscard]] double seconds_until_step(double now) const;
   std::unique_ptr<State> state_;
 };
 

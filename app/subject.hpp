@@ -4,8 +4,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/look.hpp"
+#include "app/panel_words.hpp"
 #include "app/shown.hpp"
 
 namespace snug::app {
@@ -51,6 +53,9 @@ class SubjectView {
   /// The coordinate axis that the step works along, 0 to 2; -1 for none.
   [[nodiscard]] virtual int axis_in_use(const lesson::Session& session) const;
 
+  /// Goes on for a part of a frame with what the panels measure: drawing them does it, and so does a door that cannot
+  /// draw.
+  virtual void work(lesson::Session&) const {}
   /// Whether its panels work on something, so that the next frame is wanted.
   [[nodiscard]] virtual bool working() const { return false; }
   /// The button that shows the scene in another coordinate system, and whether it is on; empty for none.
@@ -85,6 +90,10 @@ class SubjectView {
   // ---- the inspector and the timeline -------------------------------------------------------------------------
   /// Draws the subject's own panels at a place of the current pane and returns how high they are.
   virtual float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const;
+  /// What the panels tell beyond the figures, in words.
+  [[nodiscard]] virtual std::vector<PanelWords> panel_words(const lesson::Session&) const { return {}; }
+  /// Runs the command of a panel's button. Returns false if it is unknown or impossible now.
+  virtual bool command(lesson::Session&, std::string_view) const { return false; }
   /// Whether the panels have so many rows that they may need the inspector's whole column.
   [[nodiscard]] virtual bool fills_column(const lesson::Session& session) const;
   /// Whether a panel shows the figure already.

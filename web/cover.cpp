@@ -13,7 +13,6 @@
 #include "web/values.hpp"
 
 namespace snug::web {
-namespace {
 
 using emscripten::val;
 
@@ -42,8 +41,6 @@ val table_object(const app::WordTable& table) {
              }));
   return object;
 }
-
-}  // namespace
 
 cost::Provenance web_provenance(const std::string& processor) {
   return {.version = SNUG_VERSION, .build = SNUG_BUILD, .platform = "WebAssembly", .processor = processor};

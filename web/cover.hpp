@@ -12,6 +12,11 @@ namespace snug::web {
 /// The provenance of this program; the page provides the processor, as far as a browser tells.
 [[nodiscard]] cost::Provenance web_provenance(const std::string& processor);
 
+/// {command, words, chosen, enabled}
+[[nodiscard]] emscripten::val button_object(const app::CoverButton& button);
+/// {head, rows, title, sorts, sorted, picks, picked, best}: see app::WordTable
+[[nodiscard]] emscripten::val table_object(const app::WordTable& table);
+
 /// {choices: [{command, words, chosen, enabled}], work: [begin, end], button, shown, running, progress, decided, says,
 /// table: {head, rows}, formats, any}: see app::Cover. any: whether there is something to save. Null if the lesson
 /// has no cover.

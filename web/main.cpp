@@ -98,7 +98,7 @@ void set_settings(val from) {
 /// Draws one frame, or only plays on if nothing can be drawn. now: in seconds.
 void frame(double now) {
   Door& d = door();
-  if (!d.graphics) return d.app->advance(now);
+  if (!d.graphics) return d.app->advance_unseen(now);
   web::begin_frame(d.width, d.height, d.scale, static_cast<float>(now - d.last_frame));
   d.last_frame = now;
   d.app->frame(d.layout, now);
@@ -116,7 +116,7 @@ void frame(double now) {
 
 /// The seconds until a frame is due; infinity for none.
 double seconds_until_due(double now) {
-  if (!door().graphics) return door().app->seconds_until_step(now);
+  if (!door().graphics) return door().app->seconds_until_unseen(now);
   return web::input_pending() ? 0 : door().app->seconds_until_due(now);
 }
 

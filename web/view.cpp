@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "app/panel_words.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/say.hpp"
 #include "lesson/speaking.hpp"
@@ -151,6 +152,17 @@ val stored_form_object(const lesson::StoredForm& form) {
   return object;
 }
 
+/// What a panel beside the stage tells: {title, head, rows, says, button}.
+val panel_object(const app::PanelWords& panel) {
+  val object = val::object();
+  object.set("title", panel.table.title);
+  object.set("head", array_of(panel.table.head, text));
+  object.set("rows", array_of(panel.table.rows, [](const auto& row) { return array_of(row, text); }));
+  object.set("says", panel.says);
+  object.set("button", panel.button ? button_object(*panel.button) : val::null());
+  return object;
+}
+
 /// How the volumes on the stage are stored.
 val stored_object(const lesson::Session& session) {
   return array_of(lesson::stored_of(session), [](const lesson::StoredVolume& volume) {
@@ -210,6 +222,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("cover", cover_object(app));
   set_algorithms(object, session);
   set_figures(object, session);
+  object.set("panels", array_of(app.panel_words(), panel_object));
   object.set("proseFigures", prose_figures_object(session));
   set_points(object, app, session);
   set_sliders(object, session);

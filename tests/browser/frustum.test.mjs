@@ -1,6 +1,6 @@
 // A box and a frustum: dragged, asked about on the stage, lost by the wrong test, shared by the address.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, drag_by_finger, handles, kPhone, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, drag_by_finger, handles, kPhone, panel_tables, ready, start, state, still, stop, until, until_within, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -122,4 +122,40 @@ test("near an edge in space, a sphere that touches nothing is kept until one pla
   await drag(page, "Sphere", -25, 20);
   const { plane } = (await until(page, (now) => now.readout.verdict === 2)).readout;
   assert.equal(plane, 1, "the right plane rejects it");
+});
+
+test("six planes, six signs: their numbers follow the point, in HTML as beside the stage", async (t) => {
+  const page = await visit(t, "?lesson=frustum-point&situation=space&step=99");
+  const own = await until(page, (now) => now.situation === "space" && now.step === now.steps && now.asked === null && now.panels.length === 1);
+  assert.deepEqual(await panel_tables(page), own.panels.map(({ title, head, rows }) => ({ title, head, rows })));
+  const [{ title, rows }] = own.panels;
+  assert.equal(title, "n · p + d, for every plane");
+  assert.deepEqual(rows.map(([name]) => name), ["Left", "Right", "Bottom", "Top", "Near", "Far"]);
+  const outside = ({ panels }) => panels[0].rows.filter(([, number]) => number.startsWith("+")).map(([name]) => name);
+  assert.equal(own.readout.verdict === 2, outside(own).length > 0, "outside is outside of a plane");
+  await still(page);
+  await drag(page, "Point", 60, -200);
+  const moved = await until(page, (now, before) => JSON.stringify(now.panels[0].rows) !== before, JSON.stringify(rows));
+  assert.ok(outside(moved).length > 0, JSON.stringify(moved.panels[0].rows));
+  assert.equal(moved.readout.verdict, 2);
+});
+
+test("how rare false positives are is counted by a button that the keyboard reaches, and read in HTML", async (t) => {
+  const page = await visit(t, "?lesson=frustum-sphere&situation=edge&step=99");
+  await until(page, (now) => now.situation === "edge" && now.asked === null && now.panels.length === 2);
+  const count = page.getByRole("button", { name: "Test 1,000,000 random spheres" });
+  await count.focus();
+  const box = await count.boundingBox();
+  assert.ok(box.height >= 24 && box.width > 100, "it is seen while it has the focus");
+  await page.keyboard.press("Enter");
+  const done = await until_within(120_000, page, (now) => now.panels[1].button.words === "Tested: 1,000,000 random spheres");
+  const { rows, says, button } = done.panels[1];
+  assert.equal(button.enabled, false);
+  assert.deepEqual(rows.map(([name]) => name), ["Called intersecting", "Touch nothing, near edges", "Touch nothing, near vertices", "False positives among them"]);
+  const [intersecting, edges, vertices] = rows.map(([, count]) => Number(count.replaceAll(",", "")));
+  assert.ok(edges > vertices && vertices > 0 && edges + vertices < intersecting);
+  const share = 100 * (edges + vertices) / intersecting;
+  assert.ok(Math.abs(parseFloat(rows[3][1]) - share) <= 0.005 * share, `${rows[3][1]} is ${share}`);
+  assert.match(says, /seed 1;/);
+  assert.deepEqual((await panel_tables(page))[1].rows, rows);
 });

@@ -222,6 +222,13 @@ export async function still(page) {
   }));
 }
 
+/** What the panels beside the stage tell, as the page has it in HTML: of each its title, its head and its rows. */
+export const panel_tables = (page) => page.locator("#panel-words table").evaluateAll((tables) => tables.map((table) => ({
+  title: table.caption.textContent,
+  head: [...(table.tHead?.rows[0].cells ?? [])].map((cell) => cell.textContent),
+  rows: [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent)),
+})));
+
 /** Clicks on a handle, once the view stands still. */
 export async function tap(page, id) {
   await still(page);

@@ -1,6 +1,6 @@
 // Trees of boxes: built step by step, asked about, dragged and shared by the address; queries; merging; building by hand.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, drag_by_finger, kPhone, ready, start, state, stop, tap, until, visit } from "./support.mjs";
+import { answer, assert, drag, drag_by_finger, kPhone, panel_tables, ready, start, state, stop, tap, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -108,4 +108,39 @@ test("circles and oriented boxes as nodes: the same tree, at another cost", asyn
     assert.equal(readout.of_aabb === undefined, situation === "own");
   }
   assert.notEqual(costs[0], costs[1]);
+});
+
+/** The times of the panel that there is once a run is at its end, when all ways that have ended are timed. */
+const times = async (page, ways) => {
+  const now = await until(page, (it, count) => it.panels[0]?.rows.filter((row) => row[2] !== "").length === count, ways);
+  assert.deepEqual((await panel_tables(page)), now.panels.map(({ title, head, rows }) => ({ title, head, rows })));
+  return now.panels[0];
+};
+
+test("what trees of many boxes cost, and how long they take, stands in HTML as beside the stage", async (t) => {
+  const page = await visit(t, "?lesson=bvh-build&a=insertion&step=99");
+  const { title, head, rows, says, button } = await times(page, 1);
+  assert.deepEqual([title, head, button], ["With 2,000 boxes", ["", "Cost", "Time"], null]);
+  assert.deepEqual(rows.map(([name]) => name), ["Top-down, median", "Top-down, surface area", "Bottom-up", "Insertion"]);
+  assert.equal(says, "Each way is timed at the end of its run.");
+  const [, cost, time] = rows[3];
+  assert.ok(Number(cost) > 0, cost);
+  assert.match(time, /^[\d.,]+ ms$/);
+  await page.evaluate(() => document.getElementById("canvas").focus());
+  await page.keyboard.press("Home");
+  await until(page, (it) => it.panels.length === 0);
+  assert.deepEqual(await panel_tables(page), []);
+});
+
+test("a refit and a rebuild are compared in HTML once both were seen", async (t) => {
+  const page = await visit(t, "?lesson=bvh-merge&situation=moved&a=merge_aabb&step=99");
+  await times(page, 1);
+  await page.evaluate(() => { const choice = [...document.querySelectorAll("select")].find((one) => [...one.options].some(({ value }) => value === "rebuild")); choice.value = "rebuild"; choice.dispatchEvent(new Event("change", { bubbles: true })); });
+  await until(page, (now) => now.algorithm === "rebuild");
+  await page.evaluate(() => document.getElementById("canvas").focus());
+  await page.keyboard.press("End");
+  const { rows, says } = await times(page, 2);
+  assert.deepEqual(rows.map(([name]) => name), ["Refit", "Rebuild"]);
+  assert.ok(Number(rows[0][1]) > Number(rows[1][1]), "a tree that was refitted costs more");
+  assert.match(says, /^Here a rebuild takes [\d.,]+ times as long as a refit\.$/);
 });

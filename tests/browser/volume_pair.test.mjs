@@ -1,6 +1,6 @@
 // Any two volumes: their handles are dragged, the test answers at once, and its steps are drawn.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, pixels_of_volume, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, panel_tables, pixels_of, pixels_of_volume, ready, start, state, still, stop, until, until_within, visit } from "./support.mjs";
 
 const kFlatVolumes = {
   sphere: "{ sphere = { center = [1.3, 0.1], radius = 0.6 } }",
@@ -120,3 +120,44 @@ for (const [where, device] of [["a laptop", undefined], ["a phone", kPhone]])
     assert.equal(again.trace, now.trace);
     assert.equal(again.algorithm, now.algorithm);
   });
+
+/** A lesson's own pair is measured: 28 rows [pair, test, its time, GJK's time, apart], once all are there. */
+async function measured_pairs(page) {
+  const measure = page.getByRole("button", { name: "Measure what each costs" });
+  await measure.focus();
+  await page.keyboard.press("Enter");
+  const now = await until_within(180_000, page, (it) => it.panels[0].button?.words === "Measure again");
+  return now.panels[0].rows;
+}
+const kKinds = ["AABB", "OBB", "capsule", "lozenge", "k-DOP", "hull"];
+/** The rows of the table, from top to bottom: each kind with itself and those after it. */
+const pairs_of = (kinds) => kinds.flatMap((a, i) => kinds.slice(i).map((b) => `${a} and ${b}`));
+const nanoseconds = (text) => Number(/^([\d.,]+) ns$/.exec(text)[1].replaceAll(",", ""));
+
+test("all 28 pairs are measured, each cell is tinted, and a row of HTML has what the command says of each", async (t) => {
+  const page = await visit(t, "?lesson=overlap-any&situation=boxes&a=separating_axes&step=0");
+  const waits = await until(page, (now) => now.situation === "boxes" && now.panels[0]?.rows.length === 28);
+  assert.equal(waits.panels[0].button, null, "not before it is predicted which test is cheaper");
+  for (let now = waits; !now.panels[0].button; now = await state(page)) {
+    if (now.asked) await page.getByRole("button", { name: "Skip" }).click();
+    else if (now.outcome) await page.getByRole("button", { name: "Continue", exact: true }).click();
+    else await page.evaluate(() => document.getElementById("canvas").focus()).then(() => page.keyboard.press("End"));
+    await still(page);
+  }
+  const table = page.locator("#numbers"), before = await pixels_of(page, await table.boundingBox());
+  const rows = await measured_pairs(page);
+  assert.deepEqual(rows.map(([pair]) => pair), pairs_of(["circle", ...kKinds]));
+  for (const [pair, test, own, gjk, apart] of rows) {
+    assert.ok(nanoseconds(own) > 0 && nanoseconds(gjk) > 0, `${pair}: ${own}, ${gjk}`);
+    if (test === "GJK") assert.equal(own, gjk, pair);
+    assert.match(apart, /^[\d.]+ %$/, pair);
+  }
+  assert.equal(new Set(rows.map(([, test]) => test)).size, 7, "each of the seven tests has a pair");
+  assert.deepEqual((await panel_tables(page))[0].rows, rows);
+  // The share of the bodies that are apart does not depend on the machine: it is that of snug overlap --costs, which
+  // tests/command/overlap.test.mjs holds to the same numbers.
+  assert.deepEqual(rows.map((row) => Math.round(0.24 * parseFloat(row[4]))), [7, 11, 9, 9, 11, 12, 13, 15, 15, 16, 16, 15, 17, 14, 15, 15, 16, 18, 16, 16, 15, 17, 16, 16, 18, 16, 17, 20], "of 24 pairs of bodies");
+  const after = await pixels_of(page, await table.boundingBox());
+  const tinted = (pixels) => pixels.reduce((sum, _, i) => sum + (i % 4 === 0 && pixels[i] > 240 && pixels[i + 2] < 235 ? 1 : 0), 0);
+  assert.ok(tinted(after) > tinted(before) + 2000, `${tinted(before)} to ${tinted(after)} pixels in the tint of costs`);
+});

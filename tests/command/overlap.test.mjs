@@ -284,4 +284,6 @@ test("costs: a line for each of the 28 pairs, with its test", () => {
   assert.equal(new Set(rows.map(({ a, b }) => `${a} ${b}`)).size, 28);
   assert.ok(rows.every(({ time_ns, apart }) => time_ns.median > 0 && apart > 0 && apart < 1));
   assert.equal(rows.find(({ a, b }) => a === "aabb" && b === "kdop").test, "slabs_then_gjk");
+  // As the lesson has it: tests/browser/volume_pair.test.mjs.
+  assert.deepEqual(rows.map(({ apart }) => Math.round(24 * apart)), [7, 11, 9, 9, 11, 12, 13, 15, 15, 16, 16, 15, 17, 14, 15, 15, 16, 18, 16, 16, 15, 17, 16, 16, 18, 16, 17, 20], "of 24 pairs of bodies");
 });

@@ -15,6 +15,7 @@ import { name_layout } from "./layout.js";
 import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
 import { clear_notices, notice, notice_all, veil } from "./messages.js";
 import { NumberTools } from "./numbers.js";
+import { PanelWords } from "./panel_words.js";
 import { Player } from "./player.js";
 import { Playground } from "./playground.js";
 import { PointTools } from "./points.js";
@@ -83,7 +84,7 @@ class Page {
     this.#reading = new Reading(door.words(), { texts, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
     this.#playground = new Playground(door, embed ? "" : playground, lessons, go_to);
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [texts, this.#reading, question, this.#playground, new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new ScalarSwitch(door, act), new SceneFile(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#panels = [texts, this.#reading, question, this.#playground, new PanelWords((command) => act(() => door.command(command))), new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new ScalarSwitch(door, act), new SceneFile(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/brush.hpp"
+#include "app/panel_words.hpp"
 #include "lesson/subjects/field/field.hpp"
 
 namespace snug::app {
@@ -64,5 +65,7 @@ class FieldCosts {
 /// hidden. Returns the height.
 float draw_field_panel(const Look& look, const lesson::Session& session, const FieldCosts& costs, ImVec2 at,
                        float width);
+/// The same in words.
+[[nodiscard]] PanelWords field_in_words(const lesson::Session& session, const FieldCosts& costs);
 
 }  // namespace snug::app

@@ -31,13 +31,35 @@ bool is_to_be_predicted(const lesson::Session& session, const lesson::Method& me
 /// "0.042 ms", "12.3 ms"
 std::string milliseconds(double ns) { return lesson::number_text(ns / 1e6, 2) + " ms"; }
 
+/// Tests of planes, if every plane is tested against every box.
+double all_tests(const lesson::Session& session) {
+  return 6.0 * static_cast<double>(lesson::field_run(session.run(0)).objects());
+}
+
+/// "Plane tests, of 60,000"
+std::string tests_words(const lesson::Session& session) {
+  return "Plane tests, of " + lesson::count_text(static_cast<std::int64_t>(all_tests(session)));
+}
+
+/// How many tests of planes a method makes: the chosen one up to the step, another if it was measured.
+std::optional<double> tests_of(const lesson::Session& session, const lesson::Method& method,
+                               const FieldCosts::Entry* entry) {
+  const lesson::FieldRun& run = lesson::field_run(session.run(0));
+  if (&method == session.method(0)) return static_cast<double>(run.tally(run.steps()).planes);
+  if (entry == nullptr) return std::nullopt;
+  return static_cast<double>(entry->measured.cost.planes);
+}
+
+/// "12.5 %"
+std::string share_words(double tests, double all) { return lesson::number_text(100 * (tests / all), 3) + " %"; }
+
 struct FieldTable {
   const Look& look;
   const lesson::Session& session;
   const FieldCosts& costs;
   ImDrawList* list;
   float x, width;
-  double all;  // tests of planes, if every plane is tested against every box
+  double all;  // all_tests
 
   /// Returns the row's height. What is shown already moves with the stage; what has to be measured is pale until it is.
   [[nodiscard]] float row(const lesson::Method& method, float y) const {
@@ -54,20 +76,13 @@ struct FieldTable {
       text(list, look, face, kFieldWords, {x, middle_of(below, look.px(kFieldWords))}, look->ink, line);
       below += leading;
     }
-    bar(hidden ? std::nullopt : planes_of(entry, chosen), chosen, fresh || chosen, below);
+    bar(hidden ? std::nullopt : tests_of(session, method, entry), chosen, fresh || chosen, below);
     if (hidden)
       text_right(list, look, Face::kRegular, 12, {x + width, middle_of(below, small)}, look->muted, "predict");
     return below + leading - y + look.px(4);
   }
 
  private:
-  [[nodiscard]] std::optional<double> planes_of(const FieldCosts::Entry* entry, bool chosen) const {
-    const lesson::FieldRun& run = lesson::field_run(session.run(0));
-    if (chosen) return static_cast<double>(run.tally(run.steps()).planes);
-    if (entry == nullptr) return std::nullopt;
-    return static_cast<double>(entry->measured.cost.planes);
-  }
-
   /// How many of all tests are made; planes: none if that is not to be seen.
   void bar(std::optional<double> planes, bool chosen, bool fresh, float middle) const {
     const float words = look.px(64), high = 6, long_as = width - words, small = look.px(12);
@@ -78,7 +93,7 @@ struct FieldTable {
                         {x + long_as * static_cast<float>(std::min(share, 1.0)), middle + high / 2},
                         chosen ? look->current : look->previous, high / 2);
     text_right(list, look, Face::kMonoBold, 12, {x + width, middle_of(middle, small)}, fresh ? look->ink : look->muted,
-               lesson::number_text(100 * share, 3) + " %");
+               share_words(*planes, all));
   }
 };
 
@@ -131,16 +146,31 @@ const FieldCosts::Entry* FieldCosts::of(const lesson::Method& method) const {
   return nullptr;
 }
 
+PanelWords field_in_words(const lesson::Session& session, const FieldCosts& costs) {
+  PanelWords words{{.head = {"", "Share", "Time"}, .title = tests_words(session)}, batch_words(session, costs)};
+  for (const std::string& name : session.lesson().algorithms) {
+    const lesson::Method& method = *lesson::find_method(session.lesson(), name);
+    const bool hidden = is_to_be_predicted(session, method);
+    const FieldCosts::Entry* entry = hidden ? nullptr : costs.of(method);
+    const std::optional<double> tests = hidden ? std::nullopt : tests_of(session, method, entry);
+    const bool timed = entry != nullptr && costs.is_of_now(*entry) && entry->measured.ns;
+    words.table.rows.push_back({std::string(method.title),
+                                hidden  ? "predict"
+                                : tests ? share_words(*tests, all_tests(session))
+                                        : std::string(),
+                                timed ? milliseconds(*entry->measured.ns) : std::string()});
+  }
+  return words;
+}
+
 float draw_field_panel(const Look& look, const lesson::Session& session, const FieldCosts& costs, ImVec2 at,
                        float width) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const double all = 6.0 * static_cast<double>(lesson::field_run(session.run(0)).objects());
   const float middle = middle_of(at.y + look.px(11), look.px(kFieldWords));
-  text(list, look, Face::kSemiBold, kFieldWords, {at.x, middle}, look->muted,
-       "Plane tests, of " + lesson::count_text(static_cast<std::int64_t>(all)));
+  text(list, look, Face::kSemiBold, kFieldWords, {at.x, middle}, look->muted, tests_words(session));
   text_right(list, look, Face::kSemiBold, kFieldWords, {at.x + width, middle}, look->muted, "Time");
   float y = at.y + look.px(kFieldHead);
-  const FieldTable table{look, session, costs, list, at.x, width, all};
+  const FieldTable table{look, session, costs, list, at.x, width, all_tests(session)};
   for (const std::string& name : session.lesson().algorithms) {
     y += table.row(*lesson::find_method(session.lesson(), name), y);
   }

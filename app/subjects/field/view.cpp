@@ -31,10 +31,14 @@ class FieldView final : public SubjectView {
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    costs_.measure(session);
+    work(session);
     return draw_field_panel(look, session, costs_, at, width);
   }
   [[nodiscard]] bool fills_column(const lesson::Session&) const override { return true; }
+  void work(lesson::Session& session) const override { costs_.measure(session); }
+  [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {
+    return {field_in_words(session, costs_)};
+  }
   [[nodiscard]] bool working() const override { return costs_.working(); }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "the end", .best = "objects decided"};

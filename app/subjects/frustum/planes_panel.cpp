@@ -1,6 +1,7 @@
 #include "app/subjects/frustum/planes_panel.hpp"
 
 #include <string>
+#include <utility>
 
 #include "app/subjects/frustum/panel_rows.hpp"
 #include "lesson/figures.hpp"
@@ -34,6 +35,21 @@ float draw_planes_panel(const Look& look, const lesson::Session& session, const 
              plane == shown.plane_at);
   }
   return rows.y + kPlanesGap - at.y;
+}
+
+std::optional<PanelWords> planes_in_words(const lesson::Session& session) {
+  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
+  if (pair.form == lesson::Form::kBox || session.predicting()) return std::nullopt;
+  const bool point = pair.form == lesson::Form::kPoint;
+  PanelWords words{
+      {.head = {"", "Number"}, .title = point ? "n · p + d, for every plane" : "n · c + d, for every plane"}};
+  for (const double distance : lesson::center_distances(pair)) {
+    const int plane = static_cast<int>(words.table.rows.size());
+    std::string name = lesson::plane_name(pair.dim, plane);
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    words.table.rows.push_back({std::move(name), with_sign(distance)});
+  }
+  return words;
 }
 
 }  // namespace snug::app

@@ -1,6 +1,8 @@
 #include "app/subjects/frustum/survey_panel.hpp"
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/subjects/frustum/panel_rows.hpp"
 #include "lesson/figures.hpp"
@@ -11,69 +13,104 @@ namespace {
 
 constexpr double kSurveyBudget = 4e6;  // ns of a frame
 constexpr float kSurveyGap = 8;
+constexpr std::string_view kSurveyTitle = "How rare are false positives?";
 
 /// "circles"
 std::string bodies_word(const lesson::BoxPair& pair) { return lesson::body_word(pair) + "s"; }
 
-void draw_counts(PanelRows& rows, const query::SurveyCounts& counts, int dim) {
-  const Look& look = rows.look;
-  rows.row("Called intersecting", lesson::count_text(counts.intersecting), look->ink);
+struct CountRow {
+  std::string name, value;
+  bool wrong = false;
+};
+
+std::vector<CountRow> count_rows(const query::SurveyCounts& counts, int dim) {
+  std::vector<CountRow> rows{{"Called intersecting", lesson::count_text(counts.intersecting)}};
   if (dim == 3) {
-    rows.row("Touch nothing, near edges", lesson::count_text(counts.false_at_two), look->wrong_text);
-    rows.row("Touch nothing, near vertices", lesson::count_text(counts.false_at_more), look->wrong_text);
+    rows.push_back({"Touch nothing, near edges", lesson::count_text(counts.false_at_two), true});
+    rows.push_back({"Touch nothing, near vertices", lesson::count_text(counts.false_at_more), true});
   } else {
-    rows.row("Touch nothing, near vertices", lesson::count_text(counts.false_positives()), look->wrong_text);
+    rows.push_back({"Touch nothing, near vertices", lesson::count_text(counts.false_positives()), true});
   }
-  if (counts.intersecting == 0) return;
+  if (counts.intersecting == 0) return rows;
   const double share = static_cast<double>(counts.false_positives()) / static_cast<double>(counts.intersecting);
-  rows.row("False positives among them", lesson::number_text(100 * share, 3) + " %", look->ink);
+  rows.push_back({"False positives among them", lesson::number_text(100 * share, 3) + " %"});
+  return rows;
+}
+
+std::string survey_note(const lesson::FrustumSurvey& survey) {
+  return "With this radius around this frustum, seed " + std::to_string(survey.seed()) +
+         "; whether they touch is decided by their distance from the frustum.";
+}
+
+const lesson::FrustumSubject& surveyed(const lesson::Session& session) {
+  return *lesson::as<lesson::FrustumSubject>(session.subject());
+}
+
+bool can_survey(const lesson::Session& session) {
+  return surveyed(session).boxes().form == lesson::Form::kBall && !session.predicting();
 }
 
 /// The button, or while the survey is on, how far it is.
-float draw_survey_button(const Look& look, lesson::Session& session, ImVec2 at, float width, bool& working) {
-  using Subject = lesson::FrustumSubject;
-  const auto& subject = *lesson::as<Subject>(session.subject());
+CoverButton survey_button(const lesson::FrustumSubject& subject) {
   const lesson::FrustumSurvey* survey = subject.survey();
-  working = survey != nullptr && !survey->done();
-  const float height = look.fingers ? 44.0f : look.px(30);
   const std::string bodies = bodies_word(subject.boxes()), all = lesson::count_text(lesson::kSurveySpheres);
-  const std::string words = working ? "Tested: " + lesson::count_text(survey->counts().spheres) + " of " + all
-                            : survey == nullptr ? "Test " + all + " random " + bodies
-                                                : "Tested: " + all + " random " + bodies;
-  if (button(ImGui::GetWindowDrawList(), look,
-             {.id = "survey",
-              .rect = {at.x, at.y, width, height},
-              .words = words,
-              .kind = ButtonKind::kOutlined,
-              .enabled = survey == nullptr,
-              .size = 13})) {
-    session.inform<Subject>([](Subject& own) { own.start_survey(); });
-    working = true;
-  } else if (working) {
-    session.inform<Subject>([](Subject& own) { own.work_on_survey(kSurveyBudget); });
-  }
-  return height;
+  const bool working = survey != nullptr && !survey->done();
+  return {.command = std::string(kSurveyCommand),
+          .words = working             ? "Tested: " + lesson::count_text(survey->counts().spheres) + " of " + all
+                   : survey == nullptr ? "Test " + all + " random " + bodies
+                                       : "Tested: " + all + " random " + bodies,
+          .enabled = survey == nullptr};
 }
 
 }  // namespace
 
-float draw_survey_panel(const Look& look, lesson::Session& session, ImVec2 at, float width, bool& working) {
-  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
-  working = false;
-  if (pair.form != lesson::Form::kBall || session.predicting()) return 0;
+bool start_survey(lesson::Session& session) {
+  if (!can_survey(session) || surveyed(session).survey() != nullptr) return false;
+  session.inform<lesson::FrustumSubject>([](lesson::FrustumSubject& own) { own.start_survey(); });
+  return true;
+}
+
+bool work_on_survey(lesson::Session& session) {
+  const lesson::FrustumSurvey* survey = surveyed(session).survey();
+  if (!can_survey(session) || survey == nullptr || survey->done()) return false;
+  session.inform<lesson::FrustumSubject>([](lesson::FrustumSubject& own) { own.work_on_survey(kSurveyBudget); });
+  return true;
+}
+
+std::optional<PanelWords> survey_in_words(const lesson::Session& session) {
+  if (!can_survey(session)) return std::nullopt;
+  PanelWords words{{.head = {"", "Count"}, .title = std::string(kSurveyTitle)}, "", survey_button(surveyed(session))};
+  const lesson::FrustumSurvey* survey = surveyed(session).survey();
+  if (survey == nullptr) return words;
+  for (const CountRow& row : count_rows(survey->counts(), session.dim()))
+    words.table.rows.push_back({row.name, row.value});
+  words.says = survey_note(*survey);
+  return words;
+}
+
+float draw_survey_panel(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+  if (!can_survey(session)) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  text(list, look, Face::kSemiBold, kPanelWords, {at.x, at.y + look.px(5)}, look->muted,
-       "How rare are false positives?");
+  text(list, look, Face::kSemiBold, kPanelWords, {at.x, at.y + look.px(5)}, look->muted, kSurveyTitle);
   float y = at.y + look.px(26);
-  y += draw_survey_button(look, session, {at.x, y}, width, working) + kSurveyGap;
-  const lesson::FrustumSurvey* survey = lesson::as<lesson::FrustumSubject>(session.subject())->survey();
+  const CoverButton words = survey_button(surveyed(session));
+  const float height = look.fingers ? 44.0f : look.px(30);
+  if (button(list, look,
+             {.id = "survey",
+              .rect = {at.x, y, width, height},
+              .words = words.words,
+              .kind = ButtonKind::kOutlined,
+              .enabled = words.enabled,
+              .size = 13}))
+    start_survey(session);
+  y += height + kSurveyGap;
+  const lesson::FrustumSurvey* survey = surveyed(session).survey();
   if (survey == nullptr) return y - at.y;
   PanelRows rows{look, list, at.x, y, width};
-  draw_counts(rows, survey->counts(), pair.dim);
+  for (const CountRow& row : count_rows(survey->counts(), session.dim()))
+    rows.row(row.name, row.value, row.wrong ? look->wrong_text : look->ink);
   y = rows.y + kSurveyGap;
-  y += paragraph(list, look, Face::kRegular, 12, 17, {at.x, y}, width, look->muted,
-                 "With this radius around this frustum, seed " + std::to_string(survey->seed()) +
-                     "; whether they touch is decided by their distance from the frustum.");
+  y += paragraph(list, look, Face::kRegular, 12, 17, {at.x, y}, width, look->muted, survey_note(*survey));
   return y - at.y;
 }
 

@@ -32,8 +32,19 @@ class FrustumView final : public SubjectView {
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
+    work(session);
     const float planes = draw_planes_panel(look, session, shown_, at, width);
-    return planes + draw_survey_panel(look, session, {at.x, at.y + planes}, width, surveying_);
+    return planes + draw_survey_panel(look, session, {at.x, at.y + planes}, width);
+  }
+  void work(lesson::Session& session) const override { surveying_ = work_on_survey(session); }
+  [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {
+    std::vector<PanelWords> panels;
+    for (auto& panel : {planes_in_words(session), survey_in_words(session)})
+      if (panel) panels.push_back(*panel);
+    return panels;
+  }
+  bool command(lesson::Session& session, std::string_view name) const override {
+    return name == kSurveyCommand && start_survey(session);
   }
   [[nodiscard]] bool working() const override { return surveying_; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {

@@ -50,6 +50,9 @@ std::string nanoseconds_text(double ns) {
   return words.data();
 }
 
+/// "41.2 ns"
+std::string time_words_of(double ns) { return lesson::number_text(ns, 3) + " ns"; }
+
 /// The measured times, and how they compare.
 struct PairHeat {
   std::span<const cost::PairCost> rows;
@@ -125,9 +128,8 @@ struct PairTable {
         pair_kind_name(kinds[0], dim) + " and " + pair_kind_name(kinds[1], dim) + ": " + pair_test_title(kinds);
     const cost::PairCost* cost = heat.of(kinds);
     if (cost == nullptr) return words;
-    words += ", " + lesson::number_text(cost->time.median, 3) + " ns";
-    if (pair_test_of(kinds) != query::PairTest::kGjk)
-      words += "; GJK " + lesson::number_text(cost->gjk.median, 3) + " ns";
+    words += ", " + time_words_of(cost->time.median);
+    if (pair_test_of(kinds) != query::PairTest::kGjk) words += "; GJK " + time_words_of(cost->gjk.median);
     return words;
   }
 };
@@ -144,8 +146,6 @@ bool cheaper_waits(const lesson::Session& session) {
 float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const auto& subject = *lesson::as<lesson::VolumesSubject>(session.subject());
   if (!subject.can_measure()) return 0;
-  using Subject = lesson::VolumesSubject;
-  constexpr double kBudget = 4e6;  // ns of a frame
   ImDrawList* list = ImGui::GetWindowDrawList();
   const bool running = subject.costs() != nullptr && !subject.costs()->done();
   const float height = look.fingers ? 44.0f : look.px(30);
@@ -162,8 +162,7 @@ float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at,
               .kind = ButtonKind::kOutlined,
               .enabled = !running,
               .size = 13}))
-    session.inform<Subject>([](Subject& own) { own.measure_costs(); });
-  else if (running) session.inform<Subject>([&](Subject& own) { own.work_on_costs(kBudget); });
+    measure_pairs(session);
   if (subject.costs() == nullptr) return height;
   return height + look.px(6) +
          paragraph(list, look, Face::kRegular, 11, 16, {at.x, at.y + height + look.px(6)}, width, look->muted,
@@ -172,6 +171,63 @@ float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at,
 }
 
 }  // namespace
+
+namespace {
+
+const lesson::VolumesSubject& volumes_on(const lesson::Session& session) {
+  return *lesson::as<lesson::VolumesSubject>(session.subject());
+}
+
+/// Whether the button would give an answer away.
+bool measuring_waits(const lesson::Session& session) {
+  return volumes_on(session).costs() == nullptr && cheaper_waits(session);
+}
+
+CoverButton measure_button(const lesson::VolumesSubject& subject) {
+  const bool running = subject.costs() != nullptr && !subject.costs()->done();
+  return {.command = std::string(kMeasurePairs),
+          .words = running ? "Measured: " + std::to_string(subject.costs()->rows().size()) + " of 28"
+                   : subject.costs() != nullptr ? "Measure again"
+                                                : "Measure what each costs",
+          .enabled = !running};
+}
+
+}  // namespace
+
+bool measure_pairs(lesson::Session& session) {
+  const lesson::VolumesSubject& subject = volumes_on(session);
+  if (!subject.pair().any || !subject.can_measure() || measuring_waits(session)) return false;
+  if (subject.costs() != nullptr && !subject.costs()->done()) return false;
+  session.inform<lesson::VolumesSubject>([](lesson::VolumesSubject& own) { own.measure_costs(); });
+  return true;
+}
+
+bool work_on_pairs(lesson::Session& session) {
+  constexpr double kBudget = 4e6;  // ns of a frame
+  const cost::PairCostRun* costs = volumes_on(session).costs();
+  if (costs == nullptr || costs->done()) return false;
+  session.inform<lesson::VolumesSubject>([](lesson::VolumesSubject& own) { own.work_on_costs(kBudget); });
+  return true;
+}
+
+std::optional<PanelWords> pairs_in_words(const lesson::Session& session) {
+  const lesson::VolumesSubject& subject = volumes_on(session);
+  if (!subject.pair().any) return std::nullopt;
+  const PairHeat heat(subject.costs());
+  PanelWords words{{.head = {"Pair", "Test", "Its time", "GJK’s time", "Apart"}, .title = "All 28 pairs"}};
+  const int dim = subject.pair().dim;
+  for (std::size_t i = 0; i < kKinds; ++i)
+    for (std::size_t j = i; j < kKinds; ++j) {
+      const cost::PairCost* cost = heat.of({i, j});
+      words.table.rows.push_back({pair_kind_name(i, dim) + " and " + pair_kind_name(j, dim), pair_test_title({i, j}),
+                                  cost != nullptr ? time_words_of(cost->time.median) : std::string(),
+                                  cost != nullptr ? time_words_of(cost->gjk.median) : std::string(),
+                                  cost != nullptr ? lesson::number_text(100 * cost->apart, 3) + " %" : std::string()});
+    }
+  if (!subject.can_measure()) return words;
+  if (!measuring_waits(session)) words.button = measure_button(subject);
+  return words;
+}
 
 float draw_pair_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(session.subject())->pair();

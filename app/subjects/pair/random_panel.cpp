@@ -20,19 +20,38 @@ bool counts_hidden(const lesson::Session& session) {
   return false;
 }
 
+/// "1,000 random pairs, seed 1"
+std::string random_title(const lesson::Session& session, const query::AxisCounts& counts) {
+  return lesson::count_text(counts.pairs) + " random pairs, seed " + std::to_string(session.seed());
+}
+
+constexpr std::string_view kCountsHidden = "Shown once the question about them is answered.";
+
 }  // namespace
+
+std::optional<PanelWords> random_in_words(const lesson::Session& session) {
+  const query::AxisCounts* counts = lesson::as<lesson::PairSubject>(session.subject())->random_counts();
+  if (counts == nullptr) return std::nullopt;
+  PanelWords words{{.head = {"Axis", "The test ends there", "It separates"}, .title = random_title(session, *counts)}};
+  if (counts_hidden(session)) return words.says = kCountsHidden, words;
+  const auto names = lesson::axis_names(session.dim());
+  for (std::size_t row = 0; row < names.size(); ++row)
+    words.table.rows.push_back(
+        {std::string(names[row].text), std::to_string(counts->first[row]), std::to_string(counts->separates[row])});
+  words.says = lesson::count_text(counts->overlap) + " pairs overlap.";
+  return words;
+}
 
 float draw_random_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
   const auto& subject = *lesson::as<lesson::PairSubject>(session.subject());
   const query::AxisCounts* counts = subject.random_counts();
   if (counts == nullptr) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted,
-       lesson::count_text(counts->pairs) + " random pairs, seed " + std::to_string(session.seed()));
+  text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, random_title(session, *counts));
   float y = at.y + look.px(kRandomHeading);
   if (counts_hidden(session)) {
     y += paragraph(list, look, Face::kRegular, kRandomWords, kRandomLeading, {at.x, y}, width, look->muted,
-                   "Shown once the question about them is answered.");
+                   kCountsHidden);
     return y - at.y;
   }
   const auto names = lesson::axis_names(subject.dim());

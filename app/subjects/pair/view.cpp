@@ -67,6 +67,10 @@ class PairView final : public SubjectView {
     const float counts = draw_random_panel(look, session, {at.x, at.y + axes + gap}, width);
     return counts > 0 ? axes + gap + counts : axes;
   }
+  [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {
+    if (auto counts = random_in_words(session)) return {*counts};
+    return {};
+  }
   /// The lit row of the table has them.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override {
     return lesson::is_along_axis(figure.key) || figure.key.starts_with(lesson::kRandomFigure);
@@ -122,10 +126,17 @@ class VolumesView final : public SubjectView {
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
-    const cost::PairCostRun* costs = subject_of(session).costs();
-    working_ = costs != nullptr && !costs->done();
+    work(session);
     const float pairs = draw_pair_table(look, session, at, width), gap = pairs > 0 ? look.px(20) : 0;
     return pairs + gap + draw_axis_panel(look, session, {at.x, at.y + pairs + gap}, width);
+  }
+  void work(lesson::Session& session) const override { working_ = work_on_pairs(session); }
+  [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {
+    if (auto pairs = pairs_in_words(session)) return {*pairs};
+    return {};
+  }
+  bool command(lesson::Session& session, std::string_view name) const override {
+    return name == kMeasurePairs && measure_pairs(session);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "verdict", .best = "decides"};

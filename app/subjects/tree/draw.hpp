@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/brush.hpp"
+#include "app/panel_words.hpp"
 #include "app/subjects/tree/shown.hpp"
 
 namespace snug::app {
@@ -55,6 +56,8 @@ class TreeTimes {
 /// A row for each way: the SAH cost of its tree, and its time. Returns the height.
 float draw_times_panel(const Look& look, const lesson::Session& session, const TreeTimes& times, ImVec2 at,
                        float width);
+/// The same in words.
+[[nodiscard]] PanelWords times_in_words(const lesson::Session& session, const TreeTimes& times);
 /// The curve alone: for each axis the cost at each border, its minimum marked.
 float draw_cost_curve(const Look& look, const hierarchy::SplitsPriced& priced, ImVec2 at, float width);
 

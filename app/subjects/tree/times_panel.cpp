@@ -1,5 +1,6 @@
 // What building, refitting and rebuilding cost with many boxes, beside the stage.
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "app/subjects/tree/draw.hpp"
@@ -27,12 +28,21 @@ std::vector<const lesson::Method*> timed_methods(const lesson::Session& session)
   return methods;
 }
 
+/// "With 2,000 boxes"
+std::string crowd_words() { return "With " + lesson::count_text(lesson::kCrowd) + " boxes"; }
+
 std::string_view timed_title(const lesson::Method& method) {
   return method.name == "merge_aabb" ? "Refit" : method.name == "rebuild" ? "Rebuild" : method.title;
 }
 
 /// "0.042 ms", "12.3 ms"
 std::string time_words(double ns) { return lesson::number_text(ns / 1e6, 2) + " ms"; }
+
+/// The cost of a way's tree and its time, each empty before it is known.
+std::array<std::string, 2> price_words(const TreeTimes::Entry* entry) {
+  if (entry == nullptr) return {};
+  return {lesson::number_text(entry->timed.cost, 3), entry->timed.ns ? time_words(*entry->timed.ns) : std::string()};
+}
 
 /// "Here a rebuild takes 12 times as long as a refit."
 std::string ratio_words(const lesson::Session& session, const TreeTimes& times) {
@@ -91,13 +101,22 @@ bool shows_times(const lesson::Session& session) {
          run.is_whole() && (!run.is_update() || stage.has_moved()) && timed_methods(session).size() > 1;
 }
 
+PanelWords times_in_words(const lesson::Session& session, const TreeTimes& times) {
+  PanelWords words{{.head = {"", "Cost", "Time"}, .title = crowd_words()}, time_notes(session, times)};
+  for (const lesson::Method* method : timed_methods(session)) {
+    const TreeTimes::Entry* entry = times.of(*method);
+    const auto [cost, time] = price_words(entry != nullptr && times.is_of_now(*entry) ? entry : nullptr);
+    words.table.rows.push_back({std::string(timed_title(*method)), cost, time});
+  }
+  return words;
+}
+
 float draw_times_panel(const Look& look, const lesson::Session& session, const TreeTimes& times, ImVec2 at,
                        float width) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float small = look.px(12), row = look.px(kTimesRow), column = look.px(kTimesColumn);
   const float head = middle_of(at.y + look.px(11), small);
-  text(list, look, Face::kSemiBold, 12, {at.x, head}, look->muted,
-       "With " + lesson::count_text(lesson::kCrowd) + " boxes");
+  text(list, look, Face::kSemiBold, 12, {at.x, head}, look->muted, crowd_words());
   text_right(list, look, Face::kSemiBold, 12, {at.x + width - column, head}, look->muted, "Cost");
   text_right(list, look, Face::kSemiBold, 12, {at.x + width, head}, look->muted, "Time");
   float y = at.y + look.px(kTimesHead);
@@ -106,14 +125,11 @@ float draw_times_panel(const Look& look, const lesson::Session& session, const T
     const Face face = method == session.method(0) ? Face::kSemiBold : Face::kRegular;
     text(list, look, face, kTimesWords, {at.x, middle_of(middle, look.px(kTimesWords))}, look->ink,
          timed_title(*method));
-    if (const TreeTimes::Entry* entry = times.of(*method)) {
-      const Color color = times.is_of_now(*entry) ? look->ink : look->muted;
-      text_right(list, look, Face::kMono, 12, {at.x + width - column, middle_of(middle, small)}, color,
-                 lesson::number_text(entry->timed.cost, 3));
-      if (entry->timed.ns)
-        text_right(list, look, Face::kMono, 12, {at.x + width, middle_of(middle, small)}, color,
-                   time_words(*entry->timed.ns));
-    }
+    const TreeTimes::Entry* entry = times.of(*method);
+    const auto [cost, time] = price_words(entry);
+    const Color color = entry != nullptr && times.is_of_now(*entry) ? look->ink : look->muted;
+    text_right(list, look, Face::kMono, 12, {at.x + width - column, middle_of(middle, small)}, color, cost);
+    text_right(list, look, Face::kMono, 12, {at.x + width, middle_of(middle, small)}, color, time);
     y += row;
   }
   const std::string words = time_notes(session, times);

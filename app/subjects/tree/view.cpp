@@ -26,8 +26,8 @@ class TreeView final : public SubjectView {
     const float gap = y > 0 ? 12.0f : 0;
     const float high = draw_tree_panel(look, tree_shown_at(session), {at.x, at.y + y + gap}, width);
     y += high > 0 ? gap + high : 0;
-    if (!shows_times(session)) return times_.pause(), y;
-    times_.measure(session);
+    work(session);
+    if (!shows_times(session)) return y;
     const float above = y > 0 ? 16.0f : 0;
     return y + above + draw_times_panel(look, session, times_, {at.x, at.y + y + above}, width);
   }
@@ -35,6 +35,14 @@ class TreeView final : public SubjectView {
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
     const lesson::TreeRun& run = lesson::tree_run(session.run(0));
     return run.is_by_hand() || run.is_steered() || shows_times(session);
+  }
+  void work(lesson::Session& session) const override {
+    if (shows_times(session)) times_.measure(session);
+    else times_.pause();
+  }
+  [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {
+    if (!shows_times(session)) return {};
+    return {times_in_words(session, times_)};
   }
   [[nodiscard]] bool working() const override { return times_.working(); }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {

@@ -1,0 +1,97 @@
+// What the panels beside the stage draw is told in words as well, and is worked out where nothing can be drawn.
+#include "app/panel_words.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "app/bench.hpp"
+
+namespace snug::app {
+namespace {
+
+const Layout kBesideNumbers{{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 300, 4000}, false, 88};
+
+/// A lesson of the course without its questions, at the end of a method's run.
+struct AtItsEnd {
+  Bench bench;
+
+  AtItsEnd(const std::string& id, const std::string& situation, const std::string& method)
+      : bench(lesson_of(id), kBesideNumbers) {
+    REQUIRE(bench.session().show_situation(situation).has_value());
+    REQUIRE(bench.session().choose(0, method).has_value());
+    bench.session().jump(bench.session().steps());
+  }
+  static lesson::Lesson lesson_of(const std::string& id) {
+    std::ifstream file(SNUG_SOURCE_DIR "/lessons/" + id + ".toml", std::ios::binary);
+    REQUIRE(file);
+    auto lesson = lesson::read_lesson(std::string{std::istreambuf_iterator<char>(file), {}}, id + ".toml",
+                                      lesson::Checked::kAsWritten);
+    REQUIRE(lesson.has_value());
+    lesson->questions.clear();
+    return *std::move(lesson);
+  }
+  /// Whether every cell of the panels' tables was drawn, and the words of their buttons.
+  void check_drawn() {
+    bench.frames(20);
+    const std::vector<std::string> drawn = bench.words();
+    const auto check = [&](const std::string& words) {
+      CAPTURE(words);
+      CHECK(std::find(drawn.begin(), drawn.end(), words) != drawn.end());
+    };
+    for (const PanelWords& panel : bench.app.panel_words()) {
+      check(panel.table.title);
+      if (panel.button) check(panel.button->words);
+      for (const auto& row : panel.table.rows)
+        for (const std::string& cell : row)
+          if (!cell.empty()) check(cell);
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what the trees of many boxes cost is told as it is drawn, once a run is at its end") {
+  AtItsEnd tree("bvh-build", "own", "insertion");
+  REQUIRE(tree.bench.app.panel_words().size() == 1);
+  tree.check_drawn();
+  const WordTable table = tree.bench.app.panel_words()[0].table;
+  REQUIRE(table.rows.size() == 4);
+  CHECK(table.rows[3][0] == "Insertion");
+  CHECK_FALSE(table.rows[3][1].empty());
+  CHECK(table.rows[0][1].empty());  // its run was not at its end
+  tree.bench.session().go(1);
+  CHECK(tree.bench.app.panel_words().empty());
+}
+
+TEST_CASE("the numbers of all six planes are told as they are drawn, and follow the point") {
+  AtItsEnd point("frustum-point", "space", "half_spaces");
+  point.check_drawn();
+  const auto numbers = [&] { return point.bench.app.panel_words()[0].table.rows; };
+  REQUIRE(numbers().size() == 6);
+  CHECK(numbers()[0][0] == "Left");
+  const auto before = numbers();
+  REQUIRE(point.bench.session().move(0, lesson::Point3(9, 9, 9)).has_value());
+  CHECK(numbers() != before);
+  point.check_drawn();
+}
+
+TEST_CASE("a million spheres are counted where nothing is drawn, and then told as they are drawn") {
+  AtItsEnd sphere("frustum-sphere", "edge", "grown_planes");
+  const auto panel = [&] { return sphere.bench.app.panel_words()[1]; };
+  REQUIRE(panel().button.has_value());
+  CHECK(panel().button->enabled);
+  CHECK(panel().table.rows.empty());
+  CHECK_FALSE(sphere.bench.app.command("measure_pairs"));
+  REQUIRE(sphere.bench.app.command(panel().button->command));
+  CHECK_FALSE(sphere.bench.app.command(panel().button->command));  // it is started already
+  CHECK(sphere.bench.app.seconds_until_unseen(0) > 0);
+  sphere.bench.app.advance_unseen(0);  // without a clock it is done at once
+  CHECK(panel().button->words == "Tested: 1,000,000 random spheres");
+  CHECK(panel().table.rows.size() == 4);
+  sphere.check_drawn();
+}
+
+}  // namespace snug::app
