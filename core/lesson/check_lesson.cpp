@@ -226,11 +226,11 @@ FilePlace place_of_situation(const Lesson& lesson, std::string_view name, const 
 /// Opens a situation without its sliders. Null, with a complaint, if that is impossible. mesh: null for none.
 std::unique_ptr<Subject> opened(const Lesson& lesson, std::string_view name, FilePlace place, const io::PointFile* mesh,
                                 Complaints& complaints) {
-  const bool on_mesh = mesh != nullptr && !lesson.points.mesh.empty();
-  auto own = lesson.subject->open(lesson, on_mesh ? std::optional(*mesh) : std::nullopt, nullptr);
+  const auto loaded = mesh != nullptr && !lesson.points.mesh.empty() ? std::optional(*mesh) : std::nullopt;
+  auto own = lesson.subject->open(lesson, loaded, nullptr);
   if (!own) {
     std::vector<InputError> faults;
-    if (lesson.subject->faults != nullptr) faults = lesson.subject->faults(lesson);
+    if (lesson.subject->faults != nullptr) faults = lesson.subject->faults(lesson, loaded);
     if (faults.empty()) faults.push_back(own.error());
     for (const InputError& fault : faults)
       complaints.add(fault.position > 0 ? FilePlace(static_cast<int>(fault.position)) : place, fault.what);

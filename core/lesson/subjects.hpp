@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lesson/ask.hpp"
+#include "lesson/stage_sample.hpp"
 #include "lesson/subject.hpp"
 #include "lesson/toml_table.hpp"
 
@@ -45,11 +46,13 @@ struct SubjectRow {
   tl::expected<std::unique_ptr<Subject>, InputError> (*open)(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                              Clock clock) = nullptr;
   /// All that keeps it from being opened, where `open` tells the first of it; null if that is all.
-  std::vector<InputError> (*faults)(const Lesson& lesson) = nullptr;
+  std::vector<InputError> (*faults)(const Lesson& lesson, const std::optional<io::PointFile>& mesh) = nullptr;
   /// Plays a task's model in a session where the task was started, and grades it; null: the model's rows are set.
   tl::expected<Grade, InputError> (*play_task)(Session& session, const Task& task) = nullptr;
   /// Does what has to be done before questions can be answered; null for nothing.
   void (*before_play)(Session& session) = nullptr;
+  /// A stage of each of its kinds of lesson, for `snug lesson table`; none if it has the figures of another subject.
+  std::span<const StageSample> samples = {};
 };
 
 [[nodiscard]] std::span<const SubjectRow* const> subjects();

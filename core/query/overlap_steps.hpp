@@ -43,15 +43,16 @@ struct SlabTested {
 };
 
 /// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding; their distance, and the
-/// sum of the radii around both, in scene units.
+/// sum of the radii around both, in scene units. tests: how many pairs of features were compared for them.
 struct CoresCompared {
   static constexpr std::string_view kName = "cores_compared";
   Vector<double, 3> on_a = Vector<double, 3>::Zero(), on_b = Vector<double, 3>::Zero();
   double distance = 0;
   double radii = 0;
   bool apart = false;
-  static constexpr std::array<std::string_view, 5> kFields{"on_a", "on_b", "distance", "radii", "apart"};
-  static auto tie(auto& own) { return std::tie(own.on_a, own.on_b, own.distance, own.radii, own.apart); }
+  int tests = 1;
+  static constexpr std::array<std::string_view, 6> kFields{"on_a", "on_b", "distance", "radii", "apart", "tests"};
+  static auto tie(auto& own) { return std::tie(own.on_a, own.on_b, own.distance, own.radii, own.apart, own.tests); }
 };
 
 struct OverlapStep {

@@ -151,8 +151,12 @@ class SweptPair {
   [[nodiscard]] CoresCompared in_scene(const ClosestPoints<Scalar>& points, const Vector<Scalar, Dim>& origin) const {
     const auto unit = static_cast<double>(unit_);
     const Vector<double, 3> from = in_space<Scalar, Dim>(origin);
-    return {from + points.a.template cast<double>() * unit, from + points.b.template cast<double>() * unit,
-            std::sqrt(static_cast<double>(points.square)) * unit, static_cast<double>(radii_) * unit, apart(points)};
+    return {from + points.a.template cast<double>() * unit,
+            from + points.b.template cast<double>() * unit,
+            std::sqrt(static_cast<double>(points.square)) * unit,
+            static_cast<double>(radii_) * unit,
+            apart(points),
+            points.tests};
   }
 
   [[nodiscard]] Scalar touching() const { return radii_ + kTouching; }

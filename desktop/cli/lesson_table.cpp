@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "desktop/cli/lesson_commands.hpp"
-#include "desktop/cli/lesson_samples.hpp"
 #include "geometry/kdop.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
@@ -43,11 +42,21 @@ struct VolumeFigures {
 };
 
 /// All algorithms of a sample's volume, as a lesson's file lists them.
-std::string all_algorithms(const LessonSample& sample) {
+std::string all_algorithms(const lesson::SubjectRow& subject, const lesson::StageSample& sample) {
   std::string list;
-  for (const lesson::Method& method : lesson::find_subject(sample.volume, sample.chart)->methods(sample.volume))
+  for (const lesson::Method& method : subject.methods(sample.volume))
     ((list += list.empty() ? "\"" : ", \"") += method.name) += '"';
   return list;
+}
+
+/// The sample as a whole lesson.
+std::string lesson_on(const lesson::SubjectRow& subject, const lesson::StageSample& sample) {
+  std::string text = "version = 2\ntitle = \"Sample\"\nsummary = \"Sample.\"\nminutes = 1\nvolume = \"";
+  ((text += sample.volume) += "\"\nalgorithms = [") +=
+      sample.algorithms.empty() ? all_algorithms(subject, sample) : std::string(sample.algorithms);
+  text += "]\n";
+  if (!subject.chart.empty()) ((text += "chart = \"") += subject.chart) += "\"\n";
+  return (text += sample.tables) += "\n[[section]]\ntitle = \"Sample\"\ntext = \"Sample.\"\n";
 }
 
 VolumeFigures& figures_for(std::vector<VolumeFigures>& all, const lesson::SubjectRow* subject,
@@ -58,9 +67,9 @@ VolumeFigures& figures_for(std::vector<VolumeFigures>& all, const lesson::Subjec
 }
 
 /// Adds what the results on a sample have. Those of algorithms of another volume count where the sample names them all.
-tl::expected<void, InputError> add_figures(std::vector<VolumeFigures>& all, const LessonSample& sample) {
-  const std::string algorithms = sample.algorithms.empty() ? all_algorithms(sample) : std::string(sample.algorithms);
-  auto read = lesson::read_lesson(lesson_of(sample, algorithms), "sample.toml", lesson::Checked::kAsWritten);
+tl::expected<void, InputError> add_figures(std::vector<VolumeFigures>& all, const lesson::SubjectRow& subject,
+                                           const lesson::StageSample& sample) {
+  auto read = lesson::read_lesson(lesson_on(subject, sample), "sample.toml", lesson::Checked::kAsWritten);
   if (!read) return tl::unexpected(std::move(read.error()));
   auto session = lesson::Session::open(*std::move(read));
   if (!session) return tl::unexpected(std::move(session.error()));
@@ -110,8 +119,9 @@ std::string direction_rows() {
 
 CommandResult run_table(const TableOptions&) {
   std::vector<VolumeFigures> figures;
-  for (const LessonSample& sample : lesson_samples())
-    if (const auto added = add_figures(figures, sample); !added) return bad_input(added.error());
+  for (const lesson::SubjectRow* row : lesson::subjects())
+    for (const lesson::StageSample& sample : row->samples)
+      if (const auto added = add_figures(figures, *row, sample); !added) return bad_input(added.error());
   Printed printed{"| subject | asked of every step | asked without a step | goals |\n|---|---|---|---|\n"};
   for (const lesson::SubjectRow* row : lesson::subjects()) {
     std::vector<std::string_view> alone;

@@ -6,6 +6,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/names.hpp"
 #include "lesson/point_subject.hpp"
+#include "lesson/subjects/claims/samples.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -101,7 +102,8 @@ const SubjectRow kClaimsRow{.name = "claims",
                             .read_model = &read_point_model,
                             .check_first = &check_claims,
                             .open = &open_claims,
-                            .before_play = &try_all};
+                            .before_play = &try_all,
+                            .samples = kClaimsSamples};
 
 void ClaimsSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   cloud().begin_task(lesson, task, own.shape());

@@ -11,6 +11,7 @@
 #include "lesson/subjects/cloud/entries.hpp"
 #include "lesson/subjects/cloud/left_outside.hpp"
 #include "lesson/subjects/cloud/read_hand.hpp"
+#include "lesson/subjects/cloud/samples.hpp"
 #include "lesson/subjects/cloud/stored.hpp"
 #include "lesson/words.hpp"
 
@@ -85,7 +86,8 @@ const SubjectRow kCloudRow{.name = "cloud",
                            .read = &read_cloud,
                            .read_model = &read_cloud_model,
                            .goals = kCloudGoals,
-                           .open = &open_cloud};
+                           .open = &open_cloud,
+                           .samples = kCloudSamples};
 
 /// The method that sizes are compared with. If the lesson names none, the exact one of its volume; null if there are
 /// several volumes, and for k-DOPs, because k-DOPs with different directions are different kinds of volume. Null for a

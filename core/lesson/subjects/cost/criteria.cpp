@@ -9,6 +9,7 @@
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/cost/asks.hpp"
 #include "lesson/subjects/cost/criteria_words.hpp"
+#include "lesson/subjects/cost/samples.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -104,7 +105,8 @@ const SubjectRow kCriteriaRow{.name = "criteria",
                               .check_task = &check_criteria_task,
                               .open = &open_criteria,
                               .play_task = &play_criteria_task,
-                              .before_play = &count_criteria};
+                              .before_play = &count_criteria,
+                              .samples = kCriteriaSamples};
 
 ShapeCosts& CriteriaSubject::known() const {
   if (known_ != nullptr) return *known_;

@@ -8,6 +8,7 @@
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/field/entries.hpp"
+#include "lesson/subjects/field/samples.hpp"
 
 namespace snug::lesson {
 
@@ -47,7 +48,8 @@ const SubjectRow kFieldRow{.name = "field",
                            .askings = &FactList<FieldStep::Fact>::askings,
                            .read = &read_field,
                            .read_model = &read_field_model,
-                           .open = &open_field};
+                           .open = &open_field,
+                           .samples = kFieldSamples};
 
 FieldSubject::FieldSubject(const FieldTables& tables, std::uint64_t seed, Clock clock)
     : clock_(clock), stage_(tables.stage), field_(field_by(stage_.recipe, seed)) {

@@ -5,6 +5,7 @@
 #include "lesson/subjects/frustum/entries.hpp"
 #include "lesson/subjects/frustum/frustum_figures.hpp"
 #include "lesson/subjects/frustum/matrix_planes.hpp"
+#include "lesson/subjects/frustum/samples.hpp"
 
 namespace snug::lesson {
 
@@ -77,7 +78,8 @@ const SubjectRow kFrustumRow{.name = "frustum",
                              .read = &read_frustum,
                              .read_model = &read_frustum_model,
                              .goals = kFrustumGoals,
-                             .open = &open_frustum};
+                             .open = &open_frustum,
+                             .samples = kFrustumSamples};
 
 namespace {
 

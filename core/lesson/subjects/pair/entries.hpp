@@ -182,7 +182,9 @@ struct Entry<query::CoresCompared> : EntryDefaults {
                                        Asking{"feature", &offer_features, &feature_truth}};
   static std::string sentence(const Fact& fact, const PairWhere&) {
     const auto [distance, radii] = number_texts_apart(fact.distance, fact.radii);
-    return "The cores are " + distance + " apart, and the radii add up to " + radii +
+    const std::string least =
+        fact.tests > 1 ? ", the least of " + std::to_string(fact.tests) + " pairs of features," : ",";
+    return "The cores are " + distance + " apart" + least + " and the radii add up to " + radii +
            (fact.apart ? ": the distance is greater, so the volumes are apart."
                        : ": the distance is not greater, so the volumes overlap.");
   }

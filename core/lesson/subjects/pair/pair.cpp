@@ -7,6 +7,7 @@
 #include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/entries.hpp"
 #include "lesson/subjects/pair/random_pairs.hpp"
+#include "lesson/subjects/pair/samples.hpp"
 
 namespace snug::lesson {
 
@@ -51,7 +52,8 @@ const SubjectRow kPairRow{.name = "pair",
                           .read = &read_boxes,
                           .read_model = &read_pair_model,
                           .goals = kPairGoals,
-                          .open = &open_pair};
+                          .open = &open_pair,
+                          .samples = kPairSamples};
 
 std::vector<std::string_view> pair_facts() { return FactList<decltype(PairStep::fact)>::names(); }
 std::vector<AskingOf> pair_askings() { return FactList<decltype(PairStep::fact)>::askings(); }

@@ -11,6 +11,7 @@
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
+#include "lesson/subjects/pair/samples.hpp"
 #include "lesson/volume_rows.hpp"
 #include "lesson/words.hpp"
 #include "measure/cost_run.hpp"
@@ -39,7 +40,7 @@ struct SoFar {
 
   void operator()(const query::SlabTested& fact) { ++tests, slab = &fact; }
   void operator()(const query::AxisTested<double, 3>&) { ++tests; }
-  void operator()(const query::CoresCompared& fact) { ++tests, lower = upper = fact.distance; }
+  void operator()(const query::CoresCompared& fact) { tests += fact.tests, lower = upper = fact.distance; }
   void operator()(const query::NearestFound& fact) { ++tests, upper = fact.distance; }
   void operator()(const query::SupportFound& fact) { lower = std::max(lower.value_or(0), fact.gap); }
   void operator()(const query::Verdict<double, 3>& fact) {
@@ -55,6 +56,13 @@ struct SoFar {
 Figure operations_figure(PairSteps steps) {
   const std::int64_t count = operations_in(steps);
   return {"Operations so far", "operations", count_text(count), static_cast<double>(count), ""};
+}
+
+/// What a test counts, as `snug overlap` counts it: "Simplices so far".
+std::string_view counted_by(std::string_view test, bool of_cores, bool of_slabs) {
+  if (test == "gjk") return "Simplices so far";
+  if (of_cores) return "Pairs of features so far";
+  return of_slabs ? "Slabs so far" : "Tests so far";
 }
 
 Figure length(std::string name, std::string key, std::optional<double> value) {
@@ -175,7 +183,8 @@ const SubjectRow kVolumesRow{.name = "volumes",
                              .read_model = &read_volume_model,
                              .goals = kVolumeGoals,
                              .check_first = &check_volume_tests,
-                             .open = &open_volumes};
+                             .open = &open_volumes,
+                             .samples = kVolumesSamples};
 
 VolumesSubject::VolumesSubject(VolumePair pair, std::uint64_t seed, Clock clock) : lesson_seed_(seed), clock_(clock) {
   origin_.seed = seed;
@@ -356,8 +365,8 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const PairSteps steps = pair_run(view.run()).trace();
   SoFar standing;
   for (const auto& entry : steps.first(view.step)) std::visit(standing, entry.step.fact);
-  const auto count = [&](const char* name) {
-    return Figure{name, "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""};
+  const auto count = [&](std::string_view name) {
+    return Figure{std::string(name), "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""};
   };
   if (!axes_seen(steps).empty()) {  // the table of axes says the rest
     std::vector<Figure> few{length("Separation", "gap", standing.gap), count("Axes so far")};
@@ -384,7 +393,11 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   if (standing.slab != nullptr && is_of_boxes(view.method().name))
     figures = compared_along(*standing.slab, view.method().name);
   figures.push_back(length("Separation", "gap", standing.gap));
-  figures.push_back(count(view.method().name == "gjk" ? "Simplices so far" : "Tests so far"));
+  const bool slabs = std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
+    return std::holds_alternative<query::SlabTested>(entry.step.fact);
+  });
+  figures.push_back(
+      count(is_of_boxes(view.method().name) ? "Axes so far" : counted_by(view.method().name, cores, slabs)));
   if (pair_.cylinders) add_cylinders(figures, pair_, view.at_end());
   if (pair_.any) figures.push_back(operations_figure(steps.first(view.step)));
   return figures;

@@ -9,6 +9,7 @@
 #include "lesson/subjects/scene/declared_effects.hpp"
 #include "lesson/subjects/scene/effect_words.hpp"
 #include "lesson/subjects/scene/entries.hpp"
+#include "lesson/subjects/scene/samples.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
 #include "lesson/subjects/scene/scene_text.hpp"
 #include "measure/timing.hpp"
@@ -50,9 +51,9 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& less
   return std::make_unique<SceneSubject>(lesson, *std::move(points), std::move(mesh), clock);
 }
 
-std::vector<InputError> faults_of_scene(const Lesson& lesson) {
-  const auto points = own_points(lesson, std::nullopt);
-  if (!points) return {};  // of a scene on a mesh, what open_scene says stands alone
+std::vector<InputError> faults_of_scene(const Lesson& lesson, const std::optional<io::PointFile>& mesh) {
+  const auto points = own_points(lesson, mesh);
+  if (!points) return {};  // what open_scene says of them stands alone
   const SceneSet& set = set_of(lesson);
   std::vector<InputError> faults = scene_faults(set, lesson.algorithms, *points, lesson.seed);
   if (faults.empty() && !set.spare.empty())
@@ -177,7 +178,8 @@ const SubjectRow kSceneRow{.name = "scene",
                            .check_first = &check_frames,
                            .check_task = &check_scene_task,
                            .open = &open_scene,
-                           .faults = &faults_of_scene};
+                           .faults = &faults_of_scene,
+                           .samples = kSceneSamples};
 
 SceneSubject::SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock)
     : PointSubject(lesson, std::move(points), std::move(mesh)),

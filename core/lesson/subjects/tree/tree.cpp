@@ -3,6 +3,7 @@
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/tree/entries.hpp"
+#include "lesson/subjects/tree/samples.hpp"
 #include "lesson/subjects/tree/tree_figures.hpp"
 
 namespace snug::lesson {
@@ -35,7 +36,8 @@ const SubjectRow kTreeRow{.name = "tree",
                           .askings = &FactList<TreeStep::Fact>::askings,
                           .read = &read_tree,
                           .read_model = &read_tree_model,
-                          .open = &open_tree};
+                          .open = &open_tree,
+                          .samples = kTreeSamples};
 
 TreeSubject::TreeSubject(const TreeTables& tables, std::uint64_t seed, Clock clock)
     : clock_(clock), lesson_seed_(seed), recipe_(tables.recipe), rule_(tables.rule), stage_(tables.stage) {

@@ -10,6 +10,7 @@
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/update/entries.hpp"
+#include "lesson/subjects/update/samples.hpp"
 #include "lesson/subjects/update/update_figures.hpp"
 #include "lesson/volume_rows.hpp"
 
@@ -80,7 +81,8 @@ const SubjectRow kUpdateRow{.name = "update",
                             .compares = true,
                             .read = &read_update,
                             .read_model = &read_point_model,
-                            .open = &open_update};
+                            .open = &open_update,
+                            .samples = kUpdateSamples};
 
 UpdateSubject::UpdateSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh,
                              const BodySet& set)

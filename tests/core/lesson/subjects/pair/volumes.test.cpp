@@ -74,6 +74,18 @@ bool overlap_of(const VolumePair& pair) {
   return pair.dim == 2 ? own(std::integral_constant<int, 2>()) : own(std::integral_constant<int, 3>());
 }
 
+/// How many tests `snug overlap` counts.
+int tests_counted(const VolumePair& pair) {
+  const auto own = [&]<int Dim>(std::integral_constant<int, Dim>) {
+    return std::visit(
+        [](const auto& a, const auto& b) {
+          return query::test_overlap(converted<double, Dim>(a), converted<double, Dim>(b)).tests;
+        },
+        pair.held[0].volume, pair.held[1].volume);
+  };
+  return pair.dim == 2 ? own(std::integral_constant<int, 2>()) : own(std::integral_constant<int, 3>());
+}
+
 /// What the run says in the end.
 bool overlap_said(const Session& session) {
   const auto& end = pair_run(session.run(0)).trace().back().step.fact;
@@ -142,6 +154,19 @@ TEST_CASE("every pair of volumes opens, is tested step by step, and says what ov
   });
   CHECK(apart > 100);
   CHECK(together > 100);
+}
+
+TEST_CASE("a pair's tests are counted as the command line counts them, and the figure says what they are") {
+  std::set<std::string> named;
+  each_pair([&](Session& session, int) {
+    session.jump(session.steps());
+    for (const Figure& figure : session.figures())
+      if (figure.key == "tests") {
+        named.insert(figure.name);
+        CHECK(figure.value == tests_counted(pair_of(session)));
+      }
+  });
+  CHECK(named == std::set<std::string>{"Axes so far", "Pairs of features so far", "Simplices so far", "Slabs so far"});
 }
 
 TEST_CASE("the centre takes its volume along, and what a handle does not hold stays") {

@@ -354,6 +354,17 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
   CHECK(nameless.error().what.find("is a mesh, and [points] names none") != std::string::npos);
 }
 
+TEST_CASE("of a scene on a mesh no mistake hides another") {
+  const std::string two = effect_called("shadow") + "glue = 2\n" + effect_called("trail") + "length = 2.5\n";
+  auto lesson = lesson::read_lesson(with_mesh(two), "meshy.toml");
+  REQUIRE(lesson.has_value());
+  const io::PointFile mesh{
+      3, {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  const std::vector<InputError> faults = lesson->subject->faults(*lesson, mesh);
+  CHECK(faults.size() == 2);
+  for (const InputError& fault : faults) CHECK(fault.position > 0);
+}
+
 TEST_CASE("a requirement may be about a frame before the last one") {
   const lesson::Session session = opened("scene-broad");
   const lesson::Method& method = *session.method(0);

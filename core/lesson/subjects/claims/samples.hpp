@@ -1,0 +1,12 @@
+// Stages of this kind of lesson; see stage_sample.hpp.
+#pragma once
+
+#include "lesson/stage_sample.hpp"
+
+namespace snug::lesson {
+
+inline constexpr StageSample kClaimsSamples[] = {
+    {"sphere", kOneOfEachVolume, kPointsInPlane},
+};
+
+}  // namespace snug::lesson
