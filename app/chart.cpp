@@ -18,8 +18,9 @@ namespace {
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
 constexpr float kNoteLeading = 1.5f;
 constexpr double kPadding = 0.06;
-constexpr double kNothing = 1e-7;       // a fraction below this is only rounding
-constexpr float kLittleRoom = 360;      // a line chart lower than this has no note; its file has the note as well
+constexpr double kNothing = 1e-7;  // a fraction below this is only rounding
+// A line chart lower than the first has no note, and any chart lower than the second; its file has the note as well.
+constexpr float kLittleRoom = 360, kLeastNoted = 220;
 constexpr std::size_t kMostMarks = 20;  // on a line, roughly
 /// A log axis of fewer decades has ticks at 2 and 5 between its powers of ten; of a smaller factor, even steps.
 constexpr double kFewDecades = 2, kNoDecade = 5;
@@ -225,6 +226,12 @@ class Legend {
   bool rimmed_ = false;  // rims need room between the rows
 };
 
+bool hides_one(const Rect& box, std::span<const ImVec2> marks) {
+  return std::any_of(marks.begin(), marks.end(), [&](ImVec2 mark) {
+    return mark.x > box.x && mark.x < box.x + box.width && mark.y > box.y && mark.y < box.y + box.height;
+  });
+}
+
 /// Draws a chart.
 struct Plot {
   ChartPen& pen;
@@ -245,8 +252,11 @@ struct Plot {
       pen.line({place, bottom}, {place, bottom + 4}, look->muted);
       words_at(pen, look, 0.5f, Face::kMono, kSize, {place, bottom + 8}, look->muted, tick.label);
     }
+    float lowest = bottom + height;  // of the names that stand already
     for (const ChartTick& tick : chart_ticks(chart.y, y.from, y.to, most_y)) {
       const float place = y.at(tick.at);
+      if (place > lowest - height) continue;  // it would stand over the one below
+      lowest = place;
       pen.line({frame.x, place}, {frame.x + frame.width, place}, look->grid);
       words_at(pen, look, 1, Face::kMono, kSize, {frame.x - 8, middle_of(place, height)}, look->muted, tick.label);
     }
@@ -350,7 +360,8 @@ struct Plot {
     pen.clip(nullptr);
   }
 
-  void figures(const ChartHit& hit) const {
+  /// asked_for: by a pointer. Otherwise they give way to the marks, and the sentence below the chart tells them.
+  void figures(const ChartHit& hit, bool asked_for) const {
     const ChartSeries& one = chart.series[hit.series];
     if (one.slope) slope(one);
     const ChartPoint& p = one.points[hit.point];
@@ -368,6 +379,7 @@ struct Plot {
     for (const ChartSeries& other : chart.series)
       for (const ChartPoint& point : other.points) marks.push_back(at(point));
     const Rect box = clear_place({width, height}, frame, place, marks);
+    if (!asked_for && hides_one(box, marks)) return;
     pen.box(box, look->panel, look->line);
     pen.words(look, Face::kSemiBold, kSize, {box.x + 12, box.y + 8}, look->ink, name);
     pen.words(look, Face::kMono, kSize, {box.x + 12, box.y + 14 + look.px(kSize)}, look->ink, words);
@@ -457,14 +469,15 @@ std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to
 }
 
 std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart,
-                                   std::optional<ChartHit> focus, std::vector<ChartPlace>* places) {
+                                   std::optional<ChartHit> focus, std::vector<ChartPlace>* places, float taken) {
   const float line = look.px(kSize);
   const float left = rect.x + 16, top = rect.y + 16;
   const float width = rect.width - 32;
-  const float title = draw_lines(pen, look, Face::kSemiBold, kTitle, 1.3f, {left, top}, width, look->ink, chart.title);
+  const float title =
+      draw_lines(pen, look, Face::kSemiBold, kTitle, 1.3f, {left, top}, width - taken, look->ink, chart.title);
   const float under = top + title + look.px(kTitle) + 8;
   const Legend legend(look, chart, width);
-  const bool noted = legend.height() == 0 || rect.height >= kLittleRoom;
+  const bool noted = rect.height >= (legend.height() == 0 ? kLeastNoted : kLittleRoom);
   float note = -8;
   if (noted && !chart.note.empty()) {
     const float first = look.px(kSize * kNoteLeading) - look.px(kSize);  // the room above and below a line, together
@@ -501,7 +514,7 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
   else plot.names();
   const auto hit = plot.under_pointer();
   const auto shown = hit ? hit : focus;
-  if (shown) plot.figures(*shown);
+  if (shown) plot.figures(*shown, hit.has_value());
   return shown;
 }
 

@@ -99,9 +99,10 @@ struct ChartPlace {
 };
 
 /// Draws into the rectangle with a pen: on the screen, or into a file. focus: the point whose figures are shown; a
-/// point near the pointer takes precedence. places: receives one for each series. Returns the point whose figures were
-/// shown.
+/// point near the pointer takes precedence. places: receives one for each series. taken: how much of the right end of
+/// the title's line is not its own. Returns the point whose figures were shown.
 std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart,
-                                   std::optional<ChartHit> focus = {}, std::vector<ChartPlace>* places = nullptr);
+                                   std::optional<ChartHit> focus = {}, std::vector<ChartPlace>* places = nullptr,
+                                   float taken = 0);
 
 }  // namespace snug::app

@@ -14,6 +14,14 @@ namespace snug::app {
 
 struct Chart;
 
+/// The part of a cover's rectangle that a chart has: below the buttons, or where it is low between them.
+struct CoverRoom {
+  Rect chart;
+  float taken = 0;  // how far the buttons reach into the right end of its first line
+};
+/// below: the height of what stands beneath.
+[[nodiscard]] CoverRoom cover_room(const Look& look, const Rect& rect, float below);
+
 /// A button that runs one of the cover's commands.
 struct CoverButton {
   std::string command;

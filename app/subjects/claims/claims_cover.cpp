@@ -242,14 +242,12 @@ std::string ClaimsCover::file(std::string_view format) const {
 void ClaimsCover::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   follow(session);
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  // The button is above it, the sentence below.
-  const float above = look.fingers ? 60 : look.px(44);
   const float below = room_for_sentence(look, rect, caption(session), with_sentence);
-  const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
+  const auto [room, taken] = cover_room(look, rect, below);
   const Touch touch = pointer_area("claim", room);
   places_.clear();
   ScreenPen pen(list);
-  const auto hit = draw_chart(pen, look, room, chart_, focus_, &places_);
+  const auto hit = draw_chart(pen, look, room, chart_, focus_, &places_, taken);
   Obstacles none;
   if (with_sentence) draw_sentence(list, look, none, rect, caption(session));
   if (!touch.clicked || !hit) return;

@@ -136,14 +136,12 @@ std::string Costs::caption(const lesson::Session& session) const {
 
 void Costs::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  // The buttons are above it, the sentence below.
-  const float above = look.fingers ? 60 : look.px(44);
   const float below = room_for_sentence(look, rect, caption(session), with_sentence);
-  const Rect room{rect.x, rect.y + above, rect.width, rect.height - above - below};
+  const auto [room, taken] = cover_room(look, rect, below);
   const Touch touch = pointer_area("chart", room);
   places_.clear();
   ScreenPen pen(list);
-  const auto hit = draw_chart(pen, look, room, chart_, focused(), &places_);
+  const auto hit = draw_chart(pen, look, room, chart_, focused(), &places_, taken);
   Obstacles none;
   if (with_sentence) draw_sentence(list, look, none, rect, caption(session));
   if (!touch.clicked || !hit || chart_.series[hit->series].row < 0) return;
