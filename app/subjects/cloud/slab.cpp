@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/subjects/cloud/draw.hpp"
 #include "lesson/point_subject.hpp"
@@ -29,15 +30,30 @@ struct Across {
   void widen(double by) { least -= by, greatest += by; }
 };
 
-/// The arrow from one plane to the other, and its name.
-void draw_direction(Brush& brush, const Slab& slab, const Point3& from, const Point3& to) {
+/// Whether words of that size have room on the stage beyond the tip of an arrow.
+bool fits_beyond(const Brush& brush, ImVec2 tip, ImVec2 way, ImVec2 size) {
+  constexpr float kGap = 6, kMargin = 4;
+  const float length = std::max(std::hypot(way.x, way.y), 1e-3f);
+  const float x = tip.x + way.x / length * (kGap + size.x / 2), y = tip.y + way.y / length * (kGap + size.y / 2);
+  const Rect& stage = brush.rect;
+  return std::abs(x - stage.x - stage.width / 2) + size.x / 2 + kMargin < stage.width / 2 &&
+         std::abs(y - stage.y - stage.height / 2) + size.y / 2 + kMargin < stage.height / 2;
+}
+
+/// The arrow from one plane to the other, and its name: beyond the tip, or where the stage ends there beside the arrow.
+/// inside: where the points are, on the arrow's other side.
+void draw_direction(Brush& brush, const Slab& slab, const Point3& from, const Point3& to, const Point3& inside) {
   const Palette& p = brush.p;
   const double beyond = kSlabBeyond / brush.canvas.camera.scale_at(to);
   const ImVec2 tail = brush.at(from), tip = brush.at(to + slab.direction * beyond);
   arrow(brush.list, tail, tip, p.examined, brush.stroke(1.1f));
   brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
-  brush.label(tip, 6, {tip.x - tail.x, tip.y - tail.y}, "slab " + std::to_string(slab.number) + ": " + slab.axis,
-              p.examined_text, Face::kSemiBold, 13);
+  const std::string words = "slab " + std::to_string(slab.number) + ": " + slab.axis;
+  const ImVec2 way{tip.x - tail.x, tip.y - tail.y}, within = brush.at(inside);
+  const bool beyond_tip = fits_beyond(brush, tip, way, measure(brush.look, Face::kSemiBold, 13, words));
+  const ImVec2 at = beyond_tip ? tip : ImVec2{(tail.x + tip.x) / 2, (tail.y + tip.y) / 2};
+  brush.label(at, 6, beyond_tip ? way : ImVec2{at.x - within.x, at.y - within.y}, words, p.examined_text,
+              Face::kSemiBold, 13);
 }
 
 void draw_plane_lines(Brush& brush, const Slab& slab) {
@@ -54,7 +70,8 @@ void draw_plane_lines(Brush& brush, const Slab& slab) {
   for (const double along : {slab.least, slab.greatest})
     draw_line(brush.canvas, at(along, begin), at(along, across.greatest + kSlabBeyond * pixel),
               {Stroke::kSolid, p.examined, brush.stroke(0.9f)});
-  draw_direction(brush, slab, at(slab.least, across.greatest), at(slab.greatest, across.greatest));
+  draw_direction(brush, slab, at(slab.least, across.greatest), at(slab.greatest, across.greatest),
+                 at((slab.least + slab.greatest) / 2, (across.least + across.greatest) / 2));
 }
 
 void draw_planes(Brush& brush, const Slab& slab) {
@@ -85,7 +102,8 @@ void draw_planes(Brush& brush, const Slab& slab) {
   int lowest = 0;
   for (int i = 1; i < 4; ++i)
     if (brush.at(corner(slab.least, i)).y > brush.at(corner(slab.least, lowest)).y) lowest = i;
-  draw_direction(brush, slab, corner(slab.least, lowest), corner(slab.greatest, lowest));
+  draw_direction(brush, slab, corner(slab.least, lowest), corner(slab.greatest, lowest),
+                 (corner(slab.least, 0) + corner(slab.greatest, 2)) / 2);
 }
 
 }  // namespace
