@@ -76,6 +76,12 @@ void place_stored(Parts& parts, const app::Look& look, Shell& shell) {
   numbers.height = 0;
 }
 
+/// How wide a column at the side is: a share of a usual window within limits, and of a large one a smaller share.
+float side_width(float window, float share, float least, float usual, float share_of_large, float most, float scale) {
+  return std::floor(std::max(std::clamp(window * share, least, usual), std::min(window * share_of_large, most)) *
+                    scale);
+}
+
 /// A presentation has no bar, and the lesson's text only on demand. The controls of a cover stand in the right column
 /// then.
 Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
@@ -83,9 +89,8 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const bool lecture = shell.presenting, cover = shell.app().cover() != nullptr;
   const float bar = lecture ? 0 : look.px(48), strip = shell.strip().empty() ? 0 : shell.strip_height;
   const float header = bar + strip;
-  const float column =
-      lecture && !shell.text_shown ? 0 : std::floor(std::clamp(extent.width * 0.29f, 300.0f, 380.0f) * scale);
-  const float inspector = std::floor(std::clamp(extent.width * 0.22f, 280.0f, 290.0f) * scale);
+  const float column = lecture && !shell.text_shown ? 0 : side_width(extent.width, 0.29f, 300, 380, 0.22f, 432, scale);
+  const float inspector = side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
   const float timeline = app::timeline_height(look);
   const float height = extent.height - header, right = extent.width - inspector;
   Parts parts;
