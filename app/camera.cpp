@@ -21,14 +21,14 @@ const double kTanHalf = std::tan(kFieldOfView / 2);
 
 }  // namespace
 
-void Camera::set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom) {
+void Camera::set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom, float more_left) {
   stage_ = stage;
-  top_ = margin_top, side_ = margin_side, bottom_ = margin_bottom;
+  top_ = margin_top, side_ = margin_side, bottom_ = margin_bottom, more_left_ = more_left;
 }
 
 double Camera::free_height() const { return std::max(1.0, static_cast<double>(stage_.height - top_ - bottom_)); }
-double Camera::free_width() const { return std::max(1.0, static_cast<double>(stage_.width - 2 * side_)); }
-float Camera::center_x() const { return stage_.x + stage_.width / 2; }
+double Camera::free_width() const { return std::max(1.0, static_cast<double>(stage_.width - 2 * side_ - more_left_)); }
+float Camera::center_x() const { return stage_.x + (stage_.width + more_left_) / 2; }
 float Camera::center_y() const { return stage_.y + top_ + static_cast<float>(free_height()) / 2; }
 double Camera::focal() const { return free_height() / (2 * kTanHalf); }
 double Camera::distance() const { return now_.height / (2 * kTanHalf); }

@@ -28,8 +28,10 @@ class Camera {
   /// yaw, pitch: where it looks from at first and after turn_home, in 3-D.
   explicit Camera(int dim = 2, double yaw = kYaw, double pitch = kPitch) : dim_(dim), home_{yaw, pitch} { turn(); }
 
-  /// The free room: the stage without the margins for what is drawn over it.
-  void set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom);
+  /// The free room: the stage without the margins for what is drawn over it. more_left: how much wider the left one is.
+  void set_stage(const Rect& stage, float margin_top, float margin_side, float margin_bottom, float more_left = 0);
+  /// Its width over its height.
+  [[nodiscard]] double shape_of_room() const { return free_width() / free_height(); }
   [[nodiscard]] const Rect& stage() const { return stage_; }
   [[nodiscard]] int dim() const { return dim_; }
 
@@ -92,7 +94,7 @@ class Camera {
   int dim_;
   std::array<double, 2> home_;  // yaw and pitch
   Rect stage_;
-  float top_ = 0, side_ = 0, bottom_ = 0;
+  float top_ = 0, side_ = 0, bottom_ = 0, more_left_ = 0;
   void turn();  // updates what depends on now_, after every change of it
 
   View now_, goal_;

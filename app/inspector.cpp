@@ -135,7 +135,7 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
 float draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect) {
   Column column(look, rect);
   if (const auto figures = session.figures(); !figures.empty()) {
-    column.heading(session.step() == session.steps() ? "Final result" : "Now");
+    column.heading(view.figures_are(session));
     for (const lesson::Figure& figure : figures)
       if (!view.in_panels(figure)) column.figure(figure);
     column.gap(look.px(28));

@@ -15,7 +15,9 @@
 namespace snug::app {
 namespace {
 
-constexpr float kToolsHeight = 60;
+constexpr float kToolsHeight = 60, kToolsWidth = 64;  // on a narrow stage, with the room around them
+constexpr float kWideStage = 560;
+constexpr float kLowStage = 300, kLowMargin = 20;  // the tools of a low one stand beside the picture
 constexpr double kFootSeconds = 0.06;  // the time in which the remaining way falls to 1/e, as for the camera
 constexpr float kFootMargin = 16;
 constexpr double kRoomy = 0.55, kTight = 1.06;  // fractions of the free room at which an automatic view is framed again
@@ -102,14 +104,22 @@ bool Stage::orbit_by(double yaw, double pitch) {
   return true;
 }
 
+bool Stage::is_low(const Rect& rect) {
+  return rect.width < kWideStage && rect.width > rect.height && rect.height <= kLowStage;
+}
+
 void Stage::set_room(const Rect& rect, const Settings& settings) {
-  const bool wide = rect.width >= 560;
+  const bool wide = rect.width >= kWideStage, low = is_low(rect);
   const float words = settings.text_scale * palette_of(settings.theme).text;
-  // Buttons are at the top; on a narrow stage they take most of its width.
-  const float below = wide ? 92.0f * words : 28;
+  // The sentence is at the foot; on a page's narrow stage it stands below.
+  const float sentence = wide || settings.prose_in_canvas ? 92.0f * words : low ? kLowMargin : 28;
+  const float below = foot_ > 0 ? std::max(low ? 0 : sentence, foot_ + kFootMargin) : sentence;
+  // Buttons are at the top; on a narrow stage they take most of its width, on a low one both sides.
   const float narrow = has_close_up_ ? room_above(words) : kToolsHeight;
-  camera_.set_stage(rect, (wide ? 52.0f * words : narrow) + inset_room_, wide ? 56.0f : 28,
-                    foot_ > 0 ? std::max(below, foot_ + kFootMargin) : below);
+  if (low)
+    return camera_.set_stage(rect, (taken_.wide_tools ? kToolsHeight : kLowMargin) + taken_.above, kToolsWidth, below,
+                             std::max(0.0f, taken_.inset_right - kToolsWidth));
+  camera_.set_stage(rect, (wide ? 52.0f * words : narrow) + taken_.above, wide ? 56.0f : 28, below);
 }
 
 /// Moves the picture out of the way when a card comes or goes.
@@ -234,16 +244,28 @@ std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::
   return motion_.at(view_->shown().volume, jump, now);
 }
 
+/// What else than the picture takes room. wide_tools: buttons with words, which reach far into a low stage.
+Stage::Taken Stage::taken_now(const Look& look, const lesson::Session& session, const Rect& rect) const {
+  Taken taken{.inset_right = is_low(rect) ? inset_.x + inset_.width - rect.x : 0};
+  if (inset_.width <= 0) taken.inset_right = 0;
+  if (camera_.dim() == session.dim()) taken.above = view_->room_of_inset(look, session, rect);
+  taken.wide_tools = look.tools_right > 0 || !view_->frame_button(session).empty() ||
+                     (!view_->optimum_button().empty() && !session.predicting());
+  return taken;
+}
+
 void Stage::draw(const Look& look, Settings& settings, lesson::Session& session, const Rect& rect, double now) {
   const double dt = std::clamp(now - last_now_, 0.0, 0.05);
-  const float foot = foot_, room = inset_room_;
+  const float foot = foot_;
+  const Taken taken = taken_;
   if (!hands_.dragging) {  // what is dragged stays under the pointer
     ease_foot(look, dt);
-    inset_room_ = camera_.dim() == session.dim() ? view_->room_of_inset(look, session, rect) : 0;
+    taken_ = taken_now(look, session, rect);
   }
   set_room(rect, settings);
-  if ((foot_ != foot || inset_room_ != room) && camera_.framed() && framed_ball_.radius > 0)
+  if ((foot_ != foot || taken_ != taken) && camera_.framed() && framed_ball_.radius > 0)
     camera_.frame(framed_ball_, !camera_.moving());
+  if (view_->take_room(rect, camera_.shape_of_room())) --seen_;  // it is framed anew
   if (camera_.dim() == session.dim()) {
     project_points(session);
     take(session, look, rect);

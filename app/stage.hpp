@@ -56,6 +56,15 @@ class Stage {
   void sync(const lesson::Session& session, const Settings& settings);
   void keep_framed(const lesson::Session& session);
   [[nodiscard]] fit::Sphere3 aimed_at(const lesson::Session& session) const;
+  struct Taken {
+    float above = 0;        // as of SubjectView::room_of_inset
+    float inset_right = 0;  // how far the second picture reaches into a low stage
+    bool wide_tools = false;
+    bool operator==(const Taken&) const = default;
+  };
+  [[nodiscard]] Taken taken_now(const Look& look, const lesson::Session& session, const Rect& rect) const;
+  /// Whether the stage is so low that no row of it is given to buttons: that of a phone on its side.
+  [[nodiscard]] static bool is_low(const Rect& rect);
   void set_room(const Rect& rect, const Settings& settings);
   void ease_foot(const Look& look, double dt);
   void upload_points(const lesson::Session& session);
@@ -110,7 +119,8 @@ class Stage {
   int seen_step_ = -1;
   const void* seen_run_ = nullptr;
   double last_now_ = 0;
-  float inset_room_ = 0;            // as of SubjectView::room_of_inset
+  Taken taken_;
+  Rect inset_;                      // the second picture in the last frame
   float foot_ = 0, foot_goal_ = 0;  // as in Layout: the current value, and the one that it moves to
 
   Hands hands_;

@@ -98,10 +98,12 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
 
   // The page's undo and redo buttons are in the other corner.
   const float tools = look.tools;
-  if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, height + 16});
+  const bool column = is_low(brush.rect);  // the page's two stand one above the other
+  if (tools > 0) keep_free(brush.canvas.obstacles, {brush.rect.x, brush.rect.y, tools, (column ? 2 : 1) * height + 16});
 
-  const float top = y + (tools > 0 ? height + 10 : 0);
-  const Rect inset = view_->draw_inset(brush, top);
+  const ImVec2 corner =
+      column ? ImVec2{brush.rect.x + tools + 12, y} : ImVec2{brush.rect.x + 12, y + (tools > 0 ? height + 10 : 0)};
+  const Rect inset = inset_ = view_->draw_inset(brush, corner);
   if (inset.width > 0) keep_free(brush.canvas.obstacles, inset);
   draw_close_up(brush, settings.tools || tools > 0 ? y + height + 10 : y);
   if (close_up_) keep_free(brush.canvas.obstacles, close_up_->panel);
@@ -134,10 +136,14 @@ void Stage::draw_toggle(Brush& brush, Settings& settings, float right, float y, 
 /// Draws the axis cross; the axis in use is thicker.
 void Stage::draw_axis_cross(Brush& brush, const Rect& inset, const Rect& sentence) const {
   constexpr float kLength = 22, kReach = 36;
-  // Above the room for the sentence.
-  ImVec2 origin{brush.rect.x + 44, camera_.free_bottom() - 30};
-  if (overlap(inset, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
-    origin = {inset.x + inset.width + kReach, camera_.free_bottom() - kReach - 8};  // nearer to the sentence's middle
+  // Above the room for the sentence, in the corner that is free, or else beside the second picture.
+  const float low = camera_.free_bottom();
+  ImVec2 origin{inset.x + inset.width + kReach, low - kReach - 8};  // nearer to the sentence's middle
+  const auto around = [](ImVec2 at) { return Rect{at.x - kReach, at.y - kReach, 2 * kReach, 2 * kReach}; };
+  for (const float x : {brush.rect.x + brush.rect.width - 44, brush.rect.x + 44})
+    if (const ImVec2 corner{x, low - 30};
+        !overlap(inset, around(corner)) && !(close_up_ && overlap(close_up_->panel, around(corner))))
+      origin = corner;
   if (overlap(sentence, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
     origin.y = sentence.y - kReach;  // a narrow stage breaks it into more lines than there is room for
   std::array<int, 3> order{0, 1, 2};

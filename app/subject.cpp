@@ -26,7 +26,7 @@ void SubjectView::name_marks(PointNames& names) const {
   for (const Index i : shown().support) names.plain(i);
 }
 
-Rect SubjectView::draw_inset(Brush&, float) const { return {}; }
+Rect SubjectView::draw_inset(Brush&, ImVec2) const { return {}; }
 
 fit::Sphere3 SubjectView::extent(const lesson::Session& session) {
   const auto ball = [&](int slot) {
@@ -47,6 +47,9 @@ bool SubjectView::is_point(const lesson::Session&, Index) const { return true; }
 bool SubjectView::shows_points(const lesson::Session&) const { return true; }
 float SubjectView::reach_of(const Brush&, Index) const { return 0; }
 bool SubjectView::bears_name(const lesson::Session&, Index) const { return true; }
+std::string_view SubjectView::figures_are(const lesson::Session& session) const {
+  return session.step() == session.steps() ? "Final result" : "Now";
+}
 float SubjectView::draw_panels(const Look&, lesson::Session&, ImVec2, float) const { return 0; }
 bool SubjectView::fills_column(const lesson::Session&) const { return false; }
 bool SubjectView::in_panels(const lesson::Figure&) const { return false; }

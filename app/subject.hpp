@@ -40,10 +40,14 @@ class SubjectView {
   virtual void draw_marks(Brush& brush) const;
   /// Names those marks; their names are placed before all others.
   virtual void name_marks(PointNames& names) const;
-  /// Draws a second picture in the corner of the stage, below a height. Returns the room that it takes; empty for none.
-  [[nodiscard]] virtual Rect draw_inset(Brush& brush, float top) const;
+  /// Draws a second picture in the corner of the stage, from its own upper left corner on. Returns the room that it
+  /// takes; empty for none.
+  [[nodiscard]] virtual Rect draw_inset(Brush& brush, ImVec2 at) const;
   /// How high the part of the stage is that its second picture takes from the first, pixels; 0 if they may overlap.
   [[nodiscard]] virtual float room_of_inset(const Look&, const lesson::Session&, const Rect&) const { return 0; }
+  /// Arranges the picture for a stage on which it has room for that shape, width over height. Returns whether anything
+  /// has changed.
+  virtual bool take_room(const Rect&, double) { return false; }
   /// The ball that the view has to show.
   [[nodiscard]] virtual fit::Sphere3 extent(const lesson::Session& session);
   /// Whether the volume moves smoothly from one step to the next; it jumps if the points inside move.
@@ -88,6 +92,8 @@ class SubjectView {
   [[nodiscard]] virtual bool names_answers_alone() const { return false; }
 
   // ---- the inspector and the timeline -------------------------------------------------------------------------
+  /// What the figures at the step are: "Final result".
+  [[nodiscard]] virtual std::string_view figures_are(const lesson::Session& session) const;
   /// Draws the subject's own panels at a place of the current pane and returns how high they are.
   virtual float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const;
   /// What the panels tell beyond the figures, in words.

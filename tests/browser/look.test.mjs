@@ -49,6 +49,22 @@ for (const [width, height] of kSizes) {
   });
 }
 
+test("on a phone on its side the stage has what the timeline leaves of its column; situations and sliders stand beside it", async (t) => {
+  for (const lesson of ["bvh-build&step=4", "which-volume&step=0", "frustum-sphere&step=1"]) {
+    const page = await visit(t, `?lesson=${lesson}`, { ...kPhone, viewport: { width: 844, height: 390 } });
+    while ((await state(page)).asked) {
+      await page.keyboard.press("s");
+      await still(page);
+    }
+    await still(page);
+    assert.deepEqual(await sticking_out(page), []);
+    assert.deepEqual(await overlaps(page), []);
+    const [stage, controls] = await Promise.all(["#stage", "#controls"].map((name) => page.locator(name).boundingBox()));
+    assert.ok(stage.height >= 190, `${lesson}: the stage is ${stage.height} high`);
+    assert.ok(controls.x >= stage.x + stage.width - 1 && controls.y + controls.height <= 300, `${lesson}: ${JSON.stringify(controls)}`);
+  }
+});
+
 test("the tools of the charts stand at the foot of the column, and on a phone beneath the stage", async (t) => {
   for (const size of [{ viewport: { width: 1280, height: 800 } }, kPhone]) {
     const page = await visit(t, "?lesson=cost-chart&step=0", size);

@@ -146,7 +146,7 @@ std::vector<float> columns_of(const CallTree& tree) {
   return columns;
 }
 
-Rect draw_call_tree(Brush& brush, float top) {
+Rect draw_call_tree(Brush& brush, ImVec2 at) {
   if (!shows_calls(brush.session)) return {};
   const lesson::FitTrace trace = lesson::fit_run(brush.session.run(0)).trace();
   const CallTree whole = lesson::call_tree(trace, static_cast<int>(trace.size()));
@@ -154,7 +154,7 @@ Rect draw_call_tree(Brush& brush, float top) {
   const Look& look = brush.look;
   const bool narrow = brush.rect.width < kNarrow;
   const float width = narrow ? 110.0f : look.px(brush.rect.width < 900 ? 200 : 280);
-  const Rect panel{brush.rect.x + 12, top, width,
+  const Rect panel{at.x, at.y, width,
                    (narrow ? kNarrowTree : width * 0.8f) + TreeInset::head(look) + TreeInset::foot(look)};
   if (panel.y + panel.height > brush.canvas.camera.free_bottom()) return {};
   TreeInset(brush, whole, now, panel).draw();

@@ -17,7 +17,7 @@ namespace snug::app {
 [[nodiscard]] bool shows_calls(const lesson::Session& session);
 
 /// See SubjectView::draw_inset: empty if the run is not that recursion's, or the stage has no room.
-Rect draw_call_tree(Brush& brush, float top);
+Rect draw_call_tree(Brush& brush, ImVec2 at);
 
 /// Draws the stack and returns its height: 0 if the run is not that recursion's.
 float draw_call_stack(const Look& look, const lesson::Session& session, ImVec2 at, float width);

@@ -54,15 +54,14 @@ void draw_entry_bar(Brush& brush, const Rect& room, double share) {
 
 }  // namespace
 
-Rect draw_matrix_inset(Brush& brush, float top) {
+Rect draw_matrix_inset(Brush& brush, ImVec2 at) {
   const auto bars = entry_bars_at(brush.session);
   if (!bars) return {};
   const Look& look = brush.look;
   const Palette& p = brush.p;
   const int dim = brush.dim(), rows = dim * (dim + 1) / 2;
   const float width = look.px(brush.rect.width < 560 ? 168 : 216);
-  const Rect panel{brush.rect.x + 12, top, width,
-                   look.px(kEntryHead) + static_cast<float>(rows) * look.px(kEntryRow) + look.px(6)};
+  const Rect panel{at.x, at.y, width, look.px(kEntryHead) + static_cast<float>(rows) * look.px(kEntryRow) + look.px(6)};
   if (panel.y + panel.height > brush.canvas.camera.free_bottom() || width > brush.rect.width / 2) return {};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
   brush.list->AddRectFilled(low, high, p.panel, 8);

@@ -8,6 +8,6 @@ namespace snug::app {
 /// Draws the sums while products are added, and the matrix once it is known: to the right of the middle what is
 /// positive, to the left what is negative. Returns the room that it takes; empty where the step has neither, or where
 /// there is no room.
-[[nodiscard]] Rect draw_matrix_inset(Brush& brush, float top);
+[[nodiscard]] Rect draw_matrix_inset(Brush& brush, ImVec2 at);
 
 }  // namespace snug::app

@@ -125,12 +125,12 @@ void name_left_outside(PointNames& names, const CloudShown& shown) {
   for (const Index i : shown.left->points) name(i, " outside");
 }
 
-Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, float top) {
+Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, ImVec2 at) {
   if (!shown.left || shown.left->points.empty()) return {};
   if (!(shown.left->by < kSeenAsItIs * shown.left->extent)) return {};
   const Point3 worst = brush.point(shown.left->worst);
   const ImVec2 source = brush.at(worst);
-  const auto panel = free_place(brush, source, top + brush.look.px(kButtons), {});
+  const auto panel = free_place(brush, source, at.y + brush.look.px(kButtons), {});
   if (!panel) return {};
   CloseUp close_up{.at = worst, .panel = *panel, .x = source.x, .y = source.y};
   const Rect picture = picture_of(close_up, brush.look);

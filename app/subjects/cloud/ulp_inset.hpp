@@ -11,6 +11,6 @@ void name_left_outside(PointNames& names, const CloudShown& shown);
 
 /// Draws the worst point beside the boundary, with a ruler in ulps. Returns the room that it takes; empty where nothing
 /// is outside, where it lies so far out that the stage shows it, or where there is no room.
-[[nodiscard]] Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, float top);
+[[nodiscard]] Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, ImVec2 at);
 
 }  // namespace snug::app

@@ -57,10 +57,10 @@ class CloudView final : public SubjectView {
     ring(brush.list, brush.at(brush.point(pointed_)), 14 * brush.p.mark, brush.p.current, brush.stroke());
   }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
-  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
-    Rect inset = draw_call_tree(brush, top);
-    if (!(inset.width > 0)) inset = draw_matrix_inset(brush, top);
-    return inset.width > 0 ? inset : draw_ulp_inset(brush, shown_, top);
+  [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override {
+    Rect inset = draw_call_tree(brush, at);
+    if (!(inset.width > 0)) inset = draw_matrix_inset(brush, at);
+    return inset.width > 0 ? inset : draw_ulp_inset(brush, shown_, at);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     fit::Sphere3 all = with_hand(session, with_left_outside(SubjectView::extent(session), session));

@@ -30,7 +30,7 @@ class FieldMarks {
 /// Draws the frustum of this frame and the frame before, the plane that is tested, and the tree's nodes.
 void draw_field(Brush& brush);
 /// Draws what the camera sees, in a corner of the stage, below a height. Returns the room that it takes.
-[[nodiscard]] Rect draw_camera_image(Brush& brush, float top);
+[[nodiscard]] Rect draw_camera_image(Brush& brush, ImVec2 at);
 
 /// What each method costs, measured one after the other while nothing moves, and a slow one over several frames: to
 /// measure all of them would take longer than a frame.

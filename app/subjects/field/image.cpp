@@ -67,15 +67,15 @@ std::vector<std::size_t> boxes_seen(const CameraImage& picture, const lesson::Fi
 
 }  // namespace
 
-Rect draw_camera_image(Brush& brush, float top) {
+Rect draw_camera_image(Brush& brush, ImVec2 at) {
   const auto& stage = lesson::as<lesson::FieldSubject>(brush.session.subject())->stage();
   const Look& look = brush.look;
   const Palette& p = brush.p;
   const bool small = brush.rect.width < 560;
   const float width = small ? 124.0f : look.px(brush.rect.width < 900 ? 190 : 248), head = look.px(22);
   const auto aspect = static_cast<float>(std::clamp(stage.recipe.tangents[1] / stage.recipe.tangents[0], 0.3, 1.25));
-  const Rect image{brush.rect.x + 12 + kImagePad, top + head, width - 2 * kImagePad, (width - 2 * kImagePad) * aspect};
-  const Rect panel{brush.rect.x + 12, top, width, head + image.height + kImagePad};
+  const Rect image{at.x + kImagePad, at.y + head, width - 2 * kImagePad, (width - 2 * kImagePad) * aspect};
+  const Rect panel{at.x, at.y, width, head + image.height + kImagePad};
   if (panel.y + panel.height > brush.canvas.camera.free_bottom()) return {};
   const ImVec2 low{image.x, image.y}, high{image.x + image.width, image.y + image.height};
   brush.list->AddRectFilled({panel.x, panel.y}, {panel.x + panel.width, panel.y + panel.height}, p.panel, 8);

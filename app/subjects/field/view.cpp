@@ -21,7 +21,7 @@ class FieldView final : public SubjectView {
   void name_marks(PointNames& names) const override {
     for (Index i = 0; i < names.brush.session.size(); ++i) names.on_plate(i);
   }
-  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_camera_image(brush, top); }
+  [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override { return draw_camera_image(brush, at); }
 
   /// The field, and the camera if it is outside.
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {

@@ -21,6 +21,6 @@ void mark_frustum(Brush& brush, const FrustumShown& shown);
 /// Names them, away from the box.
 void name_frustum(PointNames& names, const FrustumShown& shown);
 /// See SubjectView::draw_inset.
-[[nodiscard]] Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top);
+[[nodiscard]] Rect draw_from_camera(Brush& brush, const FrustumShown& shown, ImVec2 at);
 
 }  // namespace snug::app

@@ -129,7 +129,7 @@ struct Inset {
 
 bool is_small(const Brush& brush) { return brush.rect.width < 560; }
 
-Inset inset_below(const Brush& brush, float top) {
+Inset inset_at(const Brush& brush, ImVec2 at) {
   const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
   const Look& look = brush.look;
   const Eye eye{lesson::camera_of(pair)};
@@ -140,7 +140,7 @@ Inset inset_below(const Brush& brush, float top) {
   const float half_x = (width - 2 * kPad) / (2 * outer);
   const float half_y = flat ? look.px(8) : half_x * static_cast<float>(std::clamp(aspect, 0.3, 1.25));
   const float height = head + 2 * (flat ? half_y + look.px(17) : half_y * outer) + kPad;
-  const Rect panel{brush.rect.x + 12, top, width, height};
+  const Rect panel{at.x, at.y, width, height};
   const Picture picture{{panel.x + width / 2, panel.y + head + (height - head - kPad) / 2}, {half_x, half_y}, pair.dim};
   return {pair, eye, head, panel, picture, picture.image()};
 }
@@ -205,8 +205,8 @@ void name_vertices(Brush& brush, const Inset& inset, const query::PlaneTested<do
 }  // namespace
 
 /// Empty if the stage has no room for it.
-Rect draw_from_camera(Brush& brush, const FrustumShown& shown, float top) {
-  const Inset inset = inset_below(brush, top);
+Rect draw_from_camera(Brush& brush, const FrustumShown& shown, ImVec2 at) {
+  const Inset inset = inset_at(brush, at);
   const Palette& p = brush.p;
   const Rect& image = inset.image;
   const ImVec2 low = inset.low(), high = inset.high();

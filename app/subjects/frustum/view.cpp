@@ -18,7 +18,7 @@ class FrustumView final : public SubjectView {
     mark_frustum(brush, shown_);
   }
   void name_marks(PointNames& names) const override { name_frustum(names, shown_); }
-  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override { return draw_from_camera(brush, shown_, top); }
+  [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override { return draw_from_camera(brush, shown_, at); }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const lesson::BoxPair& pair = lesson::boxes_of(session.subject());

@@ -163,7 +163,7 @@ void draw_simplex(DifferenceInset& inset, const ShownSimplex& simplex, std::span
 
 }  // namespace
 
-Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
+Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at) {
   if (brush.dim() != 2) return {};
   const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
   ShownSimplex simplex;
@@ -173,11 +173,11 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, float top) {
 
   const Look& look = brush.look;
   // As large as the stage has room for above a card.
-  const float head = look.px(22), free = brush.canvas.camera.free_bottom() - top;
+  const float head = look.px(22), free = brush.canvas.camera.free_bottom() - at.y;
   const float wanted = brush.rect.width < 440 ? 150 : look.px(brush.rect.width < 900 ? 220 : 272);
   const float width = std::min(wanted, (free - head) / kInsetShape);
   if (width < kLeastInset) return {};
-  const Rect panel{brush.rect.x + 12, top, width, width * kInsetShape + head};
+  const Rect panel{at.x, at.y, width, width * kInsetShape + head};
   DifferenceInset inset(brush, pair, panel, head);
   inset.ground();
   inset.difference();

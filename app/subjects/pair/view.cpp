@@ -105,8 +105,8 @@ class VolumesView final : public SubjectView {
     draw_untested(brush, steps_shown(brush.session));
     draw_volumes(brush, steps_shown(brush.session));
   }
-  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
-    return draw_difference(brush, steps_shown(brush.session), top);
+  [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override {
+    return draw_difference(brush, steps_shown(brush.session), at);
   }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {

@@ -77,11 +77,11 @@ float graph_room(const Look& look, const lesson::Session& session, const Rect& s
   return stage.height - look.foot - room < look.px(kLeastForBodies) ? 0 : room;
 }
 
-Rect draw_graph_inset(Brush& brush, float top) {
+Rect draw_graph_inset(Brush& brush, ImVec2 at) {
   const Look& look = brush.look;
   if (graph_room(look, brush.session, brush.rect) == 0) return {};
   const ImVec2 size = graph_size(look, brush.session, kMostWidth);
-  const Rect panel{brush.rect.x + 12, top, size.x + 2 * kGraphPad, size.y + 2 * kGraphPad};
+  const Rect panel{at.x, at.y, size.x + 2 * kGraphPad, size.y + 2 * kGraphPad};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
   brush.list->AddRectFilled(low, high, with_alpha(brush.p.panel, 0.94f), 8);
   brush.list->AddRect(low, high, brush.p.line, 8, 0, 1);

@@ -13,6 +13,6 @@ void draw_effects(Brush& brush, const lesson::SceneFrame& frame);
 /// the lesson is not about effects.
 [[nodiscard]] float graph_room(const Look& look, const lesson::Session& session, const Rect& stage);
 /// Draws the graph in the corner of the stage, below a height; empty if the stage has no room for it.
-[[nodiscard]] Rect draw_graph_inset(Brush& brush, float top);
+[[nodiscard]] Rect draw_graph_inset(Brush& brush, ImVec2 at);
 
 }  // namespace snug::app

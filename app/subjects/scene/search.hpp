@@ -28,6 +28,6 @@ void draw_search(Brush& brush, const lesson::SceneFrame& frame, const SearchShow
 [[nodiscard]] float sweep_room(const Look& look, const lesson::Session& session, const Rect& stage);
 /// Draws the sorted intervals of a sweep in the stage's corner, below a height. Returns the room that they take; empty
 /// for another search, or where the stage is too small.
-Rect draw_sweep_inset(Brush& brush, const lesson::SceneFrame& frame, const SearchShown& shown, float top);
+Rect draw_sweep_inset(Brush& brush, const lesson::SceneFrame& frame, const SearchShown& shown, ImVec2 at);
 
 }  // namespace snug::app

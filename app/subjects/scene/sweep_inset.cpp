@@ -95,10 +95,10 @@ float sweep_room(const Look& look, const lesson::Session& session, const Rect& s
   return stage.height - look.foot - room < look.px(kLeastUnderSweep) ? 0 : room;
 }
 
-Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& shown, float top) {
+Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& shown, ImVec2 at) {
   const Look& look = brush.look;
   if (frame.swept.empty() || sweep_room(look, brush.session, brush.rect) == 0) return {};
-  const Rect panel{brush.rect.x + 12, top, std::min(look.px(kMostOfSweep), brush.rect.width - kBesideSweep),
+  const Rect panel{at.x, at.y, std::min(look.px(kMostOfSweep), brush.rect.width - kBesideSweep),
                    sweep_height(look, frame.swept.size())};
   SweepPicture picture{brush,
                        frame,

@@ -27,13 +27,13 @@ class SceneView final : public SubjectView {
     draw_effects(brush, *frame_of(brush.session));
     SubjectView::draw(brush);
   }
-  [[nodiscard]] Rect draw_inset(Brush& brush, float top) const override {
-    const Rect graph = draw_graph_inset(brush, top);
+  [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override {
+    const Rect graph = draw_graph_inset(brush, at);
     graph_on_stage_ = graph.width > 0;
     if (lesson::set_of(brush.session).graph) return graph;  // such a lesson is not about the search
     const SceneFrame& frame = *frame_of(brush.session);
     const auto search = search_at(brush, frame);
-    return search ? draw_sweep_inset(brush, frame, *search, top) : Rect{};
+    return search ? draw_sweep_inset(brush, frame, *search, at) : Rect{};
   }
   [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
                                     const Rect& stage) const override {

@@ -230,18 +230,22 @@ Box2 stage_room(const lesson::Session& session) {
   return all;
 }
 
-Box2 tree_room(const lesson::Session& session) {
-  constexpr double kHeight = 0.4, kGap = 0.14, kOne = 0.7, kTwo = 1.35;  // of the larger side of what is above
-  const Box2 above = stage_room(session);
-  const Point2 size = above.max - above.min;
-  const double larger = size.maxCoeff(),
-               narrowest = lesson::tree_run(session.run(0)).pairing() != nullptr ? kTwo : kOne,
-               half = std::max(size[0], narrowest * larger) / 2;
-  const double middle = (above.min[0] + above.max[0]) / 2, top = above.min[1] - kGap * larger;
-  return {{middle - half, top - kHeight * larger}, {middle + half, top}};
+Box2 tree_room(const lesson::Session& session, TreePlace place) {
+  constexpr double kHeight = 0.4, kGap = 0.14, kOne = 0.7, kTwo = 1.35;  // of the larger side of the boxes
+  constexpr double kAside = 0.2, kHigh = 0.84;  // beside them; how high it is there, of their height
+  const Box2 boxes = stage_room(session);
+  const Point2 size = boxes.max - boxes.min, middle = (boxes.min + boxes.max) / 2;
+  const double larger = size.maxCoeff(), wide = lesson::tree_run(session.run(0)).pairing() != nullptr ? kTwo : kOne,
+               narrowest = std::max(size[0], wide * larger);
+  if (place == TreePlace::kBeside) {
+    const double left = boxes.max[0] + kAside * larger, half = kHigh * size[1] / 2;
+    return {{left, middle[1] - half}, {left + narrowest, middle[1] + half}};
+  }
+  const double top = boxes.min[1] - kGap * larger;
+  return {{middle[0] - narrowest / 2, top - kHeight * larger}, {middle[0] + narrowest / 2, top}};
 }
 
-void draw_tree(Brush& brush, const TreeShown& shown) {
+void draw_tree(Brush& brush, const TreeShown& shown, TreePlace place) {
   const auto& stage = lesson::as<lesson::TreeSubject>(brush.session.subject())->stage();
   const bool paired = shown.run->pairing() != nullptr;
   if (paired) draw_boxes(brush, shown, TreeSide::kCopy);
@@ -251,7 +255,7 @@ void draw_tree(Brush& brush, const TreeShown& shown) {
   if (shown.run->is_merging()) draw_merged(brush, shown);
   else draw_nodes(brush, shown, TreeSide::kOwn);
   draw_border(brush, shown);
-  draw_tree_below(brush, shown);
+  draw_tree_picture(brush, shown, place);
   if ((shown.run->is_query() || paired) && stage.query) draw_query(brush, *stage.query, brush.session.method(0)->name);
 }
 

@@ -7,11 +7,13 @@
 
 namespace snug::app {
 
-void draw_tree(Brush& brush, const TreeShown& shown);
+/// Where the tree is drawn: below the rest, or on a stage that is much wider than high at its right.
+enum class TreePlace : std::uint8_t { kBelow, kBeside };
+
+void draw_tree(Brush& brush, const TreeShown& shown, TreePlace place);
 /// Draws the tree in its room, and a copy's beside it.
-void draw_tree_below(Brush& brush, const TreeShown& shown);
-/// Where the tree is drawn: below the rest.
-[[nodiscard]] lesson::Box2 tree_room(const lesson::Session& session);
+void draw_tree_picture(Brush& brush, const TreeShown& shown, TreePlace place);
+[[nodiscard]] lesson::Box2 tree_room(const lesson::Session& session, TreePlace place);
 /// Around all that can be dragged, and the frustum of a query.
 [[nodiscard]] lesson::Box2 stage_room(const lesson::Session& session);
 

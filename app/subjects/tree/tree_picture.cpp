@@ -1,4 +1,4 @@
-// The tree below its boxes, growing as they are gathered into nodes; and what a query keeps on its stack.
+// The tree below or beside its boxes, growing as they are gathered into nodes; and what a query keeps on its stack.
 #include <algorithm>
 #include <cmath>
 
@@ -170,9 +170,9 @@ std::string waiting_pairs(const TreeShown& shown) {
 
 }  // namespace
 
-void draw_tree_below(Brush& brush, const TreeShown& shown) {
-  const lesson::Box2 place = tree_room(brush.session);
-  const ImVec2 low = brush.at({place.min[0], place.max[1], 0}), high = brush.at({place.max[0], place.min[1], 0});
+void draw_tree_picture(Brush& brush, const TreeShown& shown, TreePlace place) {
+  const lesson::Box2 box = tree_room(brush.session, place);
+  const ImVec2 low = brush.at({box.min[0], box.max[1], 0}), high = brush.at({box.max[0], box.min[1], 0});
   const Rect room{low.x, low.y, high.x - low.x, high.y - low.y};
   if (shown.run->pairing() == nullptr) return TreePicture(brush, shown, room, TreeSide::kOwn).draw();
   const float half = room.width / 2;

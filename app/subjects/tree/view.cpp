@@ -6,19 +6,27 @@
 namespace snug::app {
 namespace {
 
-constexpr double kRoom = 1.12;  // around what is on the stage, for the nodes' outlines and the names
+constexpr double kRoom = 1.12;         // around what is on the stage, for the nodes' outlines and the names
+constexpr float kWideForTree = 1.75f;  // width over height from which the tree stands beside the boxes
 
 class TreeView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool) override { shown_ = tree_shown_at(session); }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
-  void draw(Brush& brush) const override { draw_tree(brush, shown_); }
+  void draw(Brush& brush) const override { draw_tree(brush, shown_, place_); }
 
+  bool take_room(const Rect& stage, double shape) override {
+    const TreePlace place = stage.width > kWideForTree * stage.height ? TreePlace::kBeside : TreePlace::kBelow;
+    shape = place == TreePlace::kBeside ? std::max(shape, 1.0) : 1;
+    const bool same = place == place_ && shape == shape_;
+    place_ = place, shape_ = shape;
+    return !same;
+  }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const lesson::Box2 boxes = stage_room(session), tree = tree_room(session);
+    const lesson::Box2 boxes = stage_room(session), tree = tree_room(session, place_);
     const lesson::Box2 all{boxes.min.cwiseMin(tree.min), boxes.max.cwiseMax(tree.max)};
     const lesson::Point2 middle = (all.min + all.max) / 2, half = (all.max - all.min) / 2;
-    return {{middle[0], middle[1], 0}, kRoom * half.maxCoeff()};
+    return {{middle[0], middle[1], 0}, kRoom * std::max(half[0] / shape_, half[1])};
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
@@ -30,6 +38,14 @@ class TreeView final : public SubjectView {
     if (!shows_times(session)) return y;
     const float above = y > 0 ? 16.0f : 0;
     return y + above + draw_times_panel(look, session, times_, {at.x, at.y + y + above}, width);
+  }
+  /// A run by hand ends where the next choice is due.
+  [[nodiscard]] std::string_view figures_are(const lesson::Session& session) const override {
+    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    if (session.step() < session.steps()) return SubjectView::figures_are(session);
+    if (run.is_steered() && run.undecided() != kNoIndex) return "So far: the next choice is yours";
+    if (run.is_by_hand() && run.forest(run.steps()).roots.size() > 1) return "So far: the next merger is yours";
+    return SubjectView::figures_are(session);
   }
   /// What is chosen by hand must be in view, and so must the times.
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
@@ -61,6 +77,8 @@ class TreeView final : public SubjectView {
   }
 
   TreeShown shown_;
+  TreePlace place_ = TreePlace::kBelow;
+  double shape_ = 1;  // of the room for both, width over height; 1 where the tree is below
   mutable TreeTimes times_;
   mutable Index first_ = kNoIndex;  // of two nodes that are to be merged by hand
 };
