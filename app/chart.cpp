@@ -34,7 +34,7 @@ std::string said(const char* format, Values... values) {
 
 std::string grouped(double value) {
   std::string digits = said("%.0f", value);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(i, ",");
   return digits;
 }
 

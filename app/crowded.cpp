@@ -14,7 +14,7 @@ constexpr float kShadeOver = 0.5f;
 
 std::vector<ImVec2> face_on_screen(const std::vector<ImVec2>& screen, const std::vector<int>& face) {
   std::vector<ImVec2> outline;
-  for (const int corner : face) outline.push_back(screen[static_cast<std::size_t>(corner)]);
+  for (const int corner : face) outline.push_back(screen[corner]);
   return outline;
 }
 
@@ -44,7 +44,7 @@ void draw_crowded(const Canvas& canvas, const Polytope& polytope, const std::vec
   canvas.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose fringes would draw the edges again
   for (std::size_t f = 0; style.fill > 0 && f < polytope.faces.size(); ++f) {
     if (!front[f]) continue;
-    const auto corner = [&](std::size_t i) { return polytope.corners[static_cast<std::size_t>(polytope.faces[f][i])]; };
+    const auto corner = [&](std::size_t i) { return polytope.corners[polytope.faces[f][i]]; };
     const Vector<double, 3> normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
     const double lit = std::max(0.0, normal.dot(light));
     const std::vector<ImVec2> outline = face_on_screen(screen, polytope.faces[f]);

@@ -121,7 +121,7 @@ class Arc {
   [[nodiscard]] std::vector<ImVec2> points() const {
     const float flat = kFlat / std::max(1.0f, ImGui::GetIO().DisplayFramebufferScale.x);
     const int count = std::clamp(static_cast<int>((to_ - from_) / 2 * std::sqrt(radius_ / (2 * flat))), 24, 512);
-    std::vector<ImVec2> points(static_cast<std::size_t>(count));
+    std::vector<ImVec2> points(count);
     const auto last = static_cast<float>(is_part() ? count - 1 : count);
     for (int i = 0; i < count; ++i) points[i] = at(from_ + (to_ - from_) * static_cast<float>(i) / last, radius_);
     return points;

@@ -36,7 +36,7 @@ void draw_examined(Brush& brush, const Shown& shown, bool marked) {
 }
 
 PointNames::PointNames(Brush& on, const Point3& middle)
-    : brush(on), named_(static_cast<std::size_t>(on.session.size()), false), middle_(on.at(middle)) {}
+    : brush(on), named_(on.session.size(), false), middle_(on.at(middle)) {}
 
 void PointNames::name(Index i, std::string words, Color color, Face face, float gap, float size, bool optional) {
   if (i == kNoIndex || named_[i]) return;

@@ -59,7 +59,7 @@ std::vector<int> face_of(const std::vector<V3>& corners, const V3& outward, doub
   middle /= std::max(1.0, static_cast<double>(face.size()));
   const V3 u = outward.cross(V3(std::abs(outward[1]) < 0.9 ? V3::UnitY() : V3::UnitX())), v = outward.cross(u);
   const auto angle = [&](int corner) {
-    const V3 way = corners[static_cast<std::size_t>(corner)] - middle;
+    const V3 way = corners[corner] - middle;
     return std::atan2(way.dot(v), way.dot(u) * outward.norm());
   };
   std::sort(face.begin(), face.end(), [&](int a, int b) { return angle(a) < angle(b); });

@@ -41,7 +41,7 @@ void draw_work(Shell& shell, Column& column, const app::Cover& cover) {
   }
   const int clicked = column.buttons("work", words, -1, enabled);
   if (clicked == 0) shell.app().command(work.command);
-  if (clicked > 0) shell.save_cover(formats[static_cast<std::size_t>(clicked - 1)]);
+  if (clicked > 0) shell.save_cover(formats[clicked - 1]);
 }
 
 void draw_progress(Column& column, double progress) {

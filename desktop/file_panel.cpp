@@ -16,7 +16,7 @@ constexpr float kFewestLines = 8;
 int grow(ImGuiInputTextCallbackData* data) {
   if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
   auto& text = *static_cast<std::string*>(data->UserData);
-  text.resize(static_cast<std::size_t>(data->BufTextLen));
+  text.resize(data->BufTextLen);
   data->Buf = text.data();
   return 0;
 }

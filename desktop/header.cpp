@@ -182,7 +182,7 @@ void draw_picker(Shell& shell, const app::Look& look, ImDrawList* list, const ap
   list->AddTriangleFilled({cx - 5, middle - 2.5f}, {cx + 5, middle - 2.5f}, {cx, middle + 3.5f}, look->muted);
   const int picked = choice_list(look, "lessons", {x, rect.y + rect.height}, std::max(width, look.px(380)), titles,
                                  static_cast<int>(shell.opened()));
-  if (picked >= 0) shell.open_at_place(static_cast<std::size_t>(picked));
+  if (picked >= 0) shell.open_at_place(picked);
 }
 
 }  // namespace

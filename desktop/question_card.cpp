@@ -298,7 +298,7 @@ std::string draw_summary(Shell& shell, Column& column) {
     column.gap(8);
   }
   const int clicked = draw_row(column, {}, 0, all.subspan(apart));
-  return clicked < 0 ? command : all[apart + static_cast<std::size_t>(clicked)].id;
+  return clicked < 0 ? command : all[apart + clicked].id;
 }
 
 /// Does what the summary offers beyond the app's commands.

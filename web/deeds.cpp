@@ -88,9 +88,7 @@ void hold_slider(bool held) {
   if (held) session()->begin_drag();
   else session()->end_drag();
 }
-std::string slide(int slider, int place) {
-  return session() ? sentence(session()->slide_to_place(static_cast<std::size_t>(slider), place)) : "";
-}
+std::string slide(int slider, int place) { return session() ? sentence(session()->slide_to_place(slider, place)) : ""; }
 std::string set_sliders(const val& values) {
   return session() ? sentence(session()->set_sliders(emscripten::vecFromJSArray<double>(values))) : "";
 }
@@ -146,7 +144,7 @@ void invite(int followed) {
 
 void start_task(int task) {
   if (!session() || task < 0) return;
-  session()->start_task(static_cast<std::size_t>(task));
+  session()->start_task(task);
   remember();
 }
 

@@ -26,8 +26,7 @@ val numbers_object(const lesson::Session& session) {
 }
 
 std::string take_numbers(lesson::Session& session, int group, int row, const val& values) {
-  const auto set = session.set_numbers(static_cast<std::size_t>(group), static_cast<std::size_t>(row),
-                                       emscripten::vecFromJSArray<double>(values));
+  const auto set = session.set_numbers(group, row, emscripten::vecFromJSArray<double>(values));
   return set ? "" : set.error().message();
 }
 

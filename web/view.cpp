@@ -20,9 +20,7 @@ namespace {
 using emscripten::val;
 
 /// [x, y] or [x, y, z].
-val coordinates(const Vector<double, 3>& point, int dim) {
-  return array_of(std::span(point.data(), static_cast<std::size_t>(dim)), number);
-}
+val coordinates(const Vector<double, 3>& point, int dim) { return array_of(std::span(point.data(), dim), number); }
 
 void set_algorithms(val& object, const lesson::Session& session) {
   const lesson::Method* main = session.method(0);

@@ -9,7 +9,7 @@ namespace snug {
 namespace {
 
 template <int Dim>
-using Numbers = std::array<Dyadic, static_cast<std::size_t>(Dim)>;
+using Numbers = std::array<Dyadic, Dim>;
 
 /// A plane without rounding, scaled by a power of two so that its normal's largest coordinate is between 1 and 2.
 template <int Dim>
@@ -39,7 +39,7 @@ Dyadic determinant(const Numbers<3>& a, const Numbers<3>& b, const Numbers<3>& c
 
 /// The indices of as many planes as meet in a point.
 template <int Dim>
-using Meeting = std::array<std::size_t, static_cast<std::size_t>(Dim)>;
+using Meeting = std::array<std::size_t, Dim>;
 
 /// All planes of a frustum without rounding.
 template <class Scalar, int Dim>
@@ -93,7 +93,7 @@ class CornerSearch {
   /// The point where the planes meet, by Cramer's rule.
   [[nodiscard]] std::optional<Point> meet(const Meeting<Dim>& at) const {
     Point point;
-    std::array<Normals, static_cast<std::size_t>(Dim)> columns;  // the columns of the matrix whose rows are the normals
+    std::array<Normals, Dim> columns;  // the columns of the matrix whose rows are the normals
     Normals right;
     for (std::size_t row = 0; row < Dim; ++row) {
       for (std::size_t i = 0; i < Dim; ++i) columns[i][row] = planes_[at[row]].normal[i];

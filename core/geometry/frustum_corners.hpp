@@ -28,7 +28,7 @@ template <class Scalar, int Dim>
 /// The point coordinates / weight, exactly. weight > 0.
 template <int Dim>
 struct ExactPoint {
-  std::array<Dyadic, static_cast<std::size_t>(Dim)> coordinates;
+  std::array<Dyadic, Dim> coordinates;
   Dyadic weight;
 };
 

@@ -48,7 +48,7 @@ HullNeighbors hull_neighbors(const ConvexHull<Scalar, Dim>& hull) {
   result.begin.assign(hull.vertices.size() + 1, 0);
   result.ends.reserve(edges.size());
   for (const Edge& edge : edges) {
-    ++result.begin[static_cast<std::size_t>(edge.from) + 1];
+    ++result.begin[edge.from + 1];
     result.ends.push_back(edge.to);
     if (edge.facet != kNoIndex) result.facets.push_back(edge.facet);
   }

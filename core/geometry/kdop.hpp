@@ -25,7 +25,7 @@ template <int Dim>
 [[nodiscard]] std::span<const std::array<int, Dim>> kdop_axes(int k) noexcept;
 
 template <int Dim>
-using KdopAxis = std::array<int, static_cast<std::size_t>(Dim)>;
+using KdopAxis = std::array<int, Dim>;
 
 /// p . axis, each sum rounded.
 template <class Scalar, int Dim>

@@ -13,7 +13,7 @@ namespace snug {
 /// Dim axes of a k-DOP, and the normal as a sum of them: normal = sum weights[j] axis[j] / determinant.
 template <class Number, int Dim>
 struct NormalAsAxes {
-  std::array<Number, static_cast<std::size_t>(Dim)> weights;
+  std::array<Number, Dim> weights;
   int determinant = 0;  // that of the axes, made positive; 0 if they are dependent
 };
 
@@ -63,8 +63,8 @@ template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Kdop<Scalar, Dim>& kdop) {
   const auto axes = kdop_axes<Dim>(kdop.k);
   std::optional<Span<Number>> span;
-  const auto meet = [&](const std::array<std::size_t, static_cast<std::size_t>(Dim)>& at) {
-    std::array<std::array<int, Dim>, static_cast<std::size_t>(Dim)> chosen;
+  const auto meet = [&](const std::array<std::size_t, Dim>& at) {
+    std::array<std::array<int, Dim>, Dim> chosen;
     for (std::size_t j = 0; j < Dim; ++j) chosen[j] = axes[at[j]];
     const auto sum = as_axes<Number>(plane.normal, chosen);
     if (sum.determinant == 0) return;

@@ -106,8 +106,8 @@ template <int Dim>
     double along = 0;
     int terms = 0;
     for (int j = 0; j < Dim; ++j) {
-      if (axes[i][static_cast<std::size_t>(j)] == 0) continue;
-      const double term = axes[i][static_cast<std::size_t>(j)] > 0 ? by[j] : -by[j];
+      if (axes[i][j] == 0) continue;
+      const double term = axes[i][j] > 0 ? by[j] : -by[j];
       along = terms++ == 0 ? term : work.add(along, term);
     }
     kdop.min[i] = work.add(kdop.min[i], along), kdop.max[i] = work.add(kdop.max[i], along);

@@ -129,7 +129,7 @@ struct TreeTeller {
     if (record == nullptr) return;
     const auto at = static_cast<std::size_t>(place.index);
     const int level = place.is_body ? field.leaf_levels[at] + 1 : field.levels[at];
-    LevelTests& tests = record->levels[static_cast<std::size_t>(level)];
+    LevelTests& tests = record->levels[level];
     const PlaneSet reached =
         result.rejected_by >= 0 ? (PlaneSet{1} << result.rejected_by) - 1 : kAllPlanes<3>;  // looked at, or skipped
     ++tests.volumes;
@@ -138,8 +138,7 @@ struct TreeTeller {
     if (result.verdict == Culling::kIntersecting && !place.is_body) return;
     const std::span<const Index> below =
         place.is_body ? std::span(&place.index, 1) : field.tree.bodies_below(place.index);
-    for (const Index body : below)
-      record->answers[static_cast<std::size_t>(body)].level = static_cast<std::uint8_t>(level);
+    for (const Index body : below) record->answers[body].level = static_cast<std::uint8_t>(level);
     const auto boxes = static_cast<std::int64_t>(below.size());
     if (result.verdict == Culling::kOutside) ++tests.rejected, tests.left_out += boxes;
     if (result.verdict == Culling::kInside) tests.taken += boxes;
@@ -155,7 +154,7 @@ FieldCost down_the_tree(const Field& field, const Frustum<double, 3>& frustum, s
   TreeTeller teller{field, record};
   cull<double, 3>(
       field.tree, std::span<const FieldBox>(field.boxes), frustum, nullptr,
-      [&](Index body, Culling verdict) { verdicts[static_cast<std::size_t>(body)] = verdict; }, {}, teller);
+      [&](Index body, Culling verdict) { verdicts[body] = verdict; }, {}, teller);
   return teller.cost;
 }
 
@@ -184,8 +183,7 @@ Field::Field(std::vector<Box> all) : boxes(std::move(all)), lanes(boxes) {
     const auto first = static_cast<std::size_t>(tree.nodes[i].first);
     if (!tree.nodes[i].is_leaf()) levels[first] = levels[first + 1] = levels[i] + 1;
     else
-      for (const Index body : tree.bodies_below(static_cast<Index>(i)))
-        leaf_levels[static_cast<std::size_t>(body)] = levels[i];
+      for (const Index body : tree.bodies_below(static_cast<Index>(i))) leaf_levels[body] = levels[i];
   }
 }
 

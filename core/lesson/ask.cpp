@@ -100,13 +100,12 @@ std::string said_by(const Asked& asked, const Answer& answer, const Truth& truth
     case Kind::kNumber: return plain_number(answer.number) + (asked.unit.empty() ? "" : " " + asked.unit);
     case Kind::kOrder: {
       std::string text;
-      for (const int choice : answer.list)
-        text += (text.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(choice)];
+      for (const int choice : answer.list) text += (text.empty() ? "" : ", ") + asked.choices[choice];
       return text;
     }
     case Kind::kChoice: break;
   }
-  return asked.many ? names_of_bits(asked, answer.value) : asked.choices[static_cast<std::size_t>(answer.value)];
+  return asked.many ? names_of_bits(asked, answer.value) : asked.choices[answer.value];
 }
 
 /// Whether a question's answer is true of this run.

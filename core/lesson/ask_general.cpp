@@ -90,8 +90,7 @@ Truth truth_of_ranks(const Asked& asked, std::vector<int> ranks) {
   truth.choices.resize(ranks.size());
   std::iota(truth.choices.begin(), truth.choices.end(), 0);
   std::stable_sort(truth.choices.begin(), truth.choices.end(), [&](int a, int b) { return ranks[a] < ranks[b]; });
-  for (const int choice : truth.choices)
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(choice)];
+  for (const int choice : truth.choices) truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[choice];
   truth.sentence = "The order is: " + truth.happened + ".";
   truth.ranks = std::move(ranks);
   return truth;
@@ -254,7 +253,7 @@ constexpr std::array<const Asking*, 4> kOfMethods{&kTightest, &kTightestOrder, &
 
 Truth choice_truth(const Asked& asked, const Run&) {
   const int right = asked.question->answer;
-  const std::string& text = asked.choices[static_cast<std::size_t>(right)];
+  const std::string& text = asked.choices[right];
   return {{right}, {}, text, "The answer is “" + text + "”."};
 }
 

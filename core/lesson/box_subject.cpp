@@ -21,7 +21,7 @@ std::vector<std::vector<Index>> BoxSubject::things() const {
   std::vector<std::vector<Index>> things(2);
   for (Index i = 0; i < size(); ++i)
     if (const BoxHandle place = place_of(pair_, i); place.kind == BoxHandle::Kind::kCorner)
-      things[static_cast<std::size_t>(place.box)].push_back(i);
+      things[place.box].push_back(i);
   if (pair_.form != Form::kBox) things[0] = {0};
   return things;
 }

@@ -15,7 +15,7 @@ bool advance(Session& session, std::vector<Outcome>& outcomes, std::vector<Playe
   if (const Asked* asked = session.asked()) {
     const std::string id = asked->question->id;
     if (auto is = contradiction(*asked, session.run(0)))
-      false_keys.push_back({id, asked->choices[static_cast<std::size_t>(asked->question->answer)], *std::move(is)});
+      false_keys.push_back({id, asked->choices[asked->question->answer], *std::move(is)});
     if (!session.answer(model_answer(*asked, session.run(0)))) return false;
     for (const Outcome& outcome : session.outcomes())
       if (outcome.question == id) outcomes.push_back(outcome);

@@ -35,7 +35,7 @@ const std::vector<std::string>& mesh_names() {
 
 std::string point_name(Index i, const NamesOfPoints& names) {
   const bool own = names != nullptr && static_cast<std::size_t>(i) < names->size();
-  return own ? (*names)[static_cast<std::size_t>(i)] : "P" + std::to_string(i);
+  return own ? (*names)[i] : "P" + std::to_string(i);
 }
 
 std::string point_names(std::span<const Index> points, const NamesOfPoints& names) {

@@ -94,8 +94,7 @@ std::string chosen_text(const Asked& asked, const Answer& answer, const std::str
     return std::to_string(count) + " chosen. Press Answer when you have them all.";
   }
   if (answer.kind == Answer::Kind::kPoint) return name + " chosen. Tap it again or press Enter to answer.";
-  return "“" + asked.choices[static_cast<std::size_t>(answer.value)] +
-         "” chosen. Choose it again or press Enter to answer.";
+  return "“" + asked.choices[answer.value] + "” chosen. Choose it again or press Enter to answer.";
 }
 
 std::string no_target_text(const std::string& name, std::span<const std::string> targets) {

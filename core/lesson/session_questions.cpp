@@ -160,7 +160,7 @@ std::vector<Index> Session::targets() const {
   if (question == nullptr || !question->on_stage) return {};
   std::vector<Index> all = question->stage_points;
   if (all.empty()) {
-    all.resize(static_cast<std::size_t>(size()));
+    all.resize(size());
     std::iota(all.begin(), all.end(), Index{0});
   }
   std::sort(all.begin(), all.end());

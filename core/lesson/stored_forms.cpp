@@ -152,10 +152,8 @@ Line bound_of(const Kdop<double, Dim>& kdop, const KdopAxis<Dim>& axis, double b
   using V = Vector<double, Dim>;
   V normal;
   double most = 0;
-  for (int i = 0; i < Dim; ++i) normal[i] = axis[static_cast<std::size_t>(i)];
-  for (int i = 0; i < kdop.k / 2; ++i)
-    most = std::max(
-        {most, std::abs(kdop.min[static_cast<std::size_t>(i)]), std::abs(kdop.max[static_cast<std::size_t>(i)])});
+  for (int i = 0; i < Dim; ++i) normal[i] = axis[i];
+  for (int i = 0; i < kdop.k / 2; ++i) most = std::max({most, std::abs(kdop.min[i]), std::abs(kdop.max[i])});
   std::vector<V> there;
   V middle = V::Zero();
   for (const V& vertex : kdop_vertices(kdop))
@@ -228,7 +226,7 @@ std::vector<StoredForm> forms_of(const Obb<double, Dim>& box) {
                     {face_of<Dim>(box, static_cast<int>(i / 2), i % 2 == 0 ? 1 : -1)});
   forms[1].costs({"of a point: " + counted(2 * Dim, "dot product")}, planes, {}, {});
   for (int i = 0; i < Dim; ++i) {
-    const auto& slab = slabs[static_cast<std::size_t>(i)];
+    const auto& slab = slabs[i];
     forms[2].member("Slab " + entry("s", i), with(slab.normal, {slab.min, slab.max}),
                     {face_of<Dim>(box, i, -1), face_of<Dim>(box, i, 1)});
   }
@@ -284,7 +282,7 @@ template <int Dim>
 std::vector<StoredForm> forms_of(const Lozenge<double, Dim>& lozenge) {
   Written<Dim> form("rectangle and radius");
   form.place("a", lozenge.origin);
-  for (int i = 0; i < 2; ++i) form.vector(entry("u", i), lozenge.edges[static_cast<std::size_t>(i)], lozenge.origin);
+  for (int i = 0; i < 2; ++i) form.vector(entry("u", i), lozenge.edges[i], lozenge.origin);
   form.number("r", lozenge.radius, radius_from<Dim>(lozenge.origin, lozenge.edges[0], lozenge.radius));
   form.costs({"the distance between two rectangles", 1}, lozenge, {}, {});
   return {std::move(form).done()};
@@ -297,7 +295,7 @@ std::vector<StoredForm> forms_of(const Kdop<double, Dim>& kdop) {
   for (const bool greatest : {false, true})
     for (std::size_t i = 0; i < axes.size(); ++i) {
       Point3 direction = Point3::Zero();
-      for (int j = 0; j < Dim; ++j) direction[j] = axes[i][static_cast<std::size_t>(j)];
+      for (int j = 0; j < Dim; ++j) direction[j] = axes[i][j];
       const double bound = greatest ? kdop.max[i] : kdop.min[i];
       form.number(entry(greatest ? "max" : "min", static_cast<int>(i)) + ": " + axis_name(direction), bound,
                   {bound_of<Dim>(kdop, axes[i], bound)});

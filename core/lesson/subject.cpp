@@ -32,7 +32,7 @@ std::vector<Index> Run::support(int) const { return {}; }
 
 Subject::~Subject() = default;
 std::vector<std::vector<Index>> Subject::things() const {
-  std::vector<Index> all(static_cast<std::size_t>(size()));
+  std::vector<Index> all(size());
   std::iota(all.begin(), all.end(), Index{0});
   return {all};
 }

@@ -176,7 +176,7 @@ std::vector<Vector<double, 3>> TomlTable::points(std::string_view key, int dim) 
     Vector<double, 3> point = Vector<double, 3>::Zero();
     bool good = numbers != nullptr && numbers->size() == static_cast<std::size_t>(dim);
     for (int i = 0; good && i < dim; ++i) {
-      const toml::node* number = numbers->get(static_cast<std::size_t>(i));
+      const toml::node* number = numbers->get(i);
       point[i] = number->is_number() ? number->value_or(std::nan("")) : std::nan("");  // none: beyond double's integers
       good = std::isfinite(point[i]);
     }

@@ -113,7 +113,7 @@ std::optional<Told> told_by_step(const Asked& asked, const Run& run) {
     Told told{{}, truth.happened, std::string(asking.name)};
     for (const int right : truth.choices)
       for (std::size_t i = 0; i < asked.choices.size(); ++i)
-        if (io::lower_case(asked.choices[i]) == io::lower_case(worked.choices[static_cast<std::size_t>(right)]))
+        if (io::lower_case(asked.choices[i]) == io::lower_case(worked.choices[right]))
           told.right.push_back(static_cast<int>(i));
     return told;
   }
@@ -200,7 +200,7 @@ void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints) 
   const std::optional<Told> told = told_of(asked, run);
   if (!told) return;
   const std::string better = "; asks = \"" + told->asks + "\" works it out from the run";
-  const std::string& answer = asked.choices[static_cast<std::size_t>(asked.question->answer)];
+  const std::string& answer = asked.choices[asked.question->answer];
   if (is_false(asked, *told))
     complaints.warn(asked.question->place,
                     "the run contradicts the answer \"" + answer + "\": it is " + told->says + better);

@@ -98,7 +98,7 @@ class FiguresOf {
   const Shown* like(const Written& number, std::string_view situation) {
     const OpenSituation* there = find_open(situations_, situation);
     if (there == nullptr) return nullptr;
-    auto& figures = all_[static_cast<std::size_t>(there - situations_.data())];
+    auto& figures = all_[there - situations_.data()];
     if (!figures) figures = figures_of(lesson_, *there);
     const auto same =
         std::find_if(figures->begin(), figures->end(), [&](const Shown& figure) { return is_same(number, figure); });

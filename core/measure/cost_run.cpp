@@ -198,7 +198,7 @@ void mark_front(std::span<CostRow> rows) {
 }
 
 std::vector<Pose<double, 3>> full_turn(int dim, int poses) {
-  std::vector<Pose<double, 3>> turned(static_cast<std::size_t>(poses));
+  std::vector<Pose<double, 3>> turned(poses);
   for (int i = 0; i < poses; ++i) {
     const double radians = 2 * std::numbers::pi * i / poses;
     Pose<double, 3>& pose = turned[i];

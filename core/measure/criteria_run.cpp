@@ -72,7 +72,7 @@ void CriteriaRun::step() {
   static constexpr std::array kAll{&CriteriaRun::measure_costs, &CriteriaRun::fit_volume, &CriteriaRun::take_update,
                                    &CriteriaRun::test_pair};
   static_assert(kAll.size() == kPieces);
-  if (!done() && (this->*kAll[static_cast<std::size_t>(piece_)])()) ++piece_;
+  if (!done() && (this->*kAll[piece_])()) ++piece_;
 }
 
 bool CriteriaRun::measure_costs() {

@@ -60,7 +60,7 @@ const std::vector<TrialRow>& all_trials() {
 void TrialRun::step() {
   if (done()) return;
   const TrialClaim& claim = *claims_[at_];
-  const std::string_view kind = kTrialKinds[static_cast<std::size_t>(cloud_ / kTrialSeeds)];
+  const std::string_view kind = kTrialKinds[cloud_ / kTrialSeeds];
   TrialRow row{.claim = std::string(claim.name),
                .kind = std::string(kind),
                .seed = 1 + cloud_ % kTrialSeeds,

@@ -110,7 +110,7 @@ std::optional<bool> within_by_double(const Swept<Dim>& swept) {
 }
 
 template <int Dim>
-using Exact = std::array<Dyadic, static_cast<std::size_t>(Dim)>;
+using Exact = std::array<Dyadic, Dim>;
 
 template <int Dim>
 Exact<Dim> exactly(const Vector<double, Dim>& v) {

@@ -30,7 +30,7 @@ double size_of_all(const std::array<double, Dim>& v) {
 template <class Number, int Dim>
 struct Box {
   Numbers<Number, Dim> center, half;
-  std::array<Numbers<Number, Dim>, static_cast<std::size_t>(Dim)> axes;
+  std::array<Numbers<Number, Dim>, Dim> axes;
 
   template <class Scalar>
   explicit Box(const Obb<Scalar, Dim>& box)
@@ -91,10 +91,10 @@ Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box,
     if constexpr (std::is_same_v<Number, double>) axis.size = size_of_all(axis.direction);
   };
   if (place < 2 * Dim) {
-    axis.direction = normal(static_cast<std::size_t>(place));
+    axis.direction = normal(place);
     own_size();
   } else if (place < 3 * Dim) {
-    axis.direction = box.normal(static_cast<std::size_t>(place - 2 * Dim));
+    axis.direction = box.normal(place - 2 * Dim);
     own_size();
     if (Dim == 3) axis.size += 4;  // for the products of unit axes
   } else if constexpr (Dim == 3) {

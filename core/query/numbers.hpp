@@ -7,7 +7,7 @@
 namespace snug::query {
 
 template <class Number, int Dim>
-using Numbers = std::array<Number, static_cast<std::size_t>(Dim)>;
+using Numbers = std::array<Number, Dim>;
 
 template <class Number, std::size_t Dim>
 [[nodiscard]] Number dot(const std::array<Number, Dim>& a, const std::array<Number, Dim>& b) {

@@ -31,7 +31,7 @@ class Pair {
 
   [[nodiscard]] Along along(int place) const {
     const auto [kind, i, j] = axis_at<Dim>(place);
-    const Numbers<Number, Dim> axis = this->axis(kind, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    const Numbers<Number, Dim> axis = this->axis(kind, i, j);
     const Number offset = dot(offset_, axis);
     return {axis, offset, magnitude(offset) - a_.radius(axis) - b_.radius(axis)};
   }
@@ -39,7 +39,7 @@ class Pair {
  private:
   struct Box {
     Numbers<Number, Dim> center, half;
-    std::array<Numbers<Number, Dim>, static_cast<std::size_t>(Dim)> axes;
+    std::array<Numbers<Number, Dim>, Dim> axes;
 
     template <class Scalar>
     explicit Box(const Obb<Scalar, Dim>& box) {

@@ -69,7 +69,7 @@ template <template <class, int> class Form, class Scalar, int Dim, StepObserver<
   const auto axes = kdop_axes<Dim>(2 * Dim);  // those of the coordinates
   for (int i = 0; i < Dim && result.overlap; ++i) {
     AtLine<std::remove_reference_t<Observer>> at_line{observe, i};
-    apart_along<Scalar, Dim>(axes[static_cast<std::size_t>(i)], interval_of(a, i), interval_of(b, i), result, at_line);
+    apart_along<Scalar, Dim>(axes[i], interval_of(a, i), interval_of(b, i), result, at_line);
   }
   return result;
 }

@@ -69,7 +69,7 @@ std::vector<Begin> sorted(std::span<const Box> boxes, SweepOrder& sweep, int axi
   }
   std::vector<Begin> order;
   order.reserve(boxes.size());
-  for (const Index body : sweep.bodies) order.push_back({boxes[static_cast<std::size_t>(body)].min[axis], body});
+  for (const Index body : sweep.bodies) order.push_back({boxes[body].min[axis], body});
   swaps = sort_by_insertion(order);
   for (std::size_t i = 0; i < order.size(); ++i) sweep.bodies[i] = order[i].body;
   return order;
@@ -90,8 +90,7 @@ PairsFound sweep_and_prune(std::span<const Box> boxes, SweepOrder& sweep, Watch 
   const int axis = found.axis = widest_axis(boxes, sweep.axis);
   std::vector<Swept> order;
   order.reserve(boxes.size());
-  for (const Begin& begin : sorted(boxes, sweep, axis, found.swaps))
-    order.push_back({boxes[static_cast<std::size_t>(begin.body)], begin.body});
+  for (const Begin& begin : sorted(boxes, sweep, axis, found.swaps)) order.push_back({boxes[begin.body], begin.body});
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   // All four comparisons at once: which of them fails is random, so branches would be
   // mispredicted.
@@ -181,18 +180,14 @@ PairsFound by_grid(std::span<const Box> boxes, Watch watch) {
   if (boxes.empty()) return found;
   const Grid grid = grid_of(boxes);
   const std::vector<InCell> all = boxes_in_cells(boxes, grid);
-  const auto first_shared = [&](Index i, Index j) {
-    return key_of(
-        grid.cell_of(boxes[static_cast<std::size_t>(i)].min.cwiseMax(boxes[static_cast<std::size_t>(j)].min)));
-  };
+  const auto first_shared = [&](Index i, Index j) { return key_of(grid.cell_of(boxes[i].min.cwiseMax(boxes[j].min))); };
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size() && all[j].key == all[i].key; ++j) {
       const Index a = all[i].body, b = all[j].body;
       if (first_shared(a, b) != all[i].key) continue;
       ++found.compared;
       watch(a, b);
-      if (query::aabbs_overlap(boxes[static_cast<std::size_t>(a)], boxes[static_cast<std::size_t>(b)]))
-        found.pairs.push_back(pair_of(a, b));
+      if (query::aabbs_overlap(boxes[a], boxes[b])) found.pairs.push_back(pair_of(a, b));
     }
   return found;
 }
@@ -213,8 +208,7 @@ PairsFound found_by(std::span<const Box> boxes, PairSearch search, SweepOrder& s
 Grid::Cell Grid::cell_of(const V3& place) const {
   Cell at{};
   for (int i = 0; i < 3; ++i)
-    at[static_cast<std::size_t>(i)] =
-        static_cast<std::int64_t>(std::clamp((place[i] - origin[i]) / cell[i], 0.0, 2 * kMostCells));
+    at[i] = static_cast<std::int64_t>(std::clamp((place[i] - origin[i]) / cell[i], 0.0, 2 * kMostCells));
   return at;
 }
 

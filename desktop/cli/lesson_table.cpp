@@ -104,7 +104,7 @@ void add_directions(std::string& text, int k) {
   std::string names;
   for (const auto& axis : kdop_axes<Dim>(k)) {
     Vector<double, 3> direction = Vector<double, 3>::Zero();
-    for (int i = 0; i < Dim; ++i) direction[i] = axis[static_cast<std::size_t>(i)];
+    for (int i = 0; i < Dim; ++i) direction[i] = axis[i];
     names += (names.empty() ? "" : ", ") + lesson::axis_name(direction);
   }
   text += "| " + std::to_string(Dim) + "-D | `k" + std::to_string(k) + "` | " + names + " |\n";

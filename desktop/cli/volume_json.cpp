@@ -86,7 +86,7 @@ class Fields {
   Point not_negative_each(std::string_view name) {
     const Point value = point(name);
     for (int i = 0; i < 3; ++i)
-      if (value[i] < 0) fail(field(name) + place(static_cast<std::size_t>(i)) + " is negative");
+      if (value[i] < 0) fail(field(name) + place(i) + " is negative");
     return value;
   }
 
@@ -225,7 +225,7 @@ struct FieldReader {
 void check_bounds(Fields& fields, const auto& min, const auto& max, int count) {
   for (int i = 0; i < count; ++i)
     if (min[i] > max[i]) {
-      const std::string which = place(static_cast<std::size_t>(i));
+      const std::string which = place(i);
       fields.fail(fields.field("min") + which + " is above max" + which);
     }
 }

@@ -17,7 +17,7 @@ bool crowded_at(const Polytope& polytope, float pixels) {
     screen.push_back({pixels * static_cast<float>(corner[0]), -pixels * static_cast<float>(corner[1])});
   std::vector<bool> front;
   for (const auto& face : polytope.faces) {
-    const auto at = [&](std::size_t i) { return polytope.corners[static_cast<std::size_t>(face[i])]; };
+    const auto at = [&](std::size_t i) { return polytope.corners[face[i]]; };
     const Vector<double, 3> u = at(1) - at(0), v = at(2) - at(0);
     front.push_back(u[0] * v[1] - u[1] * v[0] > 0);
   }

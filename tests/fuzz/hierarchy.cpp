@@ -50,8 +50,7 @@ void check_nodes(const hierarchy::Tree<Kind>& tree, const std::vector<Kind>& bod
     };
     const auto first = static_cast<std::size_t>(tree.nodes[i].first);
     if (tree.nodes[i].is_leaf())
-      for (const Index body : tree.bodies_below(static_cast<Index>(i)))
-        contains(bodies[static_cast<std::size_t>(body)]);
+      for (const Index body : tree.bodies_below(static_cast<Index>(i))) contains(bodies[body]);
     else contains(tree.nodes[first].volume), contains(tree.nodes[first + 1].volume);
   }
 }
@@ -74,8 +73,8 @@ void check_cull(const hierarchy::Tree<Kind>& tree, const std::vector<Kind>& bodi
                 const Frustum<typename Of<Kind>::Scalar, Of<Kind>::kDim>& frustum, hierarchy::LastRejected* last) {
   std::vector<query::Culling> verdicts(bodies.size(), query::Culling::kOutside);
   hierarchy::cull(tree, bodies, frustum, last, [&](Index body, query::Culling verdict) {
-    require(verdicts[static_cast<std::size_t>(body)] == query::Culling::kOutside);  // once each
-    verdicts[static_cast<std::size_t>(body)] = verdict;
+    require(verdicts[body] == query::Culling::kOutside);  // once each
+    verdicts[body] = verdict;
   });
   for (std::size_t i = 0; i < bodies.size(); ++i) require(verdicts[i] == query::classify(frustum, bodies[i]).verdict);
 }
@@ -94,7 +93,7 @@ void check_pairs(const hierarchy::Tree<Kind>& tree, const hierarchy::Tree<Kind>&
   const auto count = static_cast<Index>(bodies.size());
   for (Index i = 0; i < count; ++i)
     for (Index j = 0; j < count; ++j)
-      if (query::overlaps(bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(j)])) {
+      if (query::overlaps(bodies[i], bodies[j])) {
         each.insert({i, j});
         if (i < j) wanted.insert({i, j});
       }

@@ -55,7 +55,7 @@ void ClaimsCover::take_rows() {
   const cost::TrialTally tally = cost::tally_trials(claim().name, rows_);
   if (run_ != nullptr || !tally.worst) return;
   for (std::size_t i = 0; i < chart_.series.size(); ++i)
-    if (cost::trial_kinds()[static_cast<std::size_t>(chart_.series[i].row)] == tally.worst->kind)
+    if (cost::trial_kinds()[chart_.series[i].row] == tally.worst->kind)
       focus_ = ChartHit{i, chart_.series[i].points.size() - 1};
 }
 
@@ -259,8 +259,7 @@ void ClaimsCover::draw(const Look& look, lesson::Session& session, const Rect& r
 std::vector<Handle> ClaimsCover::handles() const {
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < places_.size() && i < chart_.series.size(); ++i)
-    handles.push_back(
-        {std::string(cost::trial_kinds()[static_cast<std::size_t>(chart_.series[i].row)]), places_[i].x, places_[i].y});
+    handles.push_back({std::string(cost::trial_kinds()[chart_.series[i].row]), places_[i].x, places_[i].y});
   return handles;
 }
 

@@ -53,7 +53,7 @@ class ClaimsCover final : public Cover {
   [[nodiscard]] int version() const override { return version_; }
 
   /// The claim whose chart is shown.
-  [[nodiscard]] const cost::TrialClaim& claim() const { return cost::trial_claims()[static_cast<std::size_t>(at_)]; }
+  [[nodiscard]] const cost::TrialClaim& claim() const { return cost::trial_claims()[at_]; }
 
  private:
   void look_at(int claim);

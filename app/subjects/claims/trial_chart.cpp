@@ -18,7 +18,7 @@ ChartSeries trial_series(const cost::TrialClaim& claim, std::span<const cost::Tr
   const auto own = trials_of_line(claim, rows, line);
   ChartSeries series{.shape = static_cast<ChartShape>(line), .role = ChartRole::kChosen, .line = true, .row = line};
   const auto held = std::count_if(own.begin(), own.end(), [](const cost::TrialRow* row) { return row->holds; });
-  series.name = kind_title(cost::trial_kinds()[static_cast<std::size_t>(line)]);
+  series.name = kind_title(cost::trial_kinds()[line]);
   series.figure = std::to_string(held) + " of " + std::to_string(own.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(own.size());
@@ -39,7 +39,7 @@ std::string_view kind_title(std::string_view kind) {
 std::vector<const cost::TrialRow*> trials_of_line(const cost::TrialClaim& claim, std::span<const cost::TrialRow> rows,
                                                   int line) {
   std::vector<const cost::TrialRow*> own;
-  const std::string_view kind = cost::trial_kinds()[static_cast<std::size_t>(line)];
+  const std::string_view kind = cost::trial_kinds()[line];
   for (const cost::TrialRow& row : rows)
     if (row.claim == claim.name && row.kind == kind) own.push_back(&row);
   std::stable_sort(own.begin(), own.end(),

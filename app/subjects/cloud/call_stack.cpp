@@ -65,9 +65,8 @@ float draw_call_stack(const Look& look, const lesson::Session& session, ImVec2 a
                                           kCorner, 0, 1);
       continue;
     }
-    const int i = shown[static_cast<std::size_t>(row)];
-    const TreeCall* call =
-        i == kGap ? nullptr : &now.calls[static_cast<std::size_t>(now.open[static_cast<std::size_t>(i)])];
+    const int i = shown[row];
+    const TreeCall* call = i == kGap ? nullptr : &now.calls[now.open[i]];
     draw_block(look, session, call, i == open - 1, rect);
   }
   return y - at.y;

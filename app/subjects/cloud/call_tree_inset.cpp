@@ -57,7 +57,7 @@ class TreeInset {
   void draw_branches() {
     std::vector<int> made(whole_.calls.size(), 0);
     for (const TreeCall& call : whole_.calls)
-      if (call.parent >= 0) ++made[static_cast<std::size_t>(call.parent)];
+      if (call.parent >= 0) ++made[call.parent];
     std::vector<std::size_t> bottom(now_.calls.size());  // of the column that begins at each call
     std::iota(bottom.begin(), bottom.end(), std::size_t{0});
     for (std::size_t i = bottom.size(); i-- > 0;) {  // a call stands after the one that made it
@@ -129,7 +129,7 @@ std::vector<float> columns_of(const CallTree& tree) {
   const std::size_t n = tree.calls.size();
   std::vector<bool> calls(n, false);
   for (const TreeCall& call : tree.calls)
-    if (call.parent >= 0) calls[static_cast<std::size_t>(call.parent)] = true;
+    if (call.parent >= 0) calls[call.parent] = true;
   std::vector<float> first(n, -1), last(n, -1);  // of the columns below each call
   float leaves = 0;
   for (std::size_t i = 0; i < n; ++i)

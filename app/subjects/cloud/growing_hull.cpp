@@ -34,7 +34,7 @@ class HullPicture {
     }
     if (hull_.at == kNoIndex) return;
     // The first two edges lie on one another: the one at hand is drawn over the other.
-    const GrowingFacet& at_hand = hull_.facets[static_cast<std::size_t>(hull_.at)];
+    const GrowingFacet& at_hand = hull_.facets[hull_.at];
     segment(at_hand.vertices[0], at_hand.vertices[1], Stroke::kSolid, p_.examined, 1.8f);
   }
 
@@ -48,14 +48,14 @@ class HullPicture {
       segment(a, b, Stroke::kSolid, with_alpha(p_.ground, 0.85f), 1.4f);
       segment(a, b, Stroke::kDotted, p_.optimum, 0.8f);
     }
-    if (!looks && hull_.at != kNoIndex) join(hull_.facets[static_cast<std::size_t>(hull_.at)], true);
+    if (!looks && hull_.at != kNoIndex) join(hull_.facets[hull_.at], true);
     draw_horizon();
   }
 
   /// The farthest point's distance, as the perpendicular to its edge's line or its facet's plane.
   void draw_distance() {
     if (hull_.eye == kNoIndex || hull_.at == kNoIndex) return;
-    const GrowingFacet& facet = hull_.facets[static_cast<std::size_t>(hull_.at)];
+    const GrowingFacet& facet = hull_.facets[hull_.at];
     const Point3 eye = place(hull_.eye), foot = foot_of(facet, eye);
     if (facet.vertices.size() == 2) extend_to(facet, foot);
     draw_line(brush_.canvas, eye, foot, {Stroke::kDashed, p_.examined, brush_.stroke(0.9f)});

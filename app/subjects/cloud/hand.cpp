@@ -56,9 +56,8 @@ void draw_axis(Brush& brush, const lesson::AxesByHand& axes, Index i) {
   draw_knob(brush, at, at, true);
   const ImVec2 middle = brush.at(axes.center()), end = brush.at(at);
   brush.label(end, 12, {end.x - middle.x, end.y - middle.y},
-              std::to_string(i + 1) + ": " +
-                  lesson::direction_text(axes.axes()[static_cast<std::size_t>(i)], brush.dim()),
-              brush.p.current_text, Face::kRegular, 13);
+              std::to_string(i + 1) + ": " + lesson::direction_text(axes.axes()[i], brush.dim()), brush.p.current_text,
+              Face::kRegular, 13);
 }
 
 /// An arrow from the mean with its name; the longest is as long as the points spread twice.

@@ -90,7 +90,7 @@ float draw_products_panel(const Look& look, const lesson::Session& session, ImVe
   const Row head = from_mean ? Row{"", "dx", "dy", "xx", "xy", "yy"} : Row{"", "x", "y", "xx", "xy", "yy"};
   const auto line_of = [&](const Row& row, Face face, Color ink) {
     for (int i = 0; i < kColumns; ++i) {
-      const std::string& cell = row[static_cast<std::size_t>(i)];
+      const std::string& cell = row[i];
       const float baseline = y + look.px(3);
       if (i == 0) text(list, look, face, kSize, {at.x, baseline}, ink, cell);
       else

@@ -93,7 +93,7 @@ void draw_planes(Brush& brush, const Slab& slab) {
   for (const bool low : {low_first, !low_first}) {
     const double along = low ? slab.least : slab.greatest;
     std::array<ImVec2, 4> outline;
-    for (int i = 0; i < 4; ++i) outline[static_cast<std::size_t>(i)] = brush.at(corner(along, i));
+    for (int i = 0; i < 4; ++i) outline[i] = brush.at(corner(along, i));
     const bool near = low != low_first;
     brush.list->AddConvexPolyFilled(outline.data(), 4, with_alpha(p.examined, kSlabFill));
     path(brush.list, outline, true, Stroke::kSolid, with_alpha(p.examined, near ? 1.0f : 0.6f),

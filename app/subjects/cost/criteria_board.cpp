@@ -48,9 +48,7 @@ std::vector<std::size_t> order_by(const CriteriaTable& table, int column) {
   std::vector<std::size_t> order(table.names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (column < 1) return order;
-  const auto key = [&](std::size_t row) {
-    return table.cells[row][static_cast<std::size_t>(column) - 1].key.value_or(HUGE_VAL);
-  };
+  const auto key = [&](std::size_t row) { return table.cells[row][column - 1].key.value_or(HUGE_VAL); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   return order;
 }
@@ -107,7 +105,7 @@ void CriteriaBoard::draw(const Look& look, lesson::Session& session, const Rect&
   Obstacles none;
   if (with_sentence) draw_sentence(list, look, none, rect, caption(session));
   if (hands.turned_x != 0 || hands.turned_y != 0) gaze_ = turned(gaze_, hands.turned_x, hands.turned_y), ++version_;
-  if (hands.clicked >= 0) static_cast<void>(pick(session, static_cast<std::size_t>(hands.clicked)));
+  if (hands.clicked >= 0) static_cast<void>(pick(session, hands.clicked));
 }
 
 std::string CriteriaBoard::caption(const lesson::Session& session) const {
@@ -115,7 +113,7 @@ std::string CriteriaBoard::caption(const lesson::Session& session) const {
   if (running()) return "Measuring all volumes: test, looseness, build, update, bytes, false positives.";
   const int chosen = chosen_in(session);
   if (chosen < 0) return "Select a picture.";
-  return lesson::defence_text(criteria(session), static_cast<std::size_t>(chosen));
+  return lesson::defence_text(criteria(session), chosen);
 }
 
 void CriteriaBoard::start(const lesson::Session& session) {
@@ -157,7 +155,7 @@ bool CriteriaBoard::pick(lesson::Session& session, std::size_t volume) {
 
 bool CriteriaBoard::pick_next(lesson::Session& session, int by) {
   const int count = static_cast<int>(criteria(session).around().volumes.size());
-  return count > 0 && pick(session, static_cast<std::size_t>((chosen_in(session) + by + count) % count));
+  return count > 0 && pick(session, (chosen_in(session) + by + count) % count);
 }
 
 bool CriteriaBoard::sort_by(std::string_view column) {

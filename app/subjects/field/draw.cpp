@@ -46,8 +46,8 @@ void draw_side(Brush& brush, const Polytope& solid, int plane) {
   const int axis = plane / 2;
   const bool positive = axis == 2 ? plane == 4 : plane % 2 == 1;
   std::vector<ImVec2> outline;
-  for (const int corner : solid.faces[static_cast<std::size_t>(2 * axis + (positive ? 0 : 1))])
-    outline.push_back(brush.at(solid.corners[static_cast<std::size_t>(corner)]));
+  for (const int corner : solid.faces[2 * axis + (positive ? 0 : 1)])
+    outline.push_back(brush.at(solid.corners[corner]));
   brush.list->AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), with_alpha(brush.p.examined, 0.2f));
   path(brush.list, outline, true, Stroke::kSolid, brush.p.examined, brush.stroke(1.4f));
 }
@@ -63,11 +63,10 @@ std::vector<NodeTested> nodes_on(const hierarchy::Field& field, const Frustum<do
   for (int at = 0; at < level; ++at) {
     std::vector<NodeTested> next;
     for (const auto& [node, verdict] : now) {
-      const auto& parent = field.tree.nodes[static_cast<std::size_t>(node)];
+      const auto& parent = field.tree.nodes[node];
       if (verdict != Culling::kIntersecting || parent.is_leaf()) continue;
       for (const Index child : {parent.first, parent.first + 1})
-        next.push_back(
-            {child, query::classify(frustum, field.tree.nodes[static_cast<std::size_t>(child)].volume).verdict});
+        next.push_back({child, query::classify(frustum, field.tree.nodes[child].volume).verdict});
     }
     now = std::move(next);
     if (now.size() > kMostNodes) return {};
@@ -81,7 +80,7 @@ void draw_level(Brush& brush, int level, bool tested) {
   const hierarchy::Field& field = run_on(brush.session).field();
   const Palette& p = brush.p;
   for (const auto& [node, verdict] : nodes_on(field, *lesson::frustum_of(stage.recipe, stage.now), level)) {
-    const auto& box = field.tree.nodes[static_cast<std::size_t>(node)].volume;
+    const auto& box = field.tree.nodes[node].volume;
     const Color color = !tested                        ? p.muted
                         : verdict == Culling::kOutside ? p.wrong
                         : verdict == Culling::kInside  ? p.current
@@ -94,7 +93,7 @@ void draw_level(Brush& brush, int level, bool tested) {
 void draw_fact(Brush& brush, const Polytope& solid) {
   const int step = brush.session.step();
   if (step == 0) return;
-  const auto& fact = run_on(brush.session).trace()[static_cast<std::size_t>(step - 1)].step.fact;
+  const auto& fact = run_on(brush.session).trace()[step - 1].step.fact;
   if (const auto* sweep = std::get_if<lesson::PlaneSwept>(&fact)) draw_side(brush, solid, sweep->plane);
   if (const auto* level = std::get_if<lesson::LevelTested>(&fact)) draw_level(brush, level->level, true);
   if (const auto* level = std::get_if<lesson::PlanesSkipped>(&fact)) draw_level(brush, level->level, false);

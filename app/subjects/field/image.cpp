@@ -46,8 +46,7 @@ void draw_seen(Brush& brush, const CameraImage& picture, const hierarchy::Field:
       whole = whole && seen[2] >= picture.camera.near;
       if (whole) outline[k] = picture.at(seen);
     }
-    if (whole)
-      brush.list->AddConvexPolyFilled(outline.data(), 4, shaded(color, kShade[static_cast<std::size_t>(axis)]));
+    if (whole) brush.list->AddConvexPolyFilled(outline.data(), 4, shaded(color, kShade[axis]));
   }
 }
 

@@ -44,7 +44,7 @@ std::vector<Point3> rounded_outline(const BoxPair& pair, double radius) {
   constexpr int kArc = 10;
   const Polytope solid = solid_of(pair);
   std::vector<Point3> around;
-  for (const int corner : solid.faces.front()) around.push_back(solid.corners[static_cast<std::size_t>(corner)]);
+  for (const int corner : solid.faces.front()) around.push_back(solid.corners[corner]);
   double area = 0;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Point3 &a = around[i], &b = around[(i + 1) % around.size()];

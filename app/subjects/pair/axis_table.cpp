@@ -127,7 +127,7 @@ std::vector<bool> wrong_rows(const lesson::Session& session) {
   for (int i = 0; i < session.step(); ++i) {
     const auto* row = std::get_if<Axis>(&run.trace()[i].step.fact);
     if (row != nullptr && run.truth(i) != nullptr && lesson::is_wrong(*row, *run.truth(i)))
-      wrong[static_cast<std::size_t>(lesson::axis_index(session.dim(), row->axis))] = true;
+      wrong[lesson::axis_index(session.dim(), row->axis)] = true;
   }
   return wrong;
 }
@@ -162,7 +162,7 @@ float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float wi
     }
     if (light != nullptr && touch.clicked) light->tapped = light->tapped == i ? -1 : i;
     table.row(y, names[i], rows[i], i == (lit >= 0 ? lit : at_hand));
-    if (wrong[static_cast<std::size_t>(i)]) draw_wrong_row(table, y);
+    if (wrong[i]) draw_wrong_row(table, y);
   }
   return y - at.y;
 }

@@ -118,7 +118,7 @@ float draw_formulas(const Look& look, int dim, int row, bool asks, ImVec2 at) {
   line("distance", formulas.distance);
   line("r_A", formulas.radius_a);
   line("r_B", formulas.radius_b);
-  if (lesson::axis_names(dim)[static_cast<std::size_t>(row)].kind == query::AxisKind::kEdgeEdge)
+  if (lesson::axis_names(dim)[row].kind == query::AxisKind::kEdgeEdge)
     text(list, look, Face::kRegular, kEntry, {at.x, y}, look->muted, "each divided by the axis's length");
   return room;
 }

@@ -28,7 +28,7 @@ constexpr int kRim = 24;  // points of the outline around a vertex with a radius
 
 /// Which of the colours a body was given; -1 for none.
 int painted(const Brush& brush, std::size_t i) {
-  return declared(lesson::set_of(brush.session), i, static_cast<std::size_t>(brush.session.size())).color;
+  return declared(lesson::set_of(brush.session), i, brush.session.size()).color;
 }
 
 /// Mixes a fraction of the second colour into the first.
@@ -170,7 +170,7 @@ Color fill_of(const Brush& brush, std::size_t i, bool touching) {
   const Palette& p = brush.p;
   const std::array<Color, lesson::kBodyColors.size()> colors{p.current, p.optimum, p.wrong, p.muted};
   const int own = painted(brush, i);
-  if (own >= 0) return mixed(p.surface, colors[static_cast<std::size_t>(own)], kPainted);
+  if (own >= 0) return mixed(p.surface, colors[own], kPainted);
   return touching && lesson::members_of(brush.session)[i].moves() ? mixed(p.surface, p.support, kTouching) : p.surface;
 }
 

@@ -24,8 +24,7 @@ void draw_view_of_camera(Brush& brush, const Frustum<double, 3>& camera) {
   for (int c = 0; c < 8; ++c)
     for (int bit = 1; bit < 8; bit <<= 1)
       if ((c & bit) == 0)
-        line(brush.list, brush.at((*corners)[static_cast<std::size_t>(c)]),
-             brush.at((*corners)[static_cast<std::size_t>(c | bit)]), Stroke::kDashed, brush.p.examined,
+        line(brush.list, brush.at((*corners)[c]), brush.at((*corners)[c | bit]), Stroke::kDashed, brush.p.examined,
              brush.stroke(0.5f));
 }
 

@@ -52,7 +52,7 @@ class Graph {
  private:
   [[nodiscard]] bool changed(const scene::Rail& rail) const {
     if (frame_ == 0) return false;
-    return rail.slot == scene::Slot::kTime || scene::has(run_.changes[static_cast<std::size_t>(frame_ - 1)], rail.slot);
+    return rail.slot == scene::Slot::kTime || scene::has(run_.changes[frame_ - 1], rail.slot);
   }
   [[nodiscard]] Color color_of(const scene::Rail& rail) const {
     return changed(rail) ? p_.current : with_alpha(p_.muted, 0.55f);

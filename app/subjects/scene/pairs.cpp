@@ -29,17 +29,16 @@ void draw_pairs(Brush& brush, const SceneFrame& frame) {
   for (const scene::Pair& pair : frame.pairs) {
     if (std::binary_search(frame.touching.begin(), frame.touching.end(), pair)) continue;
     const bool near = std::binary_search(frame.near.begin(), frame.near.end(), pair);
-    draw_between(brush, body_in(brush, frame, static_cast<std::size_t>(pair.a)),
-                 body_in(brush, frame, static_cast<std::size_t>(pair.b)), near ? Stroke::kDashed : Stroke::kDotted,
-                 near ? p.examined_text : p.previous, 0.9f);
+    draw_between(brush, body_in(brush, frame, pair.a), body_in(brush, frame, pair.b),
+                 near ? Stroke::kDashed : Stroke::kDotted, near ? p.examined_text : p.previous, 0.9f);
   }
 }
 
 std::vector<std::vector<std::size_t>> partners_in(const SceneFrame& frame) {
   std::vector<std::vector<std::size_t>> partners(frame.bodies.size());
   for (const scene::Pair& pair : frame.touching) {
-    partners[static_cast<std::size_t>(pair.a)].push_back(static_cast<std::size_t>(pair.b));
-    partners[static_cast<std::size_t>(pair.b)].push_back(static_cast<std::size_t>(pair.a));
+    partners[pair.a].push_back(pair.b);
+    partners[pair.b].push_back(pair.a);
   }
   return partners;
 }
@@ -54,8 +53,8 @@ void draw_contact(Brush& brush, const Seen& a, const Seen& b) {
 
 void draw_touching_in_crowd(Brush& brush, const SceneFrame& frame) {
   for (const scene::Pair& pair : frame.touching)
-    draw_between(brush, body_in(brush, frame, static_cast<std::size_t>(pair.a)),
-                 body_in(brush, frame, static_cast<std::size_t>(pair.b)), Stroke::kSolid, brush.p.support_text, 0.7f);
+    draw_between(brush, body_in(brush, frame, pair.a), body_in(brush, frame, pair.b), Stroke::kSolid,
+                 brush.p.support_text, 0.7f);
 }
 
 }  // namespace snug::app

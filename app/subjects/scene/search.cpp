@@ -18,9 +18,7 @@ using BroadBox = Aabb<double, 3>;
 constexpr int kLevelsDrawn = 3;  // of a tree's nodes below the root, besides those around the body
 constexpr std::int64_t kMostCellsDrawn = 64;
 
-const BroadBox& aabb_of_body(const SceneFrame& frame, Index body) {
-  return frame.volumes[static_cast<std::size_t>(body)];
-}
+const BroadBox& aabb_of_body(const SceneFrame& frame, Index body) { return frame.volumes[body]; }
 
 bool has_body(const hierarchy::Tree<BroadBox>& tree, Index node, Index body) {
   const auto below = tree.bodies_below(node);
@@ -84,7 +82,7 @@ std::optional<SearchShown> search_at(const Brush& brush, const SceneFrame& frame
 
 void draw_search(Brush& brush, const SceneFrame& frame, const SearchShown& shown) {
   const Palette& p = brush.p;
-  const auto center = [&](Index body) { return frame.bodies[static_cast<std::size_t>(body)].position; };
+  const auto center = [&](Index body) { return frame.bodies[body].position; };
   if (shown.search == scene::PairSearch::kTree) draw_nodes_around(brush, frame, shown.body);
   if (shown.search == scene::PairSearch::kGrid) draw_cells(brush, frame, shown.body);
   for (const Index other : shown.others) {

@@ -29,7 +29,7 @@ std::string name_of_body(const lesson::Session& session, Index body) {
   const Owner owner = owner_of(lesson::set_of(session));
   const Index handle = body - static_cast<Index>(owner.body);
   if (owner.at_points && handle >= 0 && handle < session.size()) return session.name_of(handle);
-  const std::string& name = lesson::members_of(session)[static_cast<std::size_t>(body)].name;
+  const std::string& name = lesson::members_of(session)[body].name;
   return name.empty() ? "a body" : name;
 }
 
@@ -40,7 +40,7 @@ struct SweepPicture {
   Rect panel, plot;
   double least = 0, greatest = 1;
 
-  [[nodiscard]] const Aabb<double, 3>& box(Index body) const { return frame.volumes[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] const Aabb<double, 3>& box(Index body) const { return frame.volumes[body]; }
   [[nodiscard]] float x(double at) const {
     return plot.x + plot.width * static_cast<float>((at - least) / (greatest - least));
   }

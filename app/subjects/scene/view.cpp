@@ -56,7 +56,7 @@ class SceneView final : public SubjectView {
   [[nodiscard]] float reach_of(const Brush& brush, Index i) const override {
     const Owner owner = owner_of(lesson::set_of(brush.session));
     if (!owner.at_points) return 0;
-    const double reach = members_of(brush.session)[owner.body + static_cast<std::size_t>(i)].shape.reach;
+    const double reach = members_of(brush.session)[owner.body + i].shape.reach;
     return static_cast<float>(0.85 * reach * brush.canvas.camera.scale_at(place_of(brush.session, i)));
   }
 
@@ -95,7 +95,7 @@ Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
     const SceneFrame::Placed& body = frame.bodies[owner.body];
     return body.position + body.rotation() * members_of(session)[owner.body].shape.corners[i];
   }
-  return owner.at_points ? frame.bodies[owner.body + static_cast<std::size_t>(i)].position : session.point(i);
+  return owner.at_points ? frame.bodies[owner.body + i].position : session.point(i);
 }
 
 fit::Sphere3 SceneView::extent(const lesson::Session& session) {

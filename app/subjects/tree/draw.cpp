@@ -96,7 +96,7 @@ void draw_merged(Brush& brush, const TreeShown& shown) {
   const auto at = static_cast<std::size_t>(shown.branch);
   if (shown.forest().at(shown.branch).divides())
     for (const Index child : shown.forest().at(shown.branch).children)
-      draw(merged[static_cast<std::size_t>(child)], {Stroke::kSolid, p.current, brush.stroke(0.8f), 0});
+      draw(merged[child], {Stroke::kSolid, p.current, brush.stroke(0.8f), 0});
   draw(merged[at], {Stroke::kSolid, p.current, brush.stroke(1.4f), p.fill});
   draw(tight[at], {Stroke::kDashed, p.optimum, brush.stroke(), 0});
 }

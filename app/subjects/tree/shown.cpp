@@ -87,7 +87,7 @@ TreeInk ink_of(const Palette& palette, const TreeShown& shown, Index branch, Tre
   TreeInk ink{palette.previous, palette.ink};
   if (shown.run->is_merging() && !shown.run->has_volume(branch, shown.step))
     return {.line = with_alpha(palette.muted, 0.55f), .words = palette.muted, .pale = true};
-  if (const auto* state = shown.query()) ink = ink_of_met(palette, state->nodes[static_cast<std::size_t>(branch)]);
+  if (const auto* state = shown.query()) ink = ink_of_met(palette, state->nodes[branch]);
   else if (branch == shown.branch || shown.finished) ink = {palette.current, palette.current_text, palette.fill};
   return ink;
 }
@@ -99,7 +99,7 @@ TreeInk ink_of_box(const Palette& palette, const TreeShown& shown, Index box, Tr
       return ink_of_pair(palette, *state, leaf, side, false);
     return ink_of_met(palette, is_found(*state, box, side) ? Met::kMet : Met::kNot);
   }
-  if (const auto* state = shown.query()) return ink_of_met(palette, state->boxes[static_cast<std::size_t>(box)]);
+  if (const auto* state = shown.query()) return ink_of_met(palette, state->boxes[box]);
   if (box == shown.incoming) return {palette.examined, palette.examined_text};
   return {palette.point, palette.ink};
 }

@@ -21,7 +21,7 @@ struct TreeShown : Shown {
   [[nodiscard]] const lesson::Forest& forest() const { return run->forest(step); }
   [[nodiscard]] const lesson::QueryState* query() const { return run->is_query() ? &run->state(step) : nullptr; }
   [[nodiscard]] const lesson::PairState* pairs() const {
-    return run->pairing() != nullptr ? &run->pairing()->states[static_cast<std::size_t>(step)] : nullptr;
+    return run->pairing() != nullptr ? &run->pairing()->states[step] : nullptr;
   }
 };
 

@@ -32,7 +32,7 @@ struct TreeLayout {
     if (way != lesson::Growth::Way::kUp) return;
     for (const Index i : forest_.there()) at(i).row = rows - 1 - height_of(i);  // the leaves in one row
   }
-  Place& at(Index i) { return places[static_cast<std::size_t>(i)]; }
+  Place& at(Index i) { return places[i]; }
 
  private:
   int height_of(Index i) const {

@@ -71,7 +71,7 @@ UpdateShown update_shown_at(const lesson::Session& session) {
   for (int i = 0; i < session.step(); ++i) {
     for (UpdateShown::Bound& bound : shown.bounds) bound.fresh = false;
     shown.spoken_of.clear();
-    std::visit(teller, shown.run->trace()[static_cast<std::size_t>(i)].step.fact);
+    std::visit(teller, shown.run->trace()[i].step.fact);
   }
   show_climb_asked(shown, session);
   return shown;

@@ -229,7 +229,7 @@ class Prover {
     if (dim < Dim && !hull_.facets.empty()) return false;
     const auto in = [](Index i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
     for (const Index i : hull_.indices)
-      if (!in(i, static_cast<std::size_t>(points_.size()))) return false;
+      if (!in(i, points_.size())) return false;
     for (const auto& facet : hull_.facets)
       for (const Index i : facet)
         if (!in(i, n)) return false;

@@ -43,8 +43,8 @@ class HillClimb {
   /// all_points: whether the body has no other points, which rounding could place farther out.
   HillClimb(std::span<const Vector<Scalar, Dim>> vertices, const HullNeighbors& neighbors, int directions,
             bool all_points)
-      : vertices_(vertices), neighbors_(neighbors), ends_(static_cast<std::size_t>(directions), 0),
-        seen_(vertices.size(), 0), all_points_(all_points) {
+      : vertices_(vertices), neighbors_(neighbors), ends_(directions, 0), seen_(vertices.size(), 0),
+        all_points_(all_points) {
     for (const auto& v : vertices) largest_ = largest_.cwiseMax(v.cwiseAbs());
   }
 

@@ -9,8 +9,7 @@ template <class Scalar>
 class FaceMerger {
  public:
   FaceMerger(const HullSurface<Scalar>& surface, PointSpan<Scalar, 3> points)
-      : surface_(surface), points_(points), edges_(surface.facets().size()),
-        place_(static_cast<std::size_t>(points.size()), kNoIndex) {}
+      : surface_(surface), points_(points), edges_(surface.facets().size()), place_(points.size(), kNoIndex) {}
 
   MergedFaces<Scalar> run() {
     judge_edges();

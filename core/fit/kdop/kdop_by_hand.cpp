@@ -20,7 +20,7 @@ void each_choice(int n, Call call) {
   const auto choose = [&](auto&& self, int place, int from) -> void {
     if (place == Dim) return call(chosen);
     for (int i = from; i < n; ++i) {
-      chosen[static_cast<std::size_t>(place)] = i;
+      chosen[place] = i;
       self(self, place + 1, i + 1);
     }
   };
@@ -30,7 +30,7 @@ void each_choice(int n, Call call) {
 template <int Dim>
 Matrix<double, Dim> axes_in_rows(const std::array<int, Dim>& chosen, auto&& axis_at) {
   Matrix<double, Dim> rows;
-  for (int i = 0; i < Dim; ++i) rows.row(i) = axis_at(chosen[static_cast<std::size_t>(i)]).transpose();
+  for (int i = 0; i < Dim; ++i) rows.row(i) = axis_at(chosen[i]).transpose();
   return rows;
 }
 
@@ -55,7 +55,7 @@ std::vector<Vector<double, Dim>> meeting_points(std::span<const FreeSlab<Dim>> s
     for (int sides = 0; sides < 1 << Dim; ++sides) {
       Vector<double, Dim> bounds;
       for (int i = 0; i < Dim; ++i) {
-        const FreeSlab<Dim>& slab = slabs[chosen[static_cast<std::size_t>(i)]];
+        const FreeSlab<Dim>& slab = slabs[chosen[i]];
         bounds[i] = (sides >> i & 1) != 0 ? slab.max + widen : slab.min - widen;
       }
       const Vector<double, Dim> p = inverse * bounds;

@@ -37,7 +37,7 @@ bool is_frame(const Matrix<Scalar, Dim>& axes) {
 
 template <class Scalar, int Dim>
 bool support_on_faces(const Fit<Obb<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> points, double rounding) {
-  std::array<bool, static_cast<std::size_t>(2 * Dim)> touched{};
+  std::array<bool, 2 * Dim> touched{};
   for (const Index i : fit.support) {
     const Vector<double, Dim> along = from_middle(fit.volume, points[i]);
     bool on_face = false;

@@ -90,7 +90,7 @@ template <class Edges>
 void HullSolid::link_neighbours(const Edges& edges) {
   neighbours_from_.assign(vertices().size() + 1, 0);
   for (const SharedEdge& e : edges)
-    for (const Index v : e.edge) ++neighbours_from_[static_cast<std::size_t>(v) + 1];
+    for (const Index v : e.edge) ++neighbours_from_[v + 1];
   std::partial_sum(neighbours_from_.begin(), neighbours_from_.end(), neighbours_from_.begin());
   neighbours_.resize(2 * edges.size());
   std::vector<std::size_t> next(neighbours_from_.begin(), neighbours_from_.end() - 1);

@@ -27,7 +27,7 @@ inline constexpr Index kPivotSample = 8;
 
 /// A random sample of the points, by index; all points, if there are fewer than kPivotSample.
 inline std::vector<Index> random_sample(Index points, std::uint64_t seed) {
-  std::vector<Index> sample(static_cast<std::size_t>(std::min(points, kPivotSample)));
+  std::vector<Index> sample(std::min(points, kPivotSample));
   std::iota(sample.begin(), sample.end(), Index{0});
   if (points <= kPivotSample) return sample;
   Random random(seed);

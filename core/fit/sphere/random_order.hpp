@@ -14,7 +14,7 @@ namespace snug::fit {
 
 /// The numbers from 0 to n - 1, each order as likely as any other.
 [[nodiscard]] inline std::vector<Index> random_order(Index n, std::uint64_t seed) {
-  std::vector<Index> order(static_cast<std::size_t>(n));
+  std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), Index{0});
   Random random(seed);
   for (std::size_t i = order.size(); i-- > 1;)

@@ -37,7 +37,7 @@ Fit<Sphere<Scalar, Dim>> ritter_iterative(PointSpan<Scalar, Dim> points, const O
   observe.count(Operation::kComparisons, 2 * Dim * std::int64_t{points.size()});
   observe(Step{0, true, best.volume, Finished{best.support.list()}});
 
-  std::vector<Index> order(static_cast<std::size_t>(points.size()));
+  std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
   Random random(options.seed);
   Sphere<Scalar, Dim> ball = best.volume;

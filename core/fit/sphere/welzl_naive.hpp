@@ -76,7 +76,7 @@ class WelzlNaive {
   void solve(Index end, const Support& fixed) {  // NOLINT(misc-no-recursion): the recursion is what this is about
     if (fixed.size() == Dim + 1) return;
     for (Index at = 0; at < end && !stopped_; ++at) {
-      const Index point = list_[static_cast<std::size_t>(at)];
+      const Index point = list_[at];
       if (!outside(point, fixed) || stopped_) continue;
       Support with = fixed;
       with.add(point);

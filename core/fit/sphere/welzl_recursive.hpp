@@ -75,7 +75,7 @@ class WelzlRecursive {
     if (stopped_) return;
     if (call.left == 0 || call.support.size() == Dim + 1) return end(call);
     if (call.depth == kWelzlDepthLimit) return stop(call);
-    const Index u = list_[static_cast<std::size_t>(call.left) - 1];
+    const Index u = list_[call.left - 1];
     observe_(Step{6, has_ball_, pivoting_.current(), entered(call, u)});
     solve({call.left - 1, call.support, call.depth + 1});
     if (stopped_ || !outside(call, u)) return;

@@ -134,7 +134,7 @@ class LozengeMaker {
 
   /// Lays the rectangle along the axes of greatest extent, as large as the points' extents.
   void measure_extents() {
-    std::array<std::pair<Scalar, int>, static_cast<std::size_t>(Dim)> lengths;
+    std::array<std::pair<Scalar, int>, Dim> lengths;
     for (int axis = 0; axis < Dim; ++axis) {
       const auto [least, greatest] = ends_along(axis);
       lengths[axis] = {at(greatest, axis) - at(least, axis), axis};

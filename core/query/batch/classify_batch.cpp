@@ -207,8 +207,8 @@ Aabb<Scalar, 3> AabbArray<Scalar>::operator[](std::size_t i) const {
 template <class Scalar>
 void AabbArray<Scalar>::set(std::size_t i, const Aabb<Scalar, 3>& box) {
   for (int k = 0; k < 3; ++k) {
-    this->at(i, static_cast<std::size_t>(k)) = box.min[k];
-    this->at(i, static_cast<std::size_t>(k + 3)) = box.max[k];
+    this->at(i, k) = box.min[k];
+    this->at(i, k + 3) = box.max[k];
   }
   this->reaches(i, size_of(box));
 }
@@ -219,7 +219,7 @@ Sphere<Scalar, 3> SphereArray<Scalar>::operator[](std::size_t i) const {
 }
 template <class Scalar>
 void SphereArray<Scalar>::set(std::size_t i, const Sphere<Scalar, 3>& sphere) {
-  for (int k = 0; k < 3; ++k) this->at(i, static_cast<std::size_t>(k)) = sphere.center[k];
+  for (int k = 0; k < 3; ++k) this->at(i, k) = sphere.center[k];
   this->at(i, 3) = sphere.radius;
   this->reaches(i, size_of(sphere));
 }

@@ -11,7 +11,7 @@ namespace snug::exact {
 namespace {
 
 template <int Dim>
-using Place = std::array<Rational, static_cast<std::size_t>(Dim)>;
+using Place = std::array<Rational, Dim>;
 
 template <int Dim>
 Place<Dim> exactly(const Vector<double, Dim>& v) {
@@ -71,7 +71,7 @@ bool holds_one(const Aabb<double, Dim>& outer, const Aabb<double, Dim>& inner) {
 /// x with x . axis_i = along_i for all i, by Cramer's rule.
 template <int Dim>
 Place<Dim> solve(const Matrix<double, Dim>& axes, const Place<Dim>& along) {
-  const auto determinant = [](const std::array<Place<Dim>, static_cast<std::size_t>(Dim)>& rows) -> Rational {
+  const auto determinant = [](const std::array<Place<Dim>, Dim>& rows) -> Rational {
     if constexpr (Dim == 2) return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
     else {
       Rational sum = 0;
@@ -82,7 +82,7 @@ Place<Dim> solve(const Matrix<double, Dim>& axes, const Place<Dim>& along) {
       return sum;
     }
   };
-  std::array<Place<Dim>, static_cast<std::size_t>(Dim)> rows;
+  std::array<Place<Dim>, Dim> rows;
   for (std::size_t i = 0; i < Dim; ++i) rows[i] = exactly<Dim>(axes.col(static_cast<int>(i)));
   const Rational whole = determinant(rows);
   Place<Dim> x;

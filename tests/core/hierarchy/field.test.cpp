@@ -26,7 +26,7 @@ constexpr std::array kWays{FieldWay::kAllVertices, FieldWay::kPnVertex, FieldWay
 /// Boxes of many sizes; on whole numbers many of them touch the planes of a frustum along the axes.
 std::vector<Field::Box> any_boxes(int count, std::uint64_t seed, bool whole) {
   Random random(seed);
-  std::vector<Field::Box> boxes(static_cast<std::size_t>(count));
+  std::vector<Field::Box> boxes(count);
   for (auto& box : boxes)
     for (int axis = 0; axis < 3; ++axis) {
       const double low = random.between(-12, 12), size = random.between(0, 3);

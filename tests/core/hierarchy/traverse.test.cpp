@@ -90,7 +90,7 @@ void check_rays(const std::vector<Aabb<Scalar, Dim>>& boxes, double low, double 
       Ray<Scalar, Dim> ray{test::any_in<Dim>(random, low, high).template cast<Scalar>(),
                            test::any_in<Dim>(random, -1, 1).template cast<Scalar>()};
       if (i % 5 == 0) ray.direction[i % Dim] = 0;
-      if (i % 7 == 0 && !boxes.empty()) ray.origin = boxes[static_cast<std::size_t>(i) % boxes.size()].min;
+      if (i % 7 == 0 && !boxes.empty()) ray.origin = boxes[i % boxes.size()].min;
       const auto hit = [&](const Aabb<Scalar, Dim>& box) { return query::ray_enters(box, ray); };
       Index expected = kNoIndex;
       Scalar t = 0;

@@ -148,7 +148,7 @@ TEST_CASE("lines to be put into order are never shown in order") {
     CHECK(shown != std::vector<std::string>{"first", "second", "third"});
     const Answer right = model_answer(*session.asked(), session.run(0));
     std::vector<std::string> told;
-    for (const int one : right.list) told.push_back(shown[static_cast<std::size_t>(one)]);
+    for (const int one : right.list) told.push_back(shown[one]);
     CHECK(told == std::vector<std::string>{"first", "second", "third"});
     REQUIRE(session.answer(right));
     CHECK(session.outcomes().front().right);
@@ -163,7 +163,7 @@ TEST_CASE("the cheapest is that with the fewest operations") {
   CHECK(operations("ritter") < operations("brute_force"));
   const Answer right = model_answer(*session.asked(), session.run(0));
   const std::array<const char*, 3> names{"ritter", "welzl", "brute_force"};
-  for (const char* name : names) CHECK(operations(names[static_cast<std::size_t>(right.value)]) <= operations(name));
+  for (const char* name : names) CHECK(operations(names[right.value]) <= operations(name));
 }
 
 TEST_CASE("a wrong answer is told what it means, at the first try and in the outcome") {

@@ -257,7 +257,7 @@ std::vector<lesson::Session> scene_sessions() {
 /// Points on a grid of 27 places, where a textbook's rounding goes wrong: most places have several points.
 AnyPointSet small_grid(int n) {
   Random random(1);
-  std::vector<Vector<double, 3>> points(static_cast<std::size_t>(n));
+  std::vector<Vector<double, 3>> points(n);
   for (auto& point : points)
     for (int axis = 0; axis < 3; ++axis) point[axis] = random.below(3);
   return set_of(points, 3);

@@ -14,7 +14,7 @@ using exact::Rational;
 namespace {
 
 template <class Scalar, int Dim>
-using RationalPoint = std::array<Rational, static_cast<std::size_t>(Dim)>;
+using RationalPoint = std::array<Rational, Dim>;
 
 template <class Scalar, int Dim>
 RationalPoint<Scalar, Dim> rational(const Vector<Scalar, Dim>& v) {

@@ -13,7 +13,7 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 template <int Dim>
-using IntegerVector = std::array<Integer, static_cast<std::size_t>(Dim)>;
+using IntegerVector = std::array<Integer, Dim>;
 
 /// value times 2^shift, which must be whole.
 inline Integer scaled(double value, int shift) {
@@ -45,7 +45,7 @@ int lowest_bit(const Obb<double, Dim>& box) {
 template <int Dim>
 struct WholeBox {
   IntegerVector<Dim> center;
-  std::array<IntegerVector<Dim>, static_cast<std::size_t>(Dim)> half_edges, directions;
+  std::array<IntegerVector<Dim>, Dim> half_edges, directions;
 
   WholeBox(const Obb<double, Dim>& box, int shift) {
     for (int k = 0; k < Dim; ++k) {
@@ -127,7 +127,7 @@ bool overlap_by_simplex(const Obb<double, Dim>& a, const Obb<double, Dim>& b) {
     Rational target = exact(b.center[r]) - exact(a.center[r]);
     for (int k = 0; k < Dim; ++k) {
       table[row][k] = exact(a.half_extents[k]) * exact(a.axes(r, k));
-      table[row][kDim + static_cast<std::size_t>(k)] = exact(b.half_extents[k]) * exact(b.axes(r, k));
+      table[row][kDim + k] = exact(b.half_extents[k]) * exact(b.axes(r, k));
     }
     for (std::size_t k = 0; k < kEdges; ++k) target += table[row][k];
     table[row][kColumns] = target;

@@ -12,7 +12,7 @@ constexpr int kPairs = 20;
 
 using Whole = std::int64_t;
 template <int Dim>
-using WholePoint = std::array<Whole, static_cast<std::size_t>(Dim)>;
+using WholePoint = std::array<Whole, Dim>;
 
 /// The points p with min <= normal . p <= max.
 template <int Dim>
@@ -84,8 +84,8 @@ bool lies_in_all(const Quotient<Dim>& point, const std::vector<WholeSlab<Dim>>& 
 /// are coordinates.
 template <int Dim>
 bool have_common_point(const std::vector<WholeSlab<Dim>>& slabs) {
-  std::array<const WholeSlab<Dim>*, static_cast<std::size_t>(Dim)> chosen{};
-  std::array<Whole, static_cast<std::size_t>(Dim)> bounds{};
+  std::array<const WholeSlab<Dim>*, Dim> chosen{};
+  std::array<Whole, Dim> bounds{};
   const auto choose = [&](const auto& self, std::size_t first, std::size_t count) -> bool {
     if (count == Dim) {
       const auto point = meet_of(chosen, bounds);
@@ -165,7 +165,7 @@ class LatticeMaker {
   LatticePair<Scalar, Dim> sphere(const WholePoint<Dim>& center) {
     const Whole radius = random_.below(4);
     Sphere<Scalar, Dim> sphere;
-    for (int i = 0; i < Dim; ++i) sphere.center[i] = static_cast<Scalar>(center[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < Dim; ++i) sphere.center[i] = static_cast<Scalar>(center[i]);
     sphere.radius = static_cast<Scalar>(radius);
     return {sphere, {center, radius, {}}};
   }
@@ -192,7 +192,7 @@ class LatticeMaker {
     const LatticeVolume<Dim> whole = slabs_around(middle, normals);
     Aabb<Scalar, Dim> box;
     for (int i = 0; i < Dim; ++i) {
-      const auto& slab = whole.slabs[static_cast<std::size_t>(i)];
+      const auto& slab = whole.slabs[i];
       box.min[i] = static_cast<Scalar>(slab.min), box.max[i] = static_cast<Scalar>(slab.max);
     }
     return {box, whole};

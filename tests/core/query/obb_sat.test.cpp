@@ -72,7 +72,7 @@ bool is_flat(const Obb<Scalar, Dim>& box) {
 template <class Scalar, int Dim>
 exact::Rational true_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                          const query::SatAxis<Scalar, Dim>& axis) {
-  using Exact = std::array<exact::Rational, static_cast<std::size_t>(Dim)>;
+  using Exact = std::array<exact::Rational, Dim>;
   const auto column = [](const Obb<Scalar, Dim>& box, int k) {
     Exact v;
     for (int i = 0; i < Dim; ++i) v[i] = exact::Rational(static_cast<double>(box.axes(i, k)));
@@ -325,7 +325,7 @@ TEST_CASE_TEMPLATE("the steps are those of the lecture's table, in its order", K
       const bool settled =
           std::holds_alternative<query::LookedCloser>(steps.entries[steps.entries.size() - 2].step.fact);
       for (int k = 0; k < result.tests; ++k) {
-        const auto& step = steps.entries[static_cast<std::size_t>(k) + 1].step;
+        const auto& step = steps.entries[k + 1].step;
         const auto& tested = std::get<Tested>(step.fact);
         const auto expected = query::axis_at<kDim>(k);
         CHECK(tested.axis.kind == expected.kind);

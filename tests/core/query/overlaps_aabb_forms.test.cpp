@@ -69,11 +69,11 @@ void check(const Form& a, const Form& b, Seen& seen) {
   CHECK(result.tests == std::min(gap + 1, Dim));
   REQUIRE(static_cast<int>(steps.kept.size()) == result.tests);
   for (int i = 0; i < result.tests; ++i) {
-    const auto* slab = std::get_if<query::SlabTested>(&steps.kept[static_cast<std::size_t>(i)].fact);
+    const auto* slab = std::get_if<query::SlabTested>(&steps.kept[i].fact);
     REQUIRE(slab != nullptr);
     CHECK(slab->direction[i] == 1);
     CHECK(slab->separates == (i == gap));
-    CHECK(steps.kept[static_cast<std::size_t>(i)].line == i);
+    CHECK(steps.kept[i].line == i);
   }
   CHECK(steps.comparisons <= 2 * Dim);
   if (!result.overlap) CHECK(result.separating_axis->gap > 0);

@@ -18,7 +18,7 @@ struct QueryTally {
 
   void count(int answer, bool right, bool is_hard) {
     ++sets;
-    ++answers[static_cast<std::size_t>(answer)];
+    ++answers[answer];
     wrong += !right;
     hard += is_hard;
     hash = (hash ^ static_cast<std::uint64_t>(answer)) * 0x100000001b3u;

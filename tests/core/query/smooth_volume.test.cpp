@@ -63,8 +63,8 @@ template <class Scalar, int Dim>
 Frustum<Scalar, Dim> grazing(Random& random, const Cylinder<Scalar, Dim>& cylinder) {
   typename Frustum<Scalar, Dim>::Planes planes;
   for (int i = 0; i < 2 * Dim; ++i) {
-    planes[static_cast<std::size_t>(i)].normal[i / 2] = i % 2 == 0 ? Scalar(-1) : Scalar(1);
-    planes[static_cast<std::size_t>(i)].d = -1000;
+    planes[i].normal[i / 2] = i % 2 == 0 ? Scalar(-1) : Scalar(1);
+    planes[i].d = -1000;
   }
   Plane<Scalar, Dim>& plane = planes[0];
   plane.normal = any_point<Scalar, Dim>(random, 1);

@@ -70,8 +70,8 @@ AllVerdicts culled(const hierarchy::Tree<Body>& tree, const std::vector<Body>& b
   bool twice = false;
   hierarchy::cull(tree, bodies, frustum, last,
                   [&](Index body, Culling verdict) {
-                    twice = twice || verdicts[static_cast<std::size_t>(body)] != Culling::kOutside;
-                    verdicts[static_cast<std::size_t>(body)] = verdict;
+                    twice = twice || verdicts[body] != Culling::kOutside;
+                    verdicts[body] = verdict;
                   },
                   {.masking = last != nullptr, .coherence = last != nullptr});
   return twice ? AllVerdicts(bodies.size(), Culling::kOutside) : verdicts;

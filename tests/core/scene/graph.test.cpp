@@ -50,8 +50,7 @@ TEST_CASE("each edge of the graph goes down, from who writes to who reads; only 
   CHECK(rail(rails, Slot::kTrails).readers.empty());
   for (const scene::Rail& one : rails)
     for (const int reader : one.readers)
-      for (const int writer : one.writers)
-        CHECK((writer <= reader || scene::has(kinds[static_cast<std::size_t>(reader)]->revises, one.slot)));
+      for (const int writer : one.writers) CHECK((writer <= reader || scene::has(kinds[reader]->revises, one.slot)));
   for (std::size_t i = 1; i < rails.size(); ++i) CHECK(rails[i - 1].begin() <= rails[i].begin());
 }
 

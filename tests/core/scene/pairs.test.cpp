@@ -124,7 +124,7 @@ TEST_CASE("going back to a frame repeats its swaps") {
   CHECK(*std::max_element(swaps.begin() + 1, swaps.end()) > 0);
   for (const int frame : {20, 3, 33, 17}) {
     scene.go(frame);
-    CHECK(scene.world().state.funnel.swaps == swaps[static_cast<std::size_t>(frame) - 1]);
+    CHECK(scene.world().state.funnel.swaps == swaps[frame - 1]);
   }
 }
 

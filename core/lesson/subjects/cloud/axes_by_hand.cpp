@@ -143,7 +143,7 @@ Done AxesByHand::remove(Index i) {
 
 Done AxesByHand::resize(int count) {
   std::vector<Point3> axes = axes_;
-  axes.resize(static_cast<std::size_t>(std::clamp(count, 0, size())));
+  axes.resize(std::clamp(count, 0, size()));
   while (static_cast<int>(axes.size()) < std::min(count, most(dim_) + 1)) axes.push_back(farthest_from(axes, dim_));
   return take(std::move(axes));
 }

@@ -14,7 +14,7 @@ struct TreeFollower {
 
   void operator()(const CallEntered& fact) {
     const int parent = tree.open.empty() ? -1 : tree.open.back();
-    const bool again = parent >= 0 && tree.calls[static_cast<std::size_t>(parent)].decided;
+    const bool again = parent >= 0 && tree.calls[parent].decided;
     tree.calls.push_back({parent, fact.depth, fact.point, fact.left, fact.boundary, again});
     tree.open.push_back(static_cast<int>(tree.calls.size()) - 1);
     tree.deepest = std::max(tree.deepest, fact.depth);
@@ -34,7 +34,7 @@ struct TreeFollower {
   void operator()(const Finished&) { end(); }
   void operator()(const auto&) {}
 
-  TreeCall& running() { return tree.calls[static_cast<std::size_t>(tree.open.back())]; }
+  TreeCall& running() { return tree.calls[tree.open.back()]; }
 
   /// The running call returns. If it was its caller's second, the caller returns with it.
   void give_back() {
@@ -44,7 +44,7 @@ struct TreeFollower {
     }
   }
   void end() {
-    for (const int i : tree.open) tree.calls[static_cast<std::size_t>(i)].open = false;
+    for (const int i : tree.open) tree.calls[i].open = false;
     tree.open.clear();
   }
 };
@@ -58,7 +58,7 @@ bool has_calls(FitTrace trace) {
 CallTree call_tree(FitTrace trace, int steps) {
   if (!has_calls(trace)) return {};
   TreeFollower follower;
-  for (const auto& entry : trace.first(static_cast<std::size_t>(steps))) std::visit(follower, entry.step.fact);
+  for (const auto& entry : trace.first(steps)) std::visit(follower, entry.step.fact);
   follower.tree.bytes = follower.bytes_per_call * static_cast<std::int64_t>(follower.tree.open.size());
   return std::move(follower.tree);
 }

@@ -46,8 +46,7 @@ void add_mean(CertificateLines& lines, const FitRun& run, const fit::Sphere3& sp
     if (!own.weight) return;
     const Point3 point = fit::point_of(run.points(), own.point);
     sum += Dyadic(*own.weight);
-    for (int axis = 0; axis < run.dim(); ++axis)
-      mean[static_cast<std::size_t>(axis)] += Dyadic(*own.weight) * Dyadic(point[axis]);
+    for (int axis = 0; axis < run.dim(); ++axis) mean[axis] += Dyadic(*own.weight) * Dyadic(point[axis]);
   }
   lines.sum_off = exact_number(sum);
   for (const Dyadic& off : mean) lines.mean_off.push_back(exact_number(off));

@@ -73,7 +73,7 @@ std::span<const Method> fit_methods(std::string_view volume) {
   const auto is = [&](const Method& method) { return method.volume == volume; };
   const auto from = std::find_if(all.begin(), all.end(), is);
   const auto count = std::find_if_not(from, all.end(), is) - from;
-  return std::span(all).subspan(static_cast<std::size_t>(from - all.begin()), static_cast<std::size_t>(count));
+  return std::span(all).subspan(from - all.begin(), count);
 }
 
 const SubjectRow kCloudRow{.name = "cloud",
@@ -114,7 +114,7 @@ std::string CloudSubject::name_of(Index i) const {
 
 /// The points alone.
 std::vector<std::vector<Index>> CloudSubject::things() const {
-  std::vector<Index> all(static_cast<std::size_t>(count()));
+  std::vector<Index> all(count());
   std::iota(all.begin(), all.end(), Index{0});
   return {all};
 }
@@ -130,7 +130,7 @@ Done CloudSubject::set_rows(const Rows& rows) {
   CloudSubject next = *this;
   if (border != rows.begin() || rows.empty())
     if (Done set = next.PointSubject::set_rows(Rows(rows.begin(), border)); !set) return set;
-  const auto of_hand = std::span(rows).subspan(static_cast<std::size_t>(border - rows.begin()));
+  const auto of_hand = std::span(rows).subspan(border - rows.begin());
   if (Done set = next.hand_.set_rows(of_hand, *next.points()); !set) return set;
   *this = std::move(next);
   origin_.edited = true;

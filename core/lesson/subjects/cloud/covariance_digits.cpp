@@ -16,7 +16,7 @@ Wide wide_mean(const AnyPointSet& points) {
   Wide mean;
   const Index n = fit::size_of(points);
   for (Index i = 0; i < n; ++i)
-    for (int axis = 0; axis < 3; ++axis) mean[static_cast<std::size_t>(axis)] += fit::point_of(points, i)[axis];
+    for (int axis = 0; axis < 3; ++axis) mean[axis] += fit::point_of(points, i)[axis];
   for (DoubleDouble& one : mean) one = one / DoubleDouble(static_cast<double>(n));
   return mean;
 }
@@ -33,8 +33,7 @@ int digits_right(const Matrix<double, 3>& found, const AnyPointSet& points) {
       DoubleDouble sum;
       for (Index i = 0; i < n; ++i) {
         const Vector<double, 3> p = fit::point_of(points, i);
-        sum += (DoubleDouble(p[row]) - mean[static_cast<std::size_t>(row)]) *
-               (DoubleDouble(p[column]) - mean[static_cast<std::size_t>(column)]);
+        sum += (DoubleDouble(p[row]) - mean[row]) * (DoubleDouble(p[column]) - mean[column]);
       }
       const DoubleDouble right = sum / DoubleDouble(static_cast<double>(n));
       largest = std::max(largest, std::abs(right.value()));

@@ -12,8 +12,7 @@ inline const char* offer_return(Asked& asked, const Run&) {
   return nullptr;
 }
 inline Truth return_truth(const Asked& asked, const Run& run) {
-  const auto& fact =
-      *std::get_if<fit::CallDecided>(&fit_run(run).trace()[static_cast<std::size_t>(asked.fact)].step.fact);
+  const auto& fact = *std::get_if<fit::CallDecided>(&fit_run(run).trace()[asked.fact].step.fact);
   const std::string point = asked.subject->name_of(fact.point);
   if (fact.outside) return {{1}, {fact.point}, "it calls again", point + " lies outside, so the call is made again."};
   return {{0}, {fact.point}, "it returns", point + " lies inside, so the call returns."};

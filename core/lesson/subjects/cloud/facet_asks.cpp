@@ -42,8 +42,7 @@ Truth faces_truth(const Asked& asked, const Run& run) {
       truth.choices.push_back(choice);
     ++choice;
   }
-  for (const int right : truth.choices)
-    truth.happened += (truth.happened.empty() ? "" : "; ") + asked.choices[static_cast<std::size_t>(right)];
+  for (const int right : truth.choices) truth.happened += (truth.happened.empty() ? "" : "; ") + asked.choices[right];
   truth.sentence = asked.subject->name_of(fact.eye) + " sees " + io::counted(std::ssize(truth.choices), "facet") +
                    ": " + truth.happened + ".";
   return truth;

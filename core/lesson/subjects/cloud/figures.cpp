@@ -157,9 +157,9 @@ class FitBoard {
     number("Vertices" + so_far(), "vertices", vertices, "vertices");
     number((run_.dim() == 2 ? "Edges" : "Facets") + so_far(), "facets", facets, run_.dim() == 2 ? "edges" : "facets");
     if (!grown) return;
-    number("Still outside", "still_outside", static_cast<std::size_t>(done ? 0 : grown->still_outside()), "points");
+    number("Still outside", "still_outside", done ? 0 : grown->still_outside(), "points");
     number("Dropped", "dropped", grown->dropped.size(), "points");
-    number("Farthest points chosen", "rounds", static_cast<std::size_t>(grown->rounds), "points");
+    number("Farthest points chosen", "rounds", grown->rounds, "points");
     if (run_.dim() == 3) number("Facets that the eye sees", "seen_facets", grown->seen.size(), "facets");
   }
 

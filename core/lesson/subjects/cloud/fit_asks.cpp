@@ -82,10 +82,7 @@ Truth sign_truth(const Asked& asked, const Run& run) {
   const double product = fact.offset[0] * fact.offset[1];
   const int choice = product > 0 ? kRaises : product < 0 ? kLowers : kSame;
   const std::string factors = number_text(fact.offset[0]) + " · " + number_text(fact.offset[1]);
-  return {{choice},
-          {},
-          asked.choices[static_cast<std::size_t>(choice)],
-          "The product is " + factors + " = " + number_text(product) + "."};
+  return {{choice}, {}, asked.choices[choice], "The product is " + factors + " = " + number_text(product) + "."};
 }
 
 const char* offer_support(Asked& asked, const Run& run) {

@@ -31,7 +31,7 @@ std::span<const WrongTest> FitRun::wrong_at(int i) const {
   const auto from = std::lower_bound(wrong_->begin(), wrong_->end(), i, before);
   const auto to = std::lower_bound(from, wrong_->end(), i + 1, before);
   const auto first = static_cast<std::size_t>(from - wrong_->begin());
-  return std::span<const WrongTest>(*wrong_).subspan(first, static_cast<std::size_t>(to - from));
+  return std::span<const WrongTest>(*wrong_).subspan(first, to - from);
 }
 
 std::string FitRun::Where::contradiction() const {
@@ -53,7 +53,7 @@ std::string FitRun::Where::contradiction() const {
 }
 
 Point3 FitRun::slab_axis(int i, int slab) const {
-  if (!axes_.empty()) return axes_[static_cast<std::size_t>(slab)];
+  if (!axes_.empty()) return axes_[slab];
   const int k = std::get_if<Kdop<double, 3>>(&trace()[i].step.volume)->k;
   Point3 axis = Point3::Zero();
   for (int j = 0; j < dim(); ++j) axis[j] = dim() == 2 ? kdop_axes<2>(k)[slab][j] : kdop_axes<3>(k)[slab][j];

@@ -73,7 +73,7 @@ struct HullFollower {
 
   [[nodiscard]] GrowingFacet& facet(Index f) {
     if (static_cast<std::size_t>(f) >= hull.facets.size()) hull.facets.resize(static_cast<std::size_t>(f) + 1);
-    return hull.facets[static_cast<std::size_t>(f)];
+    return hull.facets[f];
   }
   /// A vertex with facets around it that all see the eye is inside, or in a face, once they are gone.
   void drop_swallowed(const FacetsReplaced& fact) {
@@ -128,7 +128,7 @@ std::vector<Index> GrowingHull::vertices() const {
 
 std::optional<GrowingHull> growing_hull(FitTrace trace, int steps) {
   HullFollower follower;
-  for (const auto& entry : trace.first(static_cast<std::size_t>(steps))) std::visit(follower, entry.step.fact);
+  for (const auto& entry : trace.first(steps)) std::visit(follower, entry.step.fact);
   if (!follower.begun) return std::nullopt;
   if (const Index next = next_facet(trace, steps); next != kNoIndex) follower.hull.at = next;
   return std::move(follower.hull);

@@ -63,7 +63,7 @@ WelzlState welzl_state(FitTrace trace, int steps) {
   WelzlState& state = follower.state;
   if (state.list.empty()) return {};
   state.calls = {{.length = static_cast<int>(state.list.size())}};
-  for (const auto& entry : trace.first(static_cast<std::size_t>(steps))) std::visit(follower, entry.step.fact);
+  for (const auto& entry : trace.first(steps)) std::visit(follower, entry.step.fact);
   return std::move(state);
 }
 

@@ -21,7 +21,7 @@ Truth rejects_most_truth(const Asked&, const Run& run) {
     if (sweep == nullptr || sweep->rejected != most) continue;
     truth.choices.push_back(sweep->plane);
     truth.happened += (truth.happened.empty() ? "" : " or ");
-    truth.happened += kFrustumPlaneNames<3>[static_cast<std::size_t>(sweep->plane)];
+    truth.happened += kFrustumPlaneNames<3>[sweep->plane];
   }
   truth.sentence = "The " + truth.happened + " plane rejects " + objects_text(most) + ".";
   return truth;

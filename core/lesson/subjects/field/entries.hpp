@@ -31,7 +31,7 @@ struct Entry<PlaneSwept> : EntryDefaults {
   static constexpr std::array kAskings{
       Asking{.name = "rejects_most", .offer = &offer_planes, .truth = &rejects_most_truth, .decided = &after_sweeps}};
   static std::string sentence(const PlaneSwept& fact, const FieldWhere& where) {
-    std::string plane(kFrustumPlaneNames<3>[static_cast<std::size_t>(fact.plane)]);
+    std::string plane(kFrustumPlaneNames<3>[fact.plane]);
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
     if (fact.tested == 0) return plane + " plane: no object has to be tested against it.";
     const bool all = where.run.way() == hierarchy::FieldWay::kAllVertices;

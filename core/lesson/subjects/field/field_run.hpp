@@ -93,7 +93,7 @@ class FieldRun final : public FactRun<FieldRun, FieldStep> {
   [[nodiscard]] std::span<const query::Culling> verdicts() const { return verdicts_; }
   /// Whether a box has its answer after so many steps.
   [[nodiscard]] bool knows(std::size_t box, int steps) const { return decided_[box] <= steps; }
-  [[nodiscard]] const FieldTally& tally(int steps) const { return tallies_[static_cast<std::size_t>(steps)]; }
+  [[nodiscard]] const FieldTally& tally(int steps) const { return tallies_[steps]; }
 
   struct Where {
     const FieldRun& run;

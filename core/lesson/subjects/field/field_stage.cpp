@@ -84,7 +84,7 @@ tl::expected<Frustum<double, 3>, InputError> frustum_of(const FieldRecipe& recip
 
 std::shared_ptr<const hierarchy::Field> field_by(const FieldRecipe& recipe, std::uint64_t seed) {
   Random random(seed);
-  std::vector<hierarchy::Field::Box> boxes(static_cast<std::size_t>(recipe.objects));
+  std::vector<hierarchy::Field::Box> boxes(recipe.objects);
   const Point3 low(-recipe.reach, 0, -recipe.reach), high(recipe.reach, recipe.height, recipe.reach);
   for (auto& box : boxes)
     for (int axis = 0; axis < 3; ++axis) {

@@ -36,8 +36,7 @@ Truth entries_truth(const Asked& asked, std::uint16_t RowEntries::*radius, std::
     for (int j = 0; j < asked.dim; ++j) {
       if ((entries >> (3 * i + j) & 1) == 0) continue;
       truth.choices.push_back(asked.dim * i + j);
-      truth.happened +=
-          (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(asked.dim * i + j)];
+      truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[asked.dim * i + j];
     }
   truth.sentence = std::string(radius == &RowEntries::rotation_a ? "r_A = " : "r_B = ") +
                    plain_formula(row_formulas(asked.dim, place).*formula).value_or(std::string()) + ".";

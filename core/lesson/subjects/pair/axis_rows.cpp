@@ -65,7 +65,7 @@ class RowTerms {
   int dim_;
 };
 
-RowTerms terms_of(int dim, int place) { return {dim, axis_names(dim)[static_cast<std::size_t>(place)]}; }
+RowTerms terms_of(int dim, int place) { return {dim, axis_names(dim)[place]}; }
 
 }  // namespace
 

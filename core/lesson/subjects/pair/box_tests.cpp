@@ -28,7 +28,7 @@ template <class Call>
 auto in_dimension(const BoxPair& pair, Call call) {
   const auto in = [&]<class Scalar>(Scalar) {
     const auto of = [&]<int Dim>(std::integral_constant<int, Dim>, int i) {
-      return converted<Scalar, Dim>(pair.boxes[static_cast<std::size_t>(i)]);
+      return converted<Scalar, Dim>(pair.boxes[i]);
     };
     if (pair.dim == 3) return call(of(std::integral_constant<int, 3>(), 0), of(std::integral_constant<int, 3>(), 1));
     return call(of(std::integral_constant<int, 2>(), 0), of(std::integral_constant<int, 2>(), 1));

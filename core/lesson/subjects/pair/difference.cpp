@@ -48,14 +48,14 @@ std::vector<Point3> difference_points(const VolumePair& pair, std::span<const In
   std::vector<Point3> points;
   for (std::size_t i = 0; i + 1 < corners.size(); i += 2) {
     if (corners[i] == kNoIndex || corners[i + 1] == kNoIndex) return {};
-    points.push_back(a[static_cast<std::size_t>(corners[i])] - b[static_cast<std::size_t>(corners[i + 1])]);
+    points.push_back(a[corners[i]] - b[corners[i + 1]]);
   }
   return points;
 }
 
 Point3 nearest_of(std::span<const Point3> points) {
   query::Simplex<double> simplex;
-  for (const Point3& p : points) simplex.corners[static_cast<std::size_t>(simplex.size++)] = {p[0], p[1], p[2]};
+  for (const Point3& p : points) simplex.corners[simplex.size++] = {p[0], p[1], p[2]};
   const auto nearest = simplex.nearest_to_origin().point;
   return {nearest.x, nearest.y, nearest.z};
 }

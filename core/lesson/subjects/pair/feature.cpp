@@ -55,7 +55,7 @@ const char* offer_features(Asked& asked, const Run& run) {
 
 Truth feature_truth(const Asked& asked, const Run& run) {
   const int kind = static_cast<int>(feature_at(*rectangle_of(asked), cores_of(asked, run).on_b).kind);
-  const std::string& choice = asked.choices[static_cast<std::size_t>(kind)];
+  const std::string& choice = asked.choices[kind];
   return {{kind}, {}, choice, "The nearest point of B's rectangle lies on " + choice + "."};
 }
 

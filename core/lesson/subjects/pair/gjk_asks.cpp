@@ -55,7 +55,7 @@ Truth next_vertex_truth(const Asked& asked, const Run& run) {
 Truth contains_origin_truth(const Asked& asked, const Run& run) {
   const PairSteps steps = pair_run(run).trace();
   if (contains_origin(steps, asked.fact)) return yes("The origin lies in the simplex: v is zero.");
-  const auto& nearest = *std::get_if<query::NearestFound>(&steps[static_cast<std::size_t>(asked.fact)].step.fact);
+  const auto& nearest = *std::get_if<query::NearestFound>(&steps[asked.fact].step.fact);
   return no("The origin lies outside: the simplex comes no nearer to it than " + number_text(nearest.distance) + ".");
 }
 
@@ -73,8 +73,7 @@ Truth cheaper_truth(const Asked& asked, const Run&) {
   Truth truth;
   if (own <= gjk) truth.choices.push_back(0);
   if (gjk <= own) truth.choices.push_back(1);
-  truth.happened =
-      truth.choices.size() == 2 ? "both the same" : asked.choices[static_cast<std::size_t>(truth.choices[0])];
+  truth.happened = truth.choices.size() == 2 ? "both the same" : asked.choices[truth.choices[0]];
   truth.sentence = asked.choices[0] + " takes " + count_text(own) + (own == 1 ? " operation" : " operations") +
                    " on these volumes, GJK " + count_text(gjk) + ".";
   return truth;

@@ -53,9 +53,7 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     }
   };
 
-  [[nodiscard]] const RowTruth* truth(int i) const {
-    return truths_.empty() ? nullptr : &truths_[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const RowTruth* truth(int i) const { return truths_.empty() ? nullptr : &truths_[i]; }
 
  private:
   int dim_;

@@ -168,7 +168,7 @@ void scatter_by(VolumePair& pair, std::uint64_t seed) {
 std::string name_of_drive(int side, const Turned& one) {
   constexpr std::array<std::string_view, 3> kAxes{" x", " y", " z"};
   std::string name = (side == 0 ? "A" : "B") + std::string(one.word);
-  return one.axis < 0 ? name : name.append(kAxes[static_cast<std::size_t>(one.axis)]);
+  return one.axis < 0 ? name : name.append(kAxes[one.axis]);
 }
 
 }  // namespace

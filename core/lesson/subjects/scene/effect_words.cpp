@@ -42,7 +42,7 @@ std::string deed_words(const scene::EffectKind& kind, const scene::Deed& deed) {
 }
 
 scene::Deed deed_of(const SceneRecording& run, int frame, std::size_t effect) {
-  return frame == 0 ? scene::Deed() : run.deeds[static_cast<std::size_t>(frame - 1) * run.tallies.size() + effect];
+  return frame == 0 ? scene::Deed() : run.deeds[(frame - 1) * run.tallies.size() + effect];
 }
 
 std::string counts_words(const SceneRecording& run, int frame) {
@@ -52,8 +52,7 @@ std::string counts_words(const SceneRecording& run, int frame) {
   const auto bodies =
       std::count_if(run.members.begin(), run.members.end(), [](const scene::Member& member) { return member.moves(); });
   std::string words = effects == 0 ? "no effect is called for" : share_words(ran, effects, "effects", "runs", "run");
-  if (bodies > 0)
-    words += "; " + share_words(run.awake[static_cast<std::size_t>(frame)], bodies, "bodies", "is awake", "are awake");
+  if (bodies > 0) words += "; " + share_words(run.awake[frame], bodies, "bodies", "is awake", "are awake");
   return words + ".";
 }
 

@@ -58,8 +58,7 @@ std::vector<Index> compared_with(std::span<const scene::Pair> compared, Index bo
 
 std::vector<Index> most_compared(std::span<const scene::Pair> compared, std::size_t bodies) {
   std::vector<int> counts(bodies, 0);
-  for (const scene::Pair& pair : compared)
-    ++counts[static_cast<std::size_t>(pair.a)], ++counts[static_cast<std::size_t>(pair.b)];
+  for (const scene::Pair& pair : compared) ++counts[pair.a], ++counts[pair.b];
   const int most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
   std::vector<Index> all;
   for (std::size_t i = 0; most > 0 && i < bodies; ++i)
@@ -70,7 +69,7 @@ std::vector<Index> most_compared(std::span<const scene::Pair> compared, std::siz
 std::vector<Index> active_list(const SceneFrame& frame, Index body) {
   std::vector<Index> active;
   const int axis = frame.swept_along;
-  const auto box = [&](Index i) -> const Aabb<double, 3>& { return frame.volumes[static_cast<std::size_t>(i)]; };
+  const auto box = [&](Index i) -> const Aabb<double, 3>& { return frame.volumes[i]; };
   for (const Index other : frame.swept) {
     if (other == body) break;
     if (box(other).max[axis] >= box(body).min[axis]) active.push_back(other);

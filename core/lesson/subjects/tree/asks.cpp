@@ -140,7 +140,7 @@ Truth beside_truth(const Asked& asked, const Run& run) {
   const auto& fact = fact_of<hierarchy::BodyInserted>(asked, run);
   const std::vector<Index> places = places_offered(asked, run);
   const auto right = static_cast<int>(std::find(places.begin(), places.end(), fact.beside) - places.begin());
-  const std::string& name = asked.choices[static_cast<std::size_t>(right)];
+  const std::string& name = asked.choices[right];
   return {{right},
           {},
           name,

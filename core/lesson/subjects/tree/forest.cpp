@@ -6,9 +6,9 @@ namespace snug::lesson {
 namespace {
 
 Box2 around(std::span<const Index> below, std::span<const Box2> boxes) {
-  Box2 all = boxes[static_cast<std::size_t>(below.front())];
+  Box2 all = boxes[below.front()];
   for (const Index i : below) {
-    const Box2& one = boxes[static_cast<std::size_t>(i)];
+    const Box2& one = boxes[i];
     all = {all.min.cwiseMin(one.min), all.max.cwiseMax(one.max)};
   }
   return all;
@@ -85,7 +85,7 @@ Growth::Growth(Way way, const TreeOfBoxes& tree, std::span<const Box2> boxes, No
   }
   now_.branches.resize(2 * boxes.size());
   for (Index i = 0; i < count; ++i) {
-    at(i).boxes = {i}, at(i).box = boxes[static_cast<std::size_t>(i)];
+    at(i).boxes = {i}, at(i).box = boxes[i];
     at(i).volume = volume_around(kind, at(i).box);
     if (way == Way::kUp) now_.roots.push_back(i);
   }

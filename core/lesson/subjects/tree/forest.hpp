@@ -23,7 +23,7 @@ struct Branch {
 struct Forest {
   std::vector<Branch> branches;
   std::vector<Index> roots;
-  [[nodiscard]] const Branch& at(Index i) const { return branches[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Branch& at(Index i) const { return branches[i]; }
   /// The branches that are there, parents before children, left before right.
   [[nodiscard]] std::vector<Index> there() const;
   /// The branch whose child it is; kNoIndex for a root.
@@ -60,7 +60,7 @@ class Growth {
   void operator()(const auto&) {}
 
  private:
-  Branch& at(Index i) { return now_.branches[static_cast<std::size_t>(i)]; }
+  Branch& at(Index i) { return now_.branches[i]; }
   void join(Index made, Index left, Index right);
   void refresh(Index i);
 

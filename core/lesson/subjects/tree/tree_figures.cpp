@@ -70,7 +70,7 @@ Figure share_of_order(const TreeRun& run, int step, std::string_view other, std:
 }
 
 std::vector<Figure> figures_of_pairing(const TreeRun& run, int step) {
-  const PairState& state = run.pairing()->states[static_cast<std::size_t>(step)];
+  const PairState& state = run.pairing()->states[step];
   const auto all = static_cast<double>(run.boxes().size() * run.boxes().size());
   const double share = 100 * (static_cast<double>(state.tests()) / all);
   return {count("Pairs visited", "visited", state.visited),
@@ -105,7 +105,7 @@ std::vector<Figure> figures_of_merging(const TreeRun& run, int step) {
   const Index node = std::max(nodes - step, Index{0});  // the last one that has got its volume
   const bool any = step > 0;
   const auto area = [&](std::string name, std::string key, const std::vector<fit::Volume3>& volumes) {
-    const double value = any ? fit::measure_of(volumes[static_cast<std::size_t>(node)], 2) : 0;
+    const double value = any ? fit::measure_of(volumes[node], 2) : 0;
     return at_end(std::move(name), std::move(key), number_text(value) + " units²", value, "units²", any);
   };
   std::int64_t merged = 0;
@@ -157,7 +157,7 @@ bool has_point(const fit::Volume3& volume, const Point3& p) {
 bool contains_boxes(const fit::Volume3& volume, std::span<const Index> below, std::span<const Box2> boxes) {
   bool holds = true;
   for (const Index box : below) {
-    const Box2& own = boxes[static_cast<std::size_t>(box)];
+    const Box2& own = boxes[box];
     for (const double x : {own.min[0], own.max[0]})
       for (const double y : {own.min[1], own.max[1]}) holds = holds && has_point(volume, {x, y, 0});
   }

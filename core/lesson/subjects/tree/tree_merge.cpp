@@ -29,7 +29,7 @@ constexpr std::array kUpdateMethods{
 fit::Volume3 tight_around(std::string_view kind, std::span<const Index> below, std::span<const Box2> boxes) {
   std::vector<Point2> vertices;
   for (const Index i : below) {
-    const Box2& box = boxes[static_cast<std::size_t>(i)];
+    const Box2& box = boxes[i];
     for (const double x : {box.min[0], box.max[0]})
       for (const double y : {box.min[1], box.max[1]}) vertices.emplace_back(x, y);
   }

@@ -14,8 +14,8 @@ struct Follower {
   QueryState now = {};
 
   [[nodiscard]] const Forest& forest() const { return run.forest(0); }
-  Met& of(Index node) { return now.nodes[static_cast<std::size_t>(node)]; }
-  Met& of_box(Index box) { return now.boxes[static_cast<std::size_t>(box)]; }
+  Met& of(Index node) { return now.nodes[node]; }
+  Met& of_box(Index box) { return now.boxes[box]; }
 
   void operator()(const auto&) {}
   void operator()(const hierarchy::NodeVisited& fact) {

@@ -41,7 +41,7 @@ std::vector<Box2> crowd_of(std::span<const Box2> boxes) {
   Random random(kCrowdSeed);
   std::vector<Box2> crowd;
   for (int i = 0; i < kCrowd; ++i) {
-    const Box2& box = boxes[static_cast<std::size_t>(i) % boxes.size()];
+    const Box2& box = boxes[i % boxes.size()];
     const Point2 half = (box.max - box.min) / 2 * random.between(kCrowdLeast, kCrowdMost);
     Point2 center = (box.min + box.max) / 2;
     for (const int axis : {0, 1}) center[axis] += random.between(-kCrowdReach, kCrowdReach);

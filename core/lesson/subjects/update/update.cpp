@@ -130,7 +130,7 @@ std::string UpdateSubject::name_of(Index i) const {
 
 /// The points alone.
 std::vector<std::vector<Index>> UpdateSubject::things() const {
-  std::vector<Index> all(static_cast<std::size_t>(count()));
+  std::vector<Index> all(count());
   std::iota(all.begin(), all.end(), Index{0});
   return {all};
 }

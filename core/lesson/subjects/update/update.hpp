@@ -61,7 +61,7 @@ class UpdateSubject final : public PointSubject {
   /// The distance of the farthest point from the pivot; 1 if all points are there.
   [[nodiscard]] double reach() const { return reach_; }
   /// What a handle after the points does.
-  [[nodiscard]] const Handle& grip(Index i) const { return grips_[static_cast<std::size_t>(i - count())]; }
+  [[nodiscard]] const Handle& grip(Index i) const { return grips_[i - count()]; }
   /// In the plane, how far the body is rotated, in (-180, 180].
   [[nodiscard]] double degrees() const;
 

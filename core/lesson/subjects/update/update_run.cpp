@@ -54,9 +54,7 @@ std::vector<Index> points_of_hull(const AnyPointSet& points) {
 struct LessonWords {
   const std::vector<Index>& hull;  // empty where no climb names its vertices
 
-  [[nodiscard]] Index point(Index vertex) const {
-    return hull.empty() ? vertex : hull[static_cast<std::size_t>(vertex)];
-  }
+  [[nodiscard]] Index point(Index vertex) const { return hull.empty() ? vertex : hull[vertex]; }
   [[nodiscard]] std::vector<Index> points(std::vector<Index> vertices) const {
     for (Index& vertex : vertices) vertex = point(vertex);
     return vertices;
@@ -119,8 +117,7 @@ Point3 UpdateRun::axis(int axis) const {
   Point3 direction = Point3::Zero();
   const auto slab = static_cast<std::size_t>(axis);
   for (int i = 0; i < dim(); ++i)
-    direction[i] = dim() == 2 ? kdop_axes<2>(strategy_.k)[slab][static_cast<std::size_t>(i)]
-                              : kdop_axes<3>(strategy_.k)[slab][static_cast<std::size_t>(i)];
+    direction[i] = dim() == 2 ? kdop_axes<2>(strategy_.k)[slab][i] : kdop_axes<3>(strategy_.k)[slab][i];
   return direction;
 }
 
@@ -136,7 +133,7 @@ std::vector<Index> UpdateRun::support(int steps) const {
 
 std::vector<Index> UpdateRun::candidates(int i) const {
   if (std::holds_alternative<fit::NeighborsCompared>(trace()[i].step.fact)) return recording_.corners;
-  std::vector<Index> all(static_cast<std::size_t>(fit::size_of(points_)));
+  std::vector<Index> all(fit::size_of(points_));
   std::iota(all.begin(), all.end(), Index{0});
   return all;
 }

@@ -38,9 +38,9 @@ TEST_CASE("the drawn sides of a frustum lie on its planes, and its faces are see
     CAPTURE(plane);
     const int axis = plane / 2;
     const bool positive = axis == 2 ? plane == 4 : plane % 2 == 1;
-    const auto& face = solid->faces[static_cast<std::size_t>(2 * axis + (positive ? 0 : 1))];
+    const auto& face = solid->faces[2 * axis + (positive ? 0 : 1)];
     REQUIRE(face.size() == 4);
-    const auto at = [&](std::size_t k) { return solid->corners[static_cast<std::size_t>(face[k])]; };
+    const auto at = [&](std::size_t k) { return solid->corners[face[k]]; };
     for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(signed_distance(frustum[plane], at(k))) < 1e-9);
     const Point3 normal = (at(1) - at(0)).cross(at(2) - at(1));
     CHECK(normal.dot(at(0) - middle) > 0);

@@ -24,7 +24,7 @@ TEST_CASE("a climb's way grows vertex by vertex, and each climb begins anew") {
   for (int step = 1; step <= session.steps(); ++step) {
     session.jump(step);
     const UpdateShown shown = update_shown_at(session);
-    const auto& fact = shown.run->trace()[static_cast<std::size_t>(step) - 1].step.fact;
+    const auto& fact = shown.run->trace()[step - 1].step.fact;
     if (const auto* walk = std::get_if<fit::NeighborsCompared>(&fact)) {
       REQUIRE(shown.climb);
       CHECK(shown.climb->best == walk->best);

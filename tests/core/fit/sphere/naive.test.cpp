@@ -15,7 +15,7 @@ namespace {
 template <class Scalar, int Dim>
 test::Cloud<Scalar, Dim> on_lattice(int n, std::uint32_t side, std::uint64_t seed) {
   Random random(seed);
-  test::Cloud<Scalar, Dim> points(static_cast<std::size_t>(n));
+  test::Cloud<Scalar, Dim> points(n);
   for (auto& point : points)
     for (int axis = 0; axis < Dim; ++axis) point[axis] = static_cast<Scalar>(random.below(side));
   return points;

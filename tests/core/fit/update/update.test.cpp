@@ -226,7 +226,7 @@ TEST_CASE("a climb that is watched shows the walk vertex by vertex, and is the c
         if (const auto* walk = std::get_if<fit::NeighborsCompared>(&entry.step.fact)) {
           ++steps;
           if (at == kNoIndex) {
-            CHECK(walk->vertex == before[static_cast<std::size_t>(climbs)]);
+            CHECK(walk->vertex == before[climbs]);
             looked_at = 1;
           }
           const auto around = body.neighbors.of(walk->vertex);
@@ -238,7 +238,7 @@ TEST_CASE("a climb that is watched shows the walk vertex by vertex, and is the c
           looked_at += static_cast<Index>(walk->neighbors.size());
           at = walk->best;
         } else if (const auto* climbed = std::get_if<fit::ExtremeClimbed>(&entry.step.fact)) {
-          CHECK(climbed->path.front() == before[static_cast<std::size_t>(climbs)]);
+          CHECK(climbed->path.front() == before[climbs]);
           CHECK(climbed->path.back() == at);
           CHECK(climbed->path.back() == watched.end(climbs));
           CHECK(climbed->looked_at == looked_at);

@@ -23,11 +23,11 @@ fit::Recording recursion_over(const char* kind, int n, std::uint64_t seed) {
 template <int Dim>
 void check_tree(const fit::Recording& run, int n) {
   for (int step = 1; step <= static_cast<int>(run.steps.size()); ++step) {
-    const fit::Step3& now = run.steps[static_cast<std::size_t>(step) - 1].step;
+    const fit::Step3& now = run.steps[step - 1].step;
     const CallTree tree = call_tree(run.steps, step);
     CAPTURE(step);
     for (std::size_t i = 0; i < tree.open.size(); ++i) {
-      const TreeCall& call = tree.calls[static_cast<std::size_t>(tree.open[i])];
+      const TreeCall& call = tree.calls[tree.open[i]];
       CHECK(call.open);
       CHECK(call.depth == static_cast<int>(i) + 1);
       CHECK(call.left == n - static_cast<int>(i));  // each call removes one point
@@ -38,13 +38,13 @@ void check_tree(const fit::Recording& run, int n) {
     for (const TreeCall& call : tree.calls) {
       CHECK(call.boundary.size() <= Dim + 1);
       if (call.parent < 0) continue;
-      const TreeCall& caller = tree.calls[static_cast<std::size_t>(call.parent)];
+      const TreeCall& caller = tree.calls[call.parent];
       CHECK(call.boundary.size() == caller.boundary.size() + (call.again ? 1 : 0));
       if (call.again) CHECK(call.boundary[call.boundary.size() - 1] == caller.point);
     }
     if (const auto* decided = std::get_if<fit::CallDecided>(&now.fact); decided != nullptr && decided->outside) {
       CHECK(static_cast<int>(tree.open.size()) == decided->depth);
-      CHECK(tree.calls[static_cast<std::size_t>(tree.open.back())].point == decided->point);
+      CHECK(tree.calls[tree.open.back()].point == decided->point);
     }
     CHECK(tree.deepest <= n + 1);
   }

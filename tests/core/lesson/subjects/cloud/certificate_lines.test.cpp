@@ -54,7 +54,7 @@ Rational excess_at(const Point3& point, const fit::Sphere3& sphere) {
 template <class Scalar, int Dim>
 AnyPointSet some_points(std::uint64_t seed, int n) {
   Random random(seed);
-  std::vector<Vector<Scalar, Dim>> points(static_cast<std::size_t>(n));
+  std::vector<Vector<Scalar, Dim>> points(n);
   for (auto& point : points)
     for (int axis = 0; axis < Dim; ++axis) point[axis] = static_cast<Scalar>(random.between(-2, 2));
   return *PointSet<Scalar, Dim>::make(std::move(points));
@@ -88,8 +88,7 @@ void check_lines(std::uint64_t seed, std::string_view algorithm) {
     const Point3 point = fit::point_of(points, own.point);
     CHECK((own.ulps > 0) == (excess_at(point, sphere) > 0));
     sum += Rational(*own.weight);
-    for (int axis = 0; axis < Dim; ++axis)
-      mean[static_cast<std::size_t>(axis)] += Rational(*own.weight) * Rational(point[axis]);
+    for (int axis = 0; axis < Dim; ++axis) mean[axis] += Rational(*own.weight) * Rational(point[axis]);
   }
   CHECK(read(*lines.sum_off) == sum);
   for (std::size_t axis = 0; axis < mean.size(); ++axis) CHECK(read(lines.mean_off[axis]) == mean[axis]);

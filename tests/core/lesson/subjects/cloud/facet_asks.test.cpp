@@ -40,8 +40,7 @@ Session at_question(const std::string& text) {
 std::vector<std::string> right_choices(const Session& session) {
   const Asked& asked = *session.asked();
   std::vector<std::string> right;
-  for (const int choice : asked.asking->truth(asked, session.run(0)).choices)
-    right.push_back(asked.choices[static_cast<std::size_t>(choice)]);
+  for (const int choice : asked.asking->truth(asked, session.run(0)).choices) right.push_back(asked.choices[choice]);
   return right;
 }
 

@@ -37,14 +37,14 @@ void check_all_there(const GrowingHull& hull, Index n) {
   for (const GrowingFacet& facet : hull.facets) all.insert(all.end(), facet.outside.begin(), facet.outside.end());
   std::sort(all.begin(), all.end());
   REQUIRE(static_cast<Index>(all.size()) == n);
-  for (Index i = 0; i < n; ++i) CHECK(all[static_cast<std::size_t>(i)] == i);
+  for (Index i = 0; i < n; ++i) CHECK(all[i] == i);
 }
 
 void check_growth(const AnyPointSet& points) {
   const fit::Recording run = fit::find_algorithm("hull", "quickhull")->record(points, {});
   const Index n = fit::size_of(points);
   for (int step = 1; step <= static_cast<int>(run.steps.size()); ++step) {
-    const fit::Step3& now = run.steps[static_cast<std::size_t>(step) - 1].step;
+    const fit::Step3& now = run.steps[step - 1].step;
     const auto hull = growing_hull(run.steps, step);
     REQUIRE(hull);
     CAPTURE(step);
@@ -52,11 +52,10 @@ void check_growth(const AnyPointSet& points) {
     if (std::holds_alternative<fit::PointsAssigned>(now.fact)) check_assigned(*hull, points);
     if (const auto* eye = std::get_if<fit::EyeChosen>(&now.fact)) {
       CHECK(growing_hull(run.steps, step - 1)->at == eye->facet);  // the one that was to come
-      CHECK(hull->facets[static_cast<std::size_t>(eye->facet)].outside.size() == static_cast<std::size_t>(eye->of));
+      CHECK(hull->facets[eye->facet].outside.size() == static_cast<std::size_t>(eye->of));
     }
     if (const auto* horizon = std::get_if<fit::HorizonFound>(&now.fact))
-      for (const Index f : hull->seen)
-        CHECK(side_of(hull->facets[static_cast<std::size_t>(f)], points, horizon->eye) > 0);
+      for (const Index f : hull->seen) CHECK(side_of(hull->facets[f], points, horizon->eye) > 0);
     if (std::holds_alternative<fit::FacesMerged>(now.fact) || std::holds_alternative<fit::Finished>(now.fact)) continue;
     check_all_there(*hull, n);
   }

@@ -81,8 +81,7 @@ TEST_CASE("a squeeze brings points as near to a line as it says, and back to the
   std::vector<double> before;
   for (Index i = 0; i < session.size(); ++i) before.push_back(across(i));
   REQUIRE(session.slide(0, 1e-3));
-  for (Index i = 0; i < session.size(); ++i)
-    CHECK(across(i) == doctest::Approx(1e-3 * before[static_cast<std::size_t>(i)]).epsilon(1e-9));
+  for (Index i = 0; i < session.size(); ++i) CHECK(across(i) == doctest::Approx(1e-3 * before[i]).epsilon(1e-9));
   CHECK(session.point(1)[0] - session.point(0)[0] == doctest::Approx(4 * 0.8 * 0.8).epsilon(1e-2));
   REQUIRE(session.slide(0, 1));
   CHECK(session.is_own());

@@ -63,7 +63,7 @@ TEST_CASE("the list always has every point once, and the calls are nested in it,
           CHECK(state.calls[i].length == state.calls[i - 1].done);
           CHECK(state.calls[i].boundary.size() == static_cast<int>(i));
         }
-        if (step > 0) check_welzl_state(state, run.steps[static_cast<std::size_t>(step) - 1].step);
+        if (step > 0) check_welzl_state(state, run.steps[step - 1].step);
       }
       CHECK(deepest >= 3);
       CHECK(deepest <= static_cast<std::size_t>(dim) + 2);
@@ -74,7 +74,7 @@ TEST_CASE("the points that the outermost call has been through lie in the circle
   const fit::Recording run = welzl_run_of("welzl", 40, 2, 7);
   const auto points = *generate("gaussian", 40, 2, 7);
   for (int step = 1; step <= static_cast<int>(run.steps.size()); ++step) {
-    const fit::Step3& now = run.steps[static_cast<std::size_t>(step) - 1].step;
+    const fit::Step3& now = run.steps[step - 1].step;
     const auto* moved = std::get_if<fit::MovedToFront>(&now.fact);
     if (moved == nullptr || moved->depth > 0) continue;
     const WelzlState state = welzl_state(run.steps, step);

@@ -88,7 +88,7 @@ TEST_CASE("a point is shared wrongly by a naive hull where rational arithmetic p
     const fit::Recording run = fit::find_algorithm("hull", "quickhull_rounded")->record(points, {});
     const std::vector<WrongTest> wrong = wrong_tests(run, points);
     for (const WrongTest& test : wrong) {
-      const auto& before = run.steps[static_cast<std::size_t>(test.step) - 1].step.fact;
+      const auto& before = run.steps[test.step - 1].step.fact;
       const auto* split = std::get_if<fit::EdgeSplit>(&before);
       const auto* simplex = std::get_if<fit::SimplexChosen>(&before);
       REQUIRE((split != nullptr || simplex != nullptr));

@@ -88,7 +88,7 @@ TEST_CASE("the numbers of all planes are those that the test finds, plane by pla
       REQUIRE(all.size() == static_cast<std::size_t>(planes_of_frustum(dim)));
       for (const auto& entry : record_frustum("half_spaces", pair))
         if (const auto* plane = std::get_if<query::PlaneTested<double, 3>>(&entry.step.fact))
-          CHECK(all[static_cast<std::size_t>(plane->plane)] == doctest::Approx(center_distance(*plane)));
+          CHECK(all[plane->plane] == doctest::Approx(center_distance(*plane)));
       const bool outside = std::any_of(all.begin(), all.end(), [](double one) { return one > 0; });
       CHECK((verdict_of("half_spaces", pair) == Culling::kOutside) == outside);
     }

@@ -92,7 +92,7 @@ std::vector<std::string> right(const Session& session, std::string_view id) {
   for (const Asked& asked : session.questions())
     if (asked.question->id == id)
       for (const int choice : asked.asking->truth(asked, session.run(0)).choices)
-        choices.push_back(asked.choices[static_cast<std::size_t>(choice)]);
+        choices.push_back(asked.choices[choice]);
   return choices;
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("the entries of a row are those in its formulas") {
 TEST_CASE("the lesson on the fifteen axes prints each row's formulas") {
   const std::string text = test::lessons_file("obb-axes.toml");
   for (int row = 0; row < 15; ++row) {
-    const std::string name = lesson::axis_names(3)[static_cast<std::size_t>(row)].text;
+    const std::string name = lesson::axis_names(3)[row].text;
     const lesson::RowFormulas formulas = lesson::row_formulas(3, row);
     const std::string line = "| [" + name + "](mark:" + name + ") | $" + formulas.distance + "$ > $" +
                              formulas.radius_a + "$ + $" + formulas.radius_b + "$ |";

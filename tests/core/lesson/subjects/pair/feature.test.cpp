@@ -31,7 +31,7 @@ std::string right_answer(const std::string& center, int dim = 3) {
   const Session session = session_at(center, dim);
   REQUIRE(session.asked() != nullptr);
   const Answer answer = model_answer(*session.asked(), session.run(0));
-  return session.asked()->choices[static_cast<std::size_t>(answer.value)];
+  return session.asked()->choices[answer.value];
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ void check_same(const Obb<double, 3>& made, const Obb<double, 3>& due) {
 Obb<double, 3> between(const std::array<V, 3>& normals, const V& low, const V& high) {
   Obb<double, 3> box;
   for (int i = 0; i < 3; ++i) {
-    box.axes.col(i) = normals[static_cast<std::size_t>(i)];
+    box.axes.col(i) = normals[i];
     box.half_extents[i] = (high[i] - low[i]) / 2;
-    box.center += (low[i] + high[i]) / 2 * normals[static_cast<std::size_t>(i)];
+    box.center += (low[i] + high[i]) / 2 * normals[i];
   }
   return box;
 }

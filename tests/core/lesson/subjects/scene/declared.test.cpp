@@ -124,9 +124,7 @@ std::string says_of(const lesson::Session& session, std::string_view effect) {
 
 const lesson::SceneRecording& run_of(const lesson::Session& session) { return *lesson::recorded_scene(session, 0); }
 
-int awake_at(const lesson::Session& session, int frame) {
-  return run_of(session).awake[static_cast<std::size_t>(frame)];
-}
+int awake_at(const lesson::Session& session, int frame) { return run_of(session).awake[frame]; }
 
 }  // namespace
 
@@ -304,7 +302,7 @@ TEST_CASE("the counts beside the stage are those of the scene that the command l
   for (int frame = 1; frame <= session.steps(); ++frame) {
     scene->step();
     for (std::size_t i = 0; i < run.tallies.size(); ++i) {
-      const lesson::EffectCount& count = run.counts[static_cast<std::size_t>(frame) * run.tallies.size() + i];
+      const lesson::EffectCount& count = run.counts[frame * run.tallies.size() + i];
       CHECK(count.run == scene->tallies()[i].run);
       CHECK(count.skipped == scene->tallies()[i].skipped);
     }

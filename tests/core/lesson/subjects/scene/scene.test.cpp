@@ -23,7 +23,7 @@ lesson::Session opened(const std::string& id, scene::Clock clock = nullptr) {
 }
 
 const lesson::FrameStep& step(const lesson::Session& session) {
-  return lesson::scene_run(session.run(0)).trace()[static_cast<std::size_t>(session.step()) - 1].step;
+  return lesson::scene_run(session.run(0)).trace()[session.step() - 1].step;
 }
 
 const lesson::FrameTaken& frame(const lesson::Session& session) {

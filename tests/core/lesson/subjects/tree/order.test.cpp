@@ -61,7 +61,7 @@ TEST_CASE("where a choice is due the steps end, both children wait, and nothing 
     ++due;
     const auto& children = run.forest(0).at(run.undecided()).children;
     const QueryState& end = run.state(run.steps());
-    for (const Index child : children) CHECK(end.nodes[static_cast<std::size_t>(child)] == Met::kOpen);
+    for (const Index child : children) CHECK(end.nodes[child] == Met::kOpen);
     CHECK(end.waiting.size() >= 2);
     CHECK(run.sentence(run.steps() - 1, {}).find("choose which one comes next") != std::string::npos);
     const Method* method = find_method(query_methods(), kRayByHand);
