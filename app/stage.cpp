@@ -10,6 +10,7 @@
 #include "app/mesh_normals.hpp"
 #include "app/numbers.hpp"
 #include "app/widgets.hpp"
+#include "geometry/sort.hpp"
 #include "lesson/point_subject.hpp"
 
 namespace snug::app {
@@ -318,7 +319,7 @@ void Stage::draw_picture(Brush& brush) const {
   view_->draw(brush);
   // The farthest first, so that nearer volumes are blended over farther ones.
   auto& volumes = brush.canvas.gl.volumes;
-  std::sort(volumes.begin(), volumes.end(), [&](const GlVolume& a, const GlVolume& b) {
+  sort_stably(volumes, [&](const GlVolume& a, const GlVolume& b) {
     return (a.center - scene_.eye).squaredNorm() > (b.center - scene_.eye).squaredNorm();
   });
 }

@@ -4,6 +4,7 @@
 
 #include "app/stage.hpp"
 #include "app/widgets.hpp"
+#include "geometry/sort.hpp"
 
 namespace snug::app {
 namespace {
@@ -147,7 +148,7 @@ void Stage::draw_axis_cross(Brush& brush, const Rect& inset, const Rect& sentenc
   if (overlap(sentence, {origin.x - kReach, origin.y - kReach, 2 * kReach, 2 * kReach}))
     origin.y = sentence.y - kReach;  // a narrow stage breaks it into more lines than there is room for
   std::array<int, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
+  sort_stably(order, [&](int a, int b) { return camera_.forward()[a] > camera_.forward()[b]; });
   const int in_use = view_->axis_in_use(brush.session);
   for (const int axis : order) {
     const bool used = axis == in_use;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/sort.hpp"
 #include "io/text.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
@@ -220,7 +221,7 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
     all.push_back(*std::move(asked));
   }
   if (!lesson.subject->asks_of_steps) return all;
-  std::stable_sort(all.begin(), all.end(), [](const Asked& a, const Asked& b) { return a.step < b.step; });
+  sort_stably(all, [](const Asked& a, const Asked& b) { return a.step < b.step; });
   // Questions at one place are asked one after the other, before the first is decided.
   std::vector<Asked> apart;
   int until = 0;

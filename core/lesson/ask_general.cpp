@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/random.hpp"
+#include "geometry/sort.hpp"
 #include "geometry/tolerance.hpp"
 #include "lesson/ask.hpp"
 #include "lesson/names.hpp"
@@ -89,7 +90,7 @@ Truth truth_of_ranks(const Asked& asked, std::vector<int> ranks) {
   Truth truth;
   truth.choices.resize(ranks.size());
   std::iota(truth.choices.begin(), truth.choices.end(), 0);
-  std::stable_sort(truth.choices.begin(), truth.choices.end(), [&](int a, int b) { return ranks[a] < ranks[b]; });
+  sort_stably(truth.choices, [&](int a, int b) { return ranks[a] < ranks[b]; });
   for (const int choice : truth.choices) truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[choice];
   truth.sentence = "The order is: " + truth.happened + ".";
   truth.ranks = std::move(ranks);

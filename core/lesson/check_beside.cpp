@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/sort.hpp"
 #include "lesson/names.hpp"
 #include "lesson/play.hpp"
 #include "lesson/prose.hpp"
@@ -24,7 +25,7 @@ class Mistakes {
     const auto earlier = [](const FileError& a, const FileError& b) {
       return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     };
-    std::stable_sort(draft_.mistakes.begin(), draft_.mistakes.end(), earlier);
+    sort_stably(draft_.mistakes, earlier);
   }
   void add(FilePlace place, std::string what) { draft_.mistakes.push_back({place, std::move(what), file_}); }
 

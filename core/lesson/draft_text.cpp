@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "geometry/sort.hpp"
 #include "io/text.hpp"
 
 namespace snug::lesson {
@@ -36,7 +37,7 @@ DraftText text_of(const Draft& draft, std::string_view file) {
   std::vector<Told> all;
   for (const FileError& mistake : draft.mistakes) all.push_back({&mistake, false});
   for (const FileError& warning : draft.warnings) all.push_back({&warning, true});
-  std::stable_sort(all.begin(), all.end(), comes_first);
+  sort_stably(all, comes_first);
   DraftText text{heading_of(draft, file), {}};
   if (!draft.lesson) text.heading += ". It cannot be drawn like this.";
   for (const Told& told : all) {

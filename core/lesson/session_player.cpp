@@ -1,6 +1,7 @@
 // The player: the place in the timeline, its gates and its marks.
 #include <algorithm>
 
+#include "geometry/sort.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
 
@@ -13,7 +14,7 @@ std::vector<Mark> marks_of(const Run& run, const std::vector<Asked>& questions) 
     if (asked.step != Asked::kAnytime) marks.push_back({asked.step, Mark::Kind::kQuestion});
   for (int i = 0; i < run.steps(); ++i)
     if (const auto kind = run.mark(i)) marks.push_back({i + 1, *kind});
-  std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
+  sort_stably(marks, [](const Mark& a, const Mark& b) { return a.step < b.step; });
   return marks;
 }
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "geometry/convert.hpp"
+#include "geometry/sort.hpp"
 #include "geometry/stored_work.hpp"
 #include "geometry/tolerance.hpp"
 #include "lesson/figures.hpp"
@@ -164,7 +165,7 @@ Line bound_of(const Kdop<double, Dim>& kdop, const KdopAxis<Dim>& axis, double b
   if constexpr (Dim == 3) {
     const V u = (there.front() - middle).norm() > 0 ? V((there.front() - middle).normalized()) : V(V::UnitX());
     const V n = normal.normalized(), v(n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]);
-    std::sort(there.begin(), there.end(), [&](const V& p, const V& q) {
+    sort_stably(there, [&](const V& p, const V& q) {
       return std::atan2(v.dot(p - middle), u.dot(p - middle)) < std::atan2(v.dot(q - middle), u.dot(q - middle));
     });
     if (there.size() > 2) there.push_back(there.front());

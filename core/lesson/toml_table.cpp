@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/sort.hpp"
 #include "lesson/names.hpp"
 
 namespace snug::lesson {
@@ -13,7 +14,7 @@ namespace {
 /// Each once: what is wrong in two situations is found twice.
 std::vector<FileError> in_order(std::vector<FileError> errors) {
   const auto place = [](const FileError& one) { return std::tie(one.place.line, one.place.column); };
-  std::stable_sort(errors.begin(), errors.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  sort_stably(errors, [&](const auto& a, const auto& b) { return place(a) < place(b); });
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b) && a.what == b.what; };
   errors.erase(std::unique(errors.begin(), errors.end(), same), errors.end());
   return errors;
@@ -237,8 +238,7 @@ bool TomlTable::refuse_others() {
       if (missing_[i] == meant) missing_says_[i].clear();
   }
   const auto line_of = [](const toml::key* key) { return key->source().begin.line; };
-  std::sort(unknown.begin(), unknown.end(),
-            [&](const toml::key* a, const toml::key* b) { return line_of(a) < line_of(b); });
+  sort_stably(unknown, [&](const toml::key* a, const toml::key* b) { return line_of(a) < line_of(b); });
   for (const toml::key* key : unknown)
     complaints_.add(file_place(key->source()), name_ + " has no key " + in_quotes(key->str()) + next_missing());
   for (std::string& what : missing_says_)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/sort.hpp"
 #include "io/text.hpp"
 #include "lesson/names.hpp"
 #include "lesson/say.hpp"
@@ -86,7 +87,7 @@ std::optional<Told> told_by_methods(const Asked& asked, const Run& run) {
 
 std::vector<std::string> in_alphabet(std::vector<std::string> words) {
   for (std::string& word : words) word = io::lower_case(word);
-  std::sort(words.begin(), words.end());
+  sort_stably(words);
   return words;
 }
 

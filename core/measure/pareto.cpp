@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/sort.hpp"
+
 namespace snug::cost {
 namespace {
 
@@ -22,7 +24,7 @@ std::vector<std::size_t> pareto_front(std::span<const Offer> offers) {
     const auto beats = [&](const Offer& other) { return is_finite(other) && undercuts(other, offers[i]); };
     if (is_finite(offers[i]) && std::none_of(offers.begin(), offers.end(), beats)) front.push_back(i);
   }
-  std::sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+  sort_stably(front, [&](std::size_t a, std::size_t b) {
     return std::tie(offers[a].time, offers[a].size, a) < std::tie(offers[b].time, offers[b].size, b);
   });
   return front;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/sort.hpp"
+
 namespace snug::scene {
 
 int Rail::first() const {
@@ -30,7 +32,7 @@ std::vector<Rail> rails_of(std::span<const EffectKind* const> order) {
     }
     if (!rail.writers.empty() || !rail.readers.empty() || !rail.late.empty()) rails.push_back(std::move(rail));
   }
-  std::stable_sort(rails.begin(), rails.end(), [](const Rail& a, const Rail& b) { return a.begin() < b.begin(); });
+  sort_stably(rails, [](const Rail& a, const Rail& b) { return a.begin() < b.begin(); });
   return rails;
 }
 

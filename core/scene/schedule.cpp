@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/sort.hpp"
+
 namespace snug::scene {
 namespace {
 
@@ -34,7 +36,7 @@ Called called(std::span<const EffectCall> all, std::span<const EffectKind> kinds
     if (!name.empty() && !calls(planned, name))
       planned.push_back({find_effect(kinds, name), {.name = name, .line = planned[i].call.line}});
   }
-  std::stable_sort(planned.begin(), planned.end(), [](const Planned& a, const Planned& b) { return a.kind < b.kind; });
+  sort_stably(planned, [](const Planned& a, const Planned& b) { return a.kind < b.kind; });
   return result;
 }
 

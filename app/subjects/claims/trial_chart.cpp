@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "geometry/sort.hpp"
+
 namespace snug::app {
 namespace {
 
@@ -42,8 +44,7 @@ std::vector<const cost::TrialRow*> trials_of_line(const cost::TrialClaim& claim,
   const std::string_view kind = cost::trial_kinds()[line];
   for (const cost::TrialRow& row : rows)
     if (row.claim == claim.name && row.kind == kind) own.push_back(&row);
-  std::stable_sort(own.begin(), own.end(),
-                   [](const cost::TrialRow* a, const cost::TrialRow* b) { return a->value < b->value; });
+  sort_stably(own, [](const cost::TrialRow* a, const cost::TrialRow* b) { return a->value < b->value; });
   return own;
 }
 

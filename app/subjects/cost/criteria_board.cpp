@@ -8,6 +8,7 @@
 
 #include "app/brush.hpp"
 #include "app/widgets.hpp"
+#include "geometry/sort.hpp"
 #include "lesson/figures.hpp"
 #include "measure/sample.hpp"
 
@@ -49,7 +50,7 @@ std::vector<std::size_t> order_by(const CriteriaTable& table, int column) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (column < 1) return order;
   const auto key = [&](std::size_t row) { return table.cells[row][column - 1].key.value_or(HUGE_VAL); };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  sort_stably(order, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   return order;
 }
 

@@ -9,6 +9,7 @@
 
 #include "geometry/hull_neighbors.hpp"
 #include "geometry/orientation.hpp"
+#include "geometry/sort.hpp"
 #include "query/contains_hull.hpp"
 
 namespace snug::fit {
@@ -185,7 +186,7 @@ class VertexPlaces {
  public:
   explicit VertexPlaces(const ConvexHull<Scalar, Dim>& hull) : hull_(hull), order_(hull.vertices.size()) {
     std::iota(order_.begin(), order_.end(), Index{0});
-    std::sort(order_.begin(), order_.end(), [&](Index a, Index b) { return before(at(a), at(b)); });
+    sort_stably(order_, [&](Index a, Index b) { return before(at(a), at(b)); });
   }
 
   /// The vertex with these coordinates; kNoIndex if there is none.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/sort.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects/cost/criteria_words.hpp"
 
@@ -38,7 +39,7 @@ std::string value_text(const CriteriaSubject& subject, std::size_t volume, Crite
 std::string values_in_order(const Asked& asked, const std::vector<int>& ranks) {
   std::vector<std::size_t> order(ranks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ranks[a] < ranks[b]; });
+  sort_stably(order, [&](std::size_t a, std::size_t b) { return ranks[a] < ranks[b]; });
   std::vector<std::string> values;
   for (const std::size_t i : order)
     values.push_back(asked.choices[i] + " " + value_text(criteria_in(asked), i, criterion_of(asked)));
@@ -68,8 +69,7 @@ Truth volume_order_truth(const Asked& asked, const Run&) {
   Truth truth{.ranks = ranks_in(asked)};
   if (truth.ranks.empty()) return {.pending = true};
   for (std::size_t i = 0; i < truth.ranks.size(); ++i) truth.choices.push_back(static_cast<int>(i));
-  std::stable_sort(truth.choices.begin(), truth.choices.end(),
-                   [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; });
+  sort_stably(truth.choices, [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; });
   std::vector<std::string> names;
   for (const int choice : truth.choices) names.push_back(asked.choices[choice]);
   truth.happened = listed(names, ", ");

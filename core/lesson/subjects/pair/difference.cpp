@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/sort.hpp"
 #include "query/gjk_simplex.hpp"
 
 namespace snug::lesson {
@@ -33,7 +34,7 @@ std::vector<DifferenceVertex> difference_outline(const VolumePair& pair) {
     for (std::size_t j = 0; j < b.size(); ++j)
       all.push_back({static_cast<Index>(i), static_cast<Index>(j), a[i] - b[j]});
   if (all.size() < 2 || pair.dim != 2) return all.size() == 1 ? all : std::vector<DifferenceVertex>();
-  std::sort(all.begin(), all.end(), [](const DifferenceVertex& p, const DifferenceVertex& q) {
+  sort_stably(all, [](const DifferenceVertex& p, const DifferenceVertex& q) {
     return p.at[0] != q.at[0] ? p.at[0] < q.at[0] : p.at[1] < q.at[1];
   });
   std::vector<DifferenceVertex> outline;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/sort.hpp"
 #include "lesson/names.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/scene/effect_words.hpp"
@@ -23,8 +24,7 @@ std::vector<Offered> offered_by(const SceneSet& set) {
   std::vector<Offered> all;
   for (const scene::EffectCall& call : set.effects) all.push_back({&call, true});
   for (const scene::EffectCall& call : set.spare) all.push_back({&call, false});
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Offered& a, const Offered& b) { return a.call->line < b.call->line; });
+  sort_stably(all, [](const Offered& a, const Offered& b) { return a.call->line < b.call->line; });
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/sort.hpp"
 #include "lesson/check_lesson.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
@@ -357,8 +358,7 @@ std::vector<FileError> SceneSubject::mistakes_of(const SceneSet& next) const {
   for (const std::string& method : methods_)
     if (const auto kept = check_pairs(next, method, *points(), origin_.seed); mistakes.empty() && !kept)
       add(static_cast<int>(kept.error().position), kept.error().what);
-  std::stable_sort(mistakes.begin(), mistakes.end(),
-                   [](const FileError& a, const FileError& b) { return a.place.line < b.place.line; });
+  sort_stably(mistakes, [](const FileError& a, const FileError& b) { return a.place.line < b.place.line; });
   return mistakes;
 }
 

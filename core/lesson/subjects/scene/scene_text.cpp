@@ -1,12 +1,12 @@
 #include "lesson/subjects/scene/scene_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
 
+#include "geometry/sort.hpp"
 #include "lesson/subjects/scene/read_scene.hpp"
 #include "lesson/toml_file.hpp"
 
@@ -23,7 +23,7 @@ std::vector<Keyed> keys_in_order(const toml::table& table) {
     const toml::source_position at = one.second->source().begin;
     return std::pair(at.line, at.column);
   };
-  std::stable_sort(keys.begin(), keys.end(), [&](const Keyed& a, const Keyed& b) { return place(a) < place(b); });
+  sort_stably(keys, [&](const Keyed& a, const Keyed& b) { return place(a) < place(b); });
   return keys;
 }
 

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "fit/catalogue.hpp"
+#include "geometry/sort.hpp"
 #include "geometry/tolerance.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 
@@ -45,8 +46,8 @@ std::vector<Pair> pairs_before(const Forest& forest) {
       if (b < a) std::swap(a, b);
       pairs.push_back({left, right, half_perimeter(forest.at(left).box, forest.at(right).box), a + " and " + b});
     }
-  std::sort(pairs.begin(), pairs.end(),
-            [](const Pair& a, const Pair& b) { return a.size < b.size || (a.size == b.size && a.name < b.name); });
+  sort_stably(pairs,
+              [](const Pair& a, const Pair& b) { return a.size < b.size || (a.size == b.size && a.name < b.name); });
   return pairs;
 }
 
@@ -60,7 +61,7 @@ std::vector<Pair> pairs_offered(const Asked& asked, const Run& run) {
   std::vector<Pair> pairs = pairs_before(tree_run(run).forest(asked.fact));
   std::stable_partition(pairs.begin(), pairs.end(), [&](const Pair& pair) { return merges(fact, pair); });
   pairs.resize(std::min(pairs.size(), kMostChoices));
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.name < b.name; });
+  sort_stably(pairs, [](const Pair& a, const Pair& b) { return a.name < b.name; });
   return pairs;
 }
 
@@ -79,7 +80,7 @@ std::vector<Index> places_offered(const Asked& asked, const Run& run) {
     for (const Index child : forest.at(parent).children) add(child);
   for (const Index child : forest.at(right).children) add(child);
   for (const Index i : forest.there()) add(i);
-  std::sort(near.begin(), near.end(), [&](Index a, Index b) { return short_name(forest, a) < short_name(forest, b); });
+  sort_stably(near, [&](Index a, Index b) { return short_name(forest, a) < short_name(forest, b); });
   return near;
 }
 
