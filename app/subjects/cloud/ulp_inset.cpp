@@ -6,6 +6,7 @@
 #include "app/close_up.hpp"
 #include "app/marks.hpp"
 #include "app/numbers.hpp"
+#include "app/subjects/cloud/by_place.hpp"
 #include "lesson/figures.hpp"
 
 namespace snug::app {
@@ -118,11 +119,15 @@ void name_left_outside(PointNames& names, const CloudShown& shown) {
     names.name(i, names.brush.session.name_of(i) + words, p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
   };
   for (const Index i : shown.left->dents)
-    names.name(i, names.brush.session.name_of(i) + " is a dent", p.wrong_text, Face::kSemiBold, 19 * p.mark, 15);
+    names.name(i, "dent at " + names.brush.session.name_of(i), p.wrong_text, Face::kSemiBold, 19 * p.mark, 15);
   if (shown.left->points.empty()) return;
   const double ulps = shown.left->ulps();
-  name(shown.left->worst, std::isfinite(ulps) ? " outside by " + lesson::ulps_text(ulps) : " outside");
-  for (const Index i : shown.left->points) name(i, " outside");
+  const auto point = [&](Index i) { return names.brush.point(i); };
+  for (const auto& [first, more] : by_place(shown.left->points, shown.left->worst, point)) {
+    const std::string also = more > 0 ? " and " + std::to_string(more) + " more" : "";
+    const bool told = first == shown.left->worst && std::isfinite(ulps);
+    name(first, also + " outside" + (told ? " by " + lesson::ulps_text(ulps) : ""));
+  }
 }
 
 Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, ImVec2 at) {
