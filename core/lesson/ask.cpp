@@ -98,7 +98,7 @@ std::string said_by(const Asked& asked, const Answer& answer, const Truth& truth
     case Kind::kSkipped: return {};
     case Kind::kPoint: return said_by_handle(asked, truth, answer.value);
     case Kind::kPoints: return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end()));
-    case Kind::kNumber: return plain_number(answer.number) + (asked.unit.empty() ? "" : " " + asked.unit);
+    case Kind::kNumber: return with_unit(answer.number, asked.unit);
     case Kind::kOrder: {
       std::string text;
       for (const int choice : answer.list) text += (text.empty() ? "" : ", ") + asked.choices[choice];

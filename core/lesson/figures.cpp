@@ -1,5 +1,6 @@
 #include "lesson/figures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -123,6 +124,18 @@ std::string plain_number(double value) {
   if (text.find("×") != std::string::npos) return text;
   text.erase(text.find_last_not_of('0') + 1);
   return text;
+}
+
+std::string with_unit(double value, std::string_view units) {
+  using Ending = std::pair<std::string_view, std::string_view>;
+  constexpr std::array kOfOne{
+      Ending{"vertices", "vertex"}, Ending{"axes", "axis"}, Ending{"bodies", "body"}, Ending{"xes", "x"},
+      Ending{"sses", "ss"},         Ending{"s", ""},        Ending{"s²", "²"},        Ending{"s³", "³"}};
+  std::string unit(units);
+  const auto fits = [&](const Ending& ending) { return std::abs(value) == 1 && unit.ends_with(ending.first); };
+  if (const auto found = std::find_if(kOfOne.begin(), kOfOne.end(), fits); found != kOfOne.end())
+    unit.replace(unit.size() - found->first.size(), std::string::npos, found->second);
+  return plain_number(value) + (unit.empty() ? "" : " " + unit);
 }
 
 std::string looseness_text(double ratio) {

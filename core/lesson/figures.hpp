@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,9 @@ class WithDecimals {
 
 /// A number as a person writes it: "10", "0.5", "1,200".
 [[nodiscard]] std::string plain_number(double value);
+
+/// A number with its unit, which is named in the plural: "1 point", "1 vertex", "3 points"; without a unit, the number.
+[[nodiscard]] std::string with_unit(double value, std::string_view units);
 
 /// A count, n >= 0, with thousands separators: "475", "1,839".
 [[nodiscard]] std::string count_text(std::int64_t n);

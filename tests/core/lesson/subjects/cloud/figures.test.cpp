@@ -35,6 +35,13 @@ TEST_CASE("numbers have four digits that count") {
   CHECK(number_text(0.0423, 3) == "0.042");
   CHECK(number_text(1.5e-9) == "1.500 × 10⁻⁹");
   CHECK(number_text(1e150) == "1.000 × 10¹⁵⁰");
+  CHECK(with_unit(1, "points") == "1 point");
+  CHECK(with_unit(1, "vertices") == "1 vertex");
+  CHECK(with_unit(1, "boxes") == "1 box");
+  CHECK(with_unit(1, "units²") == "1 unit²");
+  CHECK(with_unit(3, "axes") == "3 axes");
+  CHECK(with_unit(1, "%") == "1 %");
+  CHECK(with_unit(0.5, "") == "0.5");
   CHECK(percent_text(0.091) == "+9.1 %");
   CHECK(percent_text(-0.2) == "−20.0 %");
   CHECK(percent_text(1e-9) == "0.0 %");
