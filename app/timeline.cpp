@@ -85,7 +85,7 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
                                                                 {Kind::kBest, meanings.best},
                                                                 {Kind::kWrong, meanings.wrong}}};
   for (const auto& [kind, words] : kinds) {
-    const auto& marks = session.marks();
+    const std::vector<lesson::Mark> marks = marks_to_show(session);
     if (std::none_of(marks.begin(), marks.end(), [kind = kind](const lesson::Mark& m) { return m.kind == kind; }))
       continue;
     const float width = measure(look, Face::kRegular, kSize, words).x + 18;

@@ -97,7 +97,7 @@ struct Mark {
     kReplaced,  // the support set was replaced, or a verdict was reached
     kQuestion,  // a question is asked here
     kBest,      // the volume became the best so far, or an axis or a plane decides
-    kWrong,     // a naive algorithm's first wrong test
+    kWrong,     // a naive algorithm's first wrong test, or a wrong row or verdict
   } kind = Kind::kGrew;
 };
 

@@ -48,7 +48,7 @@ class FrustumView final : public SubjectView {
   }
   [[nodiscard]] bool working() const override { return surveying_; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
-    return {.replaced = "verdict", .best = "entirely outside"};
+    return {.replaced = "verdict", .best = "entirely outside", .wrong = "wrong"};
   }
 
  private:

@@ -8,6 +8,7 @@
 #include "app/marks.hpp"
 #include "app/shown.hpp"
 #include "app/subjects/pair/shown.hpp"
+#include "app/subjects/pair/table_unit.hpp"
 #include "app/widgets.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
@@ -139,9 +140,12 @@ Touch touch_row(const AxisTable& table, const lesson::AxisName& name, float y) {
 }
 
 /// Draws the table and returns its height.
-float draw_table(const Look& look, lesson::Session& session, ImVec2 at, float width, AxisLight* light) {
+float draw_table(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
+                 AxisLight* light) {
   const int dim = session.dim();
-  const std::vector<Axis> seen = lesson::axes_seen(steps_shown(session));
+  std::vector<Axis> seen = lesson::axes_seen(steps_shown(session));
+  for (Axis& axis : seen)
+    for (double* length : {&axis.distance, &axis.radius_a, &axis.radius_b, &axis.axis.gap}) *length = unit.in(*length);
   const auto rows = rows_of(seen, dim);
   const int at_hand = lit_row(session), lit = light != nullptr ? light->row(dim) : -1;
   const auto names = lesson::axis_names(dim);
@@ -176,9 +180,11 @@ int lit_row(const lesson::Session& session) {
 
 float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width, AxisLight* light) {
   if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) return 0;
-  text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "The axes");
+  const TableUnit unit = table_unit(lesson::boxes_of(session.subject()));
+  text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted,
+       unit.power == 0 ? "The axes" : "The axes, in " + unit.words());
   const float head = look.px(24);
-  return head + draw_table(look, session, {at.x, at.y + head}, width, light);
+  return head + draw_table(look, session, unit, {at.x, at.y + head}, width, light);
 }
 
 }  // namespace snug::app

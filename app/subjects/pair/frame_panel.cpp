@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/subjects/pair/shown.hpp"
+#include "app/subjects/pair/table_unit.hpp"
 #include "app/widgets.hpp"
 #include "lesson/formula.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
@@ -15,7 +16,7 @@ namespace {
 constexpr float kEntry = 10, kLine = 18, kNames = 24, kFormula = 11;
 
 /// A number of R, t or the half extents in at most seven signs: "0.422", "−12.5", "3e-07" where edges are nearly
-/// parallel, "1.2e+06" where boxes are large.
+/// parallel.
 std::string entry_text(double value) {
   const double size = std::abs(value);
   if (size == 0) return "0";
@@ -85,15 +86,16 @@ void draw_choices(const FrameTable& table, lesson::Session& session) {
   }
 }
 
-void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const query::FramesRelated<double, 3>* frames) {
+void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const TableUnit& unit,
+                  const query::FramesRelated<double, 3>* frames) {
   const auto bit = [](auto mask, int i) { return (mask >> i & 1) != 0; };
   const auto known = frames != nullptr ? *frames : query::FramesRelated<double, 3>{};
   for (int i = 0; i < table.dim; ++i) {
     for (int j = 0; j < table.dim; ++j)
       table.number(i, j, known.rotation(i, j), bit(table.lit.rotation, 3 * i + j), frames != nullptr);
-    table.number(i, table.dim, known.translation[i], bit(table.lit.translation, i), frames != nullptr);
-    table.number(i, table.dim + 1, pair.boxes[0].half_extents[i], bit(table.lit.half_a, i), true);
-    table.number(table.dim, i, pair.boxes[1].half_extents[i], bit(table.lit.half_b, i), true);
+    table.number(i, table.dim, unit.in(known.translation[i]), bit(table.lit.translation, i), frames != nullptr);
+    table.number(i, table.dim + 1, unit.in(pair.boxes[0].half_extents[i]), bit(table.lit.half_a, i), true);
+    table.number(table.dim, i, unit.in(pair.boxes[1].half_extents[i]), bit(table.lit.half_b, i), true);
   }
 }
 
@@ -131,14 +133,15 @@ float draw_frame_panel(const Look& look, lesson::Session& session, const AxisLig
   const bool asks = asks_for_entries(session);
   const int dim = session.dim(), lit = light.row(dim), row = asks ? -1 : lit >= 0 ? lit : lit_row(session);
   const float head = look.px(22);
+  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
+  const TableUnit unit = table_unit(pair);
   ImDrawList* list = ImGui::GetWindowDrawList();
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(3)}, look->muted,
-       "B in A's frame: R, t; half extents a, b");
+       unit.power == 0 ? "B in A's frame: R, t; half extents a, b" : "B in A's frame; t, a, b in " + unit.words());
   const FrameTable table{look,  list, {at.x, at.y + head},
                          width, dim,  row < 0 ? lesson::RowEntries{} : lesson::row_entries(dim, row)};
   table.head();
-  draw_numbers(table, lesson::boxes_of(session.subject()),
-               last_fact<query::FramesRelated<double, 3>>(steps_shown(session)));
+  draw_numbers(table, pair, unit, last_fact<query::FramesRelated<double, 3>>(steps_shown(session)));
   if (asks) draw_choices(table, session);
   const float numbers = head + static_cast<float>(dim + 2) * look.px(kLine) + look.px(6);
   return numbers + draw_formulas(look, dim, row, asks, {at.x, at.y + numbers}) + look.px(8);

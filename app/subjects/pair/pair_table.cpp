@@ -151,7 +151,7 @@ float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at,
   const float height = look.fingers ? 44.0f : look.px(30);
   if (subject.costs() == nullptr && cheaper_waits(session))
     return paragraph(list, look, Face::kRegular, kPairWords, kPairLine, at, width, look->muted,
-                     "What each pair costs can be measured once you have predicted which test is cheaper.");
+                     "Predict which test is cheaper. Then you can measure what each pair costs.");
   const std::string words = running ? "Measured: " + std::to_string(subject.costs()->rows().size()) + " of 28"
                             : subject.costs() != nullptr ? "Measure again"
                                                          : "Measure what each costs";
@@ -166,8 +166,8 @@ float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at,
   if (subject.costs() == nullptr) return height;
   return height + look.px(6) +
          paragraph(list, look, Face::kRegular, 11, 16, {at.x, at.y + height + look.px(6)}, width, look->muted,
-                   "Nanoseconds of one test on this machine, on the same 24 pairs of random bodies; GJK’s on the same "
-                   "are in the line above. The stronger the tint, the more expensive.");
+                   "Nanoseconds of one test on this machine, on the same 24 pairs of random bodies. The line above "
+                   "has GJK’s time for them. The stronger the tint, the more expensive the test.");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ class PairView final : public SubjectView {
   /// Two boxes in space have fifteen axes.
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return session.dim() == 3; }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
-    return {.replaced = "verdict", .best = "separating axis"};
+    return {.replaced = "verdict", .best = "separating axis", .wrong = "wrong"};
   }
 
  private:

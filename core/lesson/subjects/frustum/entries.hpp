@@ -62,8 +62,9 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   static std::string predicate(const Fact& fact, const FrustumWhere&, bool) {
     return of_box(fact) ? "are the p- and the n-vertex" : "is tested against the plane";
   }
-  static std::optional<Mark::Kind> mark(const Fact& fact, const FrustumWhere&) {
-    return fact.side == query::Culling::kOutside ? std::optional(Mark::Kind::kBest) : std::nullopt;
+  static std::optional<Mark::Kind> mark(const Fact& fact, const FrustumWhere& where) {
+    if (fact.side != query::Culling::kOutside) return std::nullopt;
+    return where.loses() ? Mark::Kind::kWrong : Mark::Kind::kBest;
   }
 };
 
@@ -91,14 +92,15 @@ struct Entry<query::Classified> : EntryDefaults {
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     using query::Culling;
     const query::CullResult& result = fact.result;
+    const std::string wrong = where.loses() ? " Wrong: the " + where.body() + " reaches into the frustum." : "";
     if (result.rejected_by >= 0)
       return "Outside: the " + rejected_words(where.body()) + " the " + plane_name(where.dim(), result.rejected_by) +
              " plane; " + std::to_string(result.planes_tested) +
-             (result.planes_tested == 1 ? " plane was tested." : " planes were tested.");
+             (result.planes_tested == 1 ? " plane was tested." : " planes were tested.") + wrong;
     if (result.verdict == Culling::kOutside)
       return (where.body() == "box" ? "No vertex lies in the frustum"
                                     : "Part of the " + where.body() + " is outside a plane") +
-             ", so this test says outside; the proof says whether that is right.";
+             ", so this test says outside." + wrong;
     if (result.verdict == Culling::kInside)
       return where.body() == "box" ? "Inside: every vertex of the box is inside every plane."
                                    : "Inside: the " + where.body() + " is inside every plane.";
@@ -106,7 +108,9 @@ struct Entry<query::Classified> : EntryDefaults {
     return "Intersecting: the " + where.body() + " crosses " + plane_names(where.dim(), result.crossing) +
            " and is not entirely outside any.";
   }
-  static std::optional<Mark::Kind> mark(const Fact&, const FrustumWhere&) { return Mark::Kind::kReplaced; }
+  static std::optional<Mark::Kind> mark(const Fact&, const FrustumWhere& where) {
+    return where.loses() ? Mark::Kind::kWrong : Mark::Kind::kReplaced;
+  }
 };
 
 }  // namespace snug::lesson

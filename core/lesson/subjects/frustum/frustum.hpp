@@ -13,9 +13,12 @@ extern const SubjectRow kFrustumRow;
 class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
  public:
   FrustumRun(const BoxPair& pair, FrustumTrace trace)
-      : dim_(pair.dim), body_(body_word(pair)), box_(pair.form == Form::kBox), trace_(std::move(trace)) {}
+      : dim_(pair.dim), body_(body_word(pair)), box_(pair.form == Form::kBox), trace_(std::move(trace)),
+        loses_(verdict_of(trace_) == query::Culling::kOutside && share_a_point(pair).value_or(false)) {}
   [[nodiscard]] FrustumSteps trace() const { return trace_; }
   [[nodiscard]] const std::string& body() const { return body_; }
+  /// Whether the test says outside of a body that reaches into the frustum.
+  [[nodiscard]] bool loses() const { return loses_; }
   /// Every vertex of the box.
   [[nodiscard]] std::vector<Index> candidates(int) const override {
     return box_ ? vertices_of(dim_, 0) : std::vector<Index>{};
@@ -26,6 +29,7 @@ class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
     const Untold* untold;
     [[nodiscard]] int dim() const { return run.dim_; }
     [[nodiscard]] const std::string& body() const { return run.body_; }
+    [[nodiscard]] bool loses() const { return run.loses_; }
   };
 
  private:
@@ -33,6 +37,7 @@ class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
   std::string body_;  // "box"
   bool box_;
   FrustumTrace trace_;
+  bool loses_;
 };
 
 extern template class FactRun<FrustumRun, FrustumStep>;

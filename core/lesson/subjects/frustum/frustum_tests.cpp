@@ -150,8 +150,9 @@ FrustumTrace record_frustum(std::string_view test, const BoxPair& pair) {
   return pair.dim == 2 ? record_in<double, 2>(test, pair) : record_in<double, 3>(test, pair);
 }
 
-query::Culling verdict_of(std::string_view test, const BoxPair& pair) {
-  const FrustumTrace trace = record_frustum(test, pair);
+query::Culling verdict_of(std::string_view test, const BoxPair& pair) { return verdict_of(record_frustum(test, pair)); }
+
+query::Culling verdict_of(FrustumSteps trace) {
   const auto* end = trace.empty() ? nullptr : std::get_if<query::Classified>(&trace.back().step.fact);
   return end != nullptr ? end->result.verdict : query::Culling::kIntersecting;
 }

@@ -34,6 +34,7 @@ using FrustumSteps = std::span<const Recorder<FrustumStep>::Entry>;
 
 /// What that test says.
 [[nodiscard]] query::Culling verdict_of(std::string_view test, const BoxPair& pair);
+[[nodiscard]] query::Culling verdict_of(FrustumSteps trace);
 
 /// Whether the body and the frustum share a point: of a box and of a point exactly, of a ball within rounding. None if
 /// the frustum is so thin that it has no vertices.

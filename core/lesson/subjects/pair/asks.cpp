@@ -120,10 +120,9 @@ Truth first_axis_of_test(const Asked& asked, const Run& run) {
   const auto& result = std::get_if<query::Verdict<double, 3>>(&steps[asked.fact].step.fact)->result;
   if (first < 0 && !result.overlap) first = axis_index(asked.dim, result.axis);
   if (first < 0)
-    return {
-        {static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates the boxes, so all are tested."};
+    return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No row shows a gap, so all are tested."};
   const std::string& name = asked.choices[static_cast<std::size_t>(first)];
-  return {{first}, {}, name, name + " is the first axis in the table's order that separates the boxes."};
+  return {{first}, {}, name, name + " is the first row of the table that shows a gap."};
 }
 
 const char* offer_least_penetration(Asked& asked, const Run& run) {

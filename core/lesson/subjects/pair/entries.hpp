@@ -61,7 +61,8 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   static std::string predicate(const Fact&, const PairWhere&, bool plural) {
     return std::string(plural ? "come" : "comes") + " nearest to A along this axis";
   }
-  static std::optional<Mark::Kind> mark(const Fact& fact, const PairWhere&) {
+  static std::optional<Mark::Kind> mark(const Fact& fact, const PairWhere& where) {
+    if (const RowTruth* truth = where.truth(); truth != nullptr && is_wrong(fact, *truth)) return Mark::Kind::kWrong;
     return fact.separates ? std::optional(Mark::Kind::kBest) : std::nullopt;
   }
 };
@@ -127,10 +128,12 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
     const auto& [overlap, tests, axis] = fact.result;
     const std::string name = name_of_axis(axis, where);
     const std::string all = std::to_string(axis_names(where.dim()).size());
-    if (where.truth() != nullptr)
+    if (const RowTruth* truth = where.truth(); truth != nullptr)
       return (overlap ? "This test says overlap: none of its " + std::to_string(tests) + " axes shows a gap."
                       : "This test says apart: along " + name + " there is a gap of " + gap_text(axis.gap) + ".") +
-             " The proof says whether that is right.";
+             (overlap != truth->separates ? " Exact arithmetic says the same."
+              : overlap                   ? " Wrong: in exact arithmetic the boxes are apart."
+                                          : " Wrong: in exact arithmetic the boxes overlap.");
     if (overlap)
       return "Overlap: none of the " + all + " axes separates the boxes" +
              (name.empty()
@@ -139,7 +142,10 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
     return "Apart: along " + name + " there is a gap" + (axis.gap > 0 ? " of " + gap_text(axis.gap) : "") + "; " +
            std::to_string(tests) + " of " + all + (tests == 1 ? " axes was tested." : " axes were tested.");
   }
-  static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kReplaced; }
+  static std::optional<Mark::Kind> mark(const Fact& fact, const PairWhere& where) {
+    const RowTruth* truth = where.truth();
+    return truth != nullptr && truth->separates == fact.result.overlap ? Mark::Kind::kWrong : Mark::Kind::kReplaced;
+  }
 };
 
 // ---- the tests of any two volumes ------------------------------------------------------------------------------

@@ -85,6 +85,9 @@ std::vector<RowTruth> row_truths(std::string_view test, const BoxPair& pair, Pai
     if (const auto* row = std::get_if<query::AxisTested<double, 3>>(&trace[i].step.fact))
       truths[i] = in_scalar(test, pair,
                             [&](const auto& a, const auto& b) { return truth_along(a, b, axis_index(3, row->axis)); });
+    else
+      truths[i].separates =
+          std::holds_alternative<query::Verdict<double, 3>>(trace[i].step.fact) && !overlap_exactly(test, pair);
   return truths;
 }
 

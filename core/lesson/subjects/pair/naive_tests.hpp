@@ -20,13 +20,14 @@ bool run_naive(std::string_view test, const BoxPair& pair, RecordPair& observe);
 /// Whether the boxes that the test is given share a point, exactly: rounded to float for a test in float.
 [[nodiscard]] bool overlap_exactly(std::string_view test, const BoxPair& pair);
 
-/// What a row should have said, in exact arithmetic on the numbers that the test was given.
+/// What a row, or the verdict, should have said, in exact arithmetic on the numbers that the test was given.
 struct RowTruth {
   bool separates = false;
   double gap = 0;   // scene units
   double ulps = 0;  // the same in units in the last place of the boxes' size, in the test's own kind of number
 };
-/// One for each step of a naive test's trace, meaningless where that step is no row; empty for any other test.
+/// One for each step of a naive test's trace; empty for any other test. At the verdict, only `separates` has a meaning:
+/// whether the boxes are apart. At a step that is neither a row nor the verdict, nothing has.
 [[nodiscard]] std::vector<RowTruth> row_truths(std::string_view test, const BoxPair& pair, PairSteps trace);
 
 /// Whether a row says what is not so.

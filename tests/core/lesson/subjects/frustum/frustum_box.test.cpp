@@ -288,7 +288,18 @@ TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether
   CHECK_FALSE(end(lost, "corners_outside")[1].holds);
   CHECK(end(lost, "corners_outside")[1].claimed);
   CHECK(end(lost, "p_n_vertex")[1].holds);
+  const auto said = [](const BoxPair& pair, const char* test) {
+    Session session = asking(pair, {});
+    REQUIRE(session.choose(0, test).has_value());
+    session.go(session.steps());
+    return std::pair(session.caption(), session.marks().back().kind);
+  };
+  CHECK(said(lost, "corners_outside").first.ends_with(" Wrong: the box reaches into the frustum."));
+  CHECK(said(lost, "corners_outside").second == Mark::Kind::kWrong);
+  CHECK(said(lost, "p_n_vertex").first.find("Wrong") == std::string::npos);
   const BoxPair beside = plain(3, {4.25, 4.6, 0}, {0.75, 0.4, 0.1});
+  CHECK(said(beside, "corners_outside").first.ends_with("so this test says outside."));
+  CHECK(said(beside, "corners_outside").second == Mark::Kind::kReplaced);
   CHECK(end(beside, "corners_outside")[1].holds);
   CHECK_FALSE(end(beside, "p_n_vertex")[1].holds);
   CHECK_FALSE(end(beside, "p_n_vertex")[1].claimed);  // it claims nothing there

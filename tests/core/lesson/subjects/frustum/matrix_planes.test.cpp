@@ -49,6 +49,8 @@ TEST_CASE("at a millionth of far, the far plane in float is off by many per cent
   CHECK(subject.reaches(kMatrixTests[1]));
   CHECK(subject.goal_says(kMatrixTests[1]).find("is lost in float, and is kept in double") != std::string::npos);
   CHECK_FALSE(FrustumSubject(far_away(0.1), 1).reaches(kMatrixTests[1]));
+  CHECK(FrustumRun(pair, record_frustum(kMatrixTests[1], pair)).loses());
+  CHECK_FALSE(FrustumRun(pair, record_frustum(kMatrixTests[0], pair)).loses());
   // So near that double loses it as well, for it is a lesson about float.
   BoxPair both = pair;
   both.taper = 1e-15;

@@ -1,0 +1,56 @@
+// A naive test that is wrong says so where a student looks: in the sentences, on the timeline, and in what is asked.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/lesson/lesson_files.hpp"
+#include "lesson/play.hpp"
+#include "lesson/subjects/pair/pair.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+using snug::test::session_of;
+
+namespace {
+
+Session at_the_end(const char* situation, const char* test) {
+  Session session = session_of("epsilons");
+  REQUIRE(session.show_situation(situation).has_value());
+  REQUIRE(session.choose(0, test).has_value());
+  session.jump(session.steps());
+  return session;
+}
+
+int wrong_marks(const Session& session) {
+  return static_cast<int>(std::count_if(session.marks().begin(), session.marks().end(),
+                                        [](const Mark& mark) { return mark.kind == Mark::Kind::kWrong; }));
+}
+
+}  // namespace
+
+TEST_CASE("the verdict of a naive test is compared with exact arithmetic in its sentence, and crossed if it is wrong") {
+  struct Case {
+    const char *situation, *test, *says;
+    bool wrong;
+  };
+  for (const Case& one : {Case{"large", "no_epsilon_float", " Wrong: in exact arithmetic the boxes overlap.", true},
+                          Case{"small", "absolute_epsilon", " Wrong: in exact arithmetic the boxes are apart.", true},
+                          Case{"large", "relative_epsilon_float", " Exact arithmetic says the same.", false}}) {
+    CAPTURE(one.test);
+    const Session session = at_the_end(one.situation, one.test);
+    CHECK(session.caption().ends_with(one.says));
+    CHECK((wrong_marks(session) > 0) == one.wrong);
+    if (one.wrong) CHECK(session.marks().back().kind == Mark::Kind::kWrong);
+  }
+}
+
+TEST_CASE("what is told of the first row does not call a row of noise a separating axis") {
+  Session session = session_of("epsilons");
+  REQUIRE(session.show_situation("large").has_value());
+  REQUIRE(session.choose(0, "absolute_epsilon_float").has_value());
+  session.go(session.steps());
+  const Asked* asked = session.asked();
+  REQUIRE(asked != nullptr);
+  CHECK(asked->asking->truth(*asked, session.run(0)).sentence ==
+        "A z × B z is the first row of the table that shows a gap.");
+}
