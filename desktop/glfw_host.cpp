@@ -110,7 +110,7 @@ struct GlfwHost::Callbacks {
 
 tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(const Size& size, bool visible) {
   if (!glfwInit())
-    return tl::unexpected(std::string("there is no display to open a window on; without a screen, xvfb-run serves"));
+    return tl::unexpected(std::string("there is no display to open a window on; without a screen, use xvfb-run"));
   std::unique_ptr<GlfwHost> host(new GlfwHost());
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

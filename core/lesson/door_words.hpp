@@ -12,8 +12,8 @@ inline constexpr std::string_view
     kCourseSays = "Drag points, turn boxes, and watch each algorithm answer at once: how a volume is fitted, how tight "
                   "it is, what it costs, and where the arithmetic breaks.",
     kGalleryTitle = "Gallery of hard cases",
-    kGallerySays = "Small inputs on which programs fail, and the places where they did. Each opens on the stage; "
-                   "where there is a naive method, a careful one stands beside it.",
+    kGallerySays = "Small inputs on which real programs failed, with links to the reports. Each opens on the stage. "
+                   "A naive method, if there is one, runs beside a careful one.",
     kCasesWord = "Hard cases", kShowAllWord = "Show all lessons", kSearchWord = "Search the lessons",
     kStartWord = "Start here", kNotBegunWord = "Not begun";
 

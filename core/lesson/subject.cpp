@@ -17,7 +17,7 @@ std::string drive_name(const NumberGroup& group, const NumberRow& row, std::size
 }
 
 tl::unexpected<InputError> fixed_number() {
-  return tl::unexpected(InputError{.what = "this lesson has two volumes: no more and no fewer"});
+  return tl::unexpected(InputError{.what = "this lesson has exactly two volumes"});
 }
 
 }  // namespace

@@ -84,10 +84,10 @@ void add_cases(Commands& commands) {
   command.footer(
       "JSON Lines: {\"case\",\"title\",\"says\",\"chapter\",\"command\",\"algorithms\":[..],\"source\"}. source is a "
       "public\n"
-      "place where a known program failed on such input, or null. Take one by its name: `snug fit --case NAME`,\n"
-      "`snug overlap --case NAME` or `snug cull --case NAME`, as command says, `snug render NAME`, and `snug NAME` for "
-      "the\n"
-      "window.");
+      "place where a known program failed on such input, or null. command is the command that takes the case:\n"
+      "`snug fit --case NAME`, `snug overlap --case NAME` or `snug cull --case NAME`. `snug render NAME` draws it, "
+      "and\n"
+      "`snug NAME` opens it in the window.");
   command.callback([&commands] { commands.chosen = run_cases; });
 }
 

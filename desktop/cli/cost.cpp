@@ -384,11 +384,11 @@ void add_cost(Commands& commands) {
                   "Milliseconds that one run may take; if it would take longer, fewer points are measured")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
-  command.add_flag("--growth", options->growth, "Instead: time against the number of points");
-  command.add_flag("--turn", options->turn, "Instead: looseness over a full turn of the body");
-  command.add_flag("--claims", options->claims, "Instead: the lectures' claims, measured");
+  command.add_flag("--growth", options->growth, "Measure time against the number of points instead");
+  command.add_flag("--turn", options->turn, "Measure looseness over a full turn of the body instead");
+  command.add_flag("--claims", options->claims, "Measure the lectures' claims instead");
   command.add_option("--trials", options->trials,
-                     "Instead: one of the claims, tried on 240 clouds; one of " + trial_names());
+                     "Try one of the claims on 240 clouds instead; one of " + trial_names());
   command.add_option("--against", options->against,
                      "Earlier result in CSV or JSON, on the same points, to compare with");
   command.add_flag("--json", options->json, "Print one JSON object");

@@ -407,13 +407,15 @@ void add_cull(Commands& commands) {
       ->capture_default_str();
   command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")
       ->check(CLI::IsMember(kTreeRules));
-  command.add_option("--leaf", options->leaf, "The most volumes in a leaf, of the trees by median and surface_area")
+  command
+      .add_option("--leaf", options->leaf, "The most volumes in a leaf, if the tree is built by median or surface_area")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))
       ->capture_default_str();
   command.add_option("--steps", options->steps, "File to write the trace of all tests to, one JSON object a line");
-  command.add_option("--survey", options->survey, "Test so many random spheres instead, and count the false positives")
+  command
+      .add_option("--survey", options->survey, "Test this many random spheres instead, and count the false positives")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
-  command.add_option("--seed", options->seed, "Of the random spheres")->capture_default_str();
+  command.add_option("--seed", options->seed, "Seed of the random spheres")->capture_default_str();
   command.add_option("--case", options->name, kCaseHelp);
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }

@@ -58,7 +58,7 @@ tl::expected<AnyPointSet, InputError> read_points(const FitOptions& options) {
 /// Takes what a case offers first where the user names no volume or no algorithm.
 tl::expected<FitOptions, InputError> completed(FitOptions options) {
   if (!options.name.empty() && !options.file.empty())
-    return tl::unexpected(InputError{.what = "--case stands in place of a file: leave out one of them"});
+    return tl::unexpected(InputError{.what = "give either --case or a file, not both"});
   if (!options.name.empty() && options.algorithm.empty()) {
     const auto own = point_case(options.name);
     if (!own) return tl::unexpected(own.error());

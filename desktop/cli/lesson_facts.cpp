@@ -117,7 +117,7 @@ CommandResult run_facts(const FactsOptions& options) {
 }  // namespace
 
 void add_lesson_facts(Commands& commands, CLI::App& group) {
-  CLI::App& facts = *group.add_subcommand("facts", "Print what a lesson's algorithms do and come to");
+  CLI::App& facts = *group.add_subcommand("facts", "Print every step of a lesson's algorithms, and the results");
   facts.footer(
       "What an author would otherwise work out by hand. JSON Lines: for each algorithm a line for each step (in a\n"
       "scene, each frame):\n"

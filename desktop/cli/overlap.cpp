@@ -218,14 +218,14 @@ void add_overlap(Commands& commands) {
   command
       .add_option(
           "--random", options->random,
-          "Test so many random pairs of oriented boxes instead, by separating axes, and count at which axis the "
-          "test ends (first) and which separate (separates)")
+          "Test this many random pairs of oriented boxes instead, by separating axes. Counts for each axis how often "
+          "the test ends there (first), and how often it separates the boxes (separates)")
       ->transform(whole_number(1, 1000000));
   command.add_flag(
       "--costs", options->costs,
-      "Measure what the test of each pair of kinds costs instead, on random bodies: a line for each of the "
-      "28, in the lesson's order");
-  command.add_option("--seed", options->seed, "Of the random pairs or bodies")->capture_default_str();
+      "Instead, measure what the test of each pair of kinds costs, on random bodies: a line for each of the 28 "
+      "pairs, in the lesson's order");
+  command.add_option("--seed", options->seed, "Seed of the random pairs or bodies")->capture_default_str();
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 

@@ -127,10 +127,10 @@ float draw_certificate_panel(const Look& look, const lesson::Session& session, c
   writer.says("1. |p − c|² − r², exactly: above 0 is outside.");
   for (const auto& line : lines.contained) writer.contained(line);
   if (lines.others > 0) writer.says(other_points_text(lines));
-  writer.says("2. The support set off the boundary, in ulps of r: + is outside. 3. Its weights λ.");
+  writer.says("2. How far the support set is off the boundary, in ulps of r: + is outside. 3. Its weights λ.");
   for (const auto& own : lines.support) writer.support(own);
   if (lines.sum_off) {
-    writer.says("What the rounding of the weights and of c leaves, exactly:");
+    writer.says("Left over by rounding the weights and c, exactly:");
     writer.sum("∑ λ − 1", *lines.sum_off);
     for (std::size_t axis = 0; axis < lines.mean_off.size(); ++axis)
       writer.sum(std::string("∑ λp − c, ") + "xyz"[axis], lines.mean_off[axis]);

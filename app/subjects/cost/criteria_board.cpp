@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 2> kCriteriaFormats{"csv", "json"};
 constexpr std::array<std::string_view, 3> kTableNames{"criteria", "total", "ranks"};
 constexpr std::array<std::string_view, 3> kTableWords{"Criteria", "Total cost", "Ranks"};
 constexpr std::array<std::string_view, 3> kTableTitles{"The criteria, measured here, and T, the total cost",
-                                                       "Where the total cost T goes, as the sliders stand",
+                                                       "Where the total cost T goes, with the sliders as they are",
                                                        "Ranks, 1 for the best, beside the textbooks' order"};
 
 const CriteriaSubject& criteria(const lesson::Session& session) { return *lesson::criteria_of(session); }
@@ -268,7 +268,7 @@ std::string CriteriaBoard::file(std::string_view format) const {
 std::optional<tl::expected<void, InputError>> CriteriaBoard::lay_over(lesson::Session&, std::string_view text,
                                                                       std::string_view name) {
   if (!text.starts_with("# snug table: ")) return std::nullopt;
-  return tl::unexpected(InputError{.what = "this is a table, and points are wanted here", .file = std::string(name)});
+  return tl::unexpected(InputError{.what = "this is a table; it takes a file of points", .file = std::string(name)});
 }
 
 tl::expected<void, InputError> CriteriaBoard::load(lesson::Session& session, const io::PointFile& file,

@@ -139,7 +139,7 @@ class ScenePanel {
     return session.step() == 0
                ? "Before the first frame, an effect's box takes it out of the scene's declaration, or adds it."
                : "An effect's box switches it off from this frame on. To change the declaration, go to frame 0. Tap a "
-                 "body to let it hop.";
+                 "body to make it hop.";
   }
 
   /// The right end of a column of figures.

@@ -227,7 +227,7 @@ struct Entry<hierarchy::PairTested> : EntryDefaults {
       return names + " are apart, so the " + std::to_string(a.boxes.size() * b.boxes.size()) +
              " pairs of boxes below are left out.";
     if (a.divides() && b.divides())
-      return names + " overlap, so each child of the one is paired with each child of the other.";
+      return names + " overlap, so each child of one node is paired with each child of the other.";
     const std::string leaf = a.divides() ? small(box_name(b.boxes.front())) : box_name(a.boxes.front());
     return names + " overlap, so " + leaf + " is paired with both children of the other.";
   }
@@ -252,7 +252,7 @@ struct Entry<hierarchy::Done> : EntryDefaults {
              (found == 0   ? "no pair of boxes that overlaps"
               : found == 1 ? "one pair of boxes that overlaps: " + pair_names(pairing->found())
                            : std::to_string(found) + " pairs of boxes that overlap") +
-             "; testing each box with each takes " + std::to_string(boxes * boxes) + ".";
+             "; testing every pair of boxes takes " + std::to_string(boxes * boxes) + ".";
     }
     if (run.undecided() != kNoIndex)
       return "The ray meets both children of " + where.beside_name(run.undecided()) +

@@ -77,7 +77,7 @@ std::vector<Figure> figures_of_pairing(const TreeRun& run, int step) {
           count("Tests of nodes", "node_tests", state.node_tests),
           count("Tests of boxes", "box_tests", state.box_tests),
           count("Tests in all", "tests", state.tests()),
-          at_end("Against each with each", "of_all", number_text(share) + " %", share, "%", step == run.steps()),
+          at_end("Against all pairs", "of_all", number_text(share) + " %", share, "%", step == run.steps()),
           count("Pairs left out untested", "left_out", state.left_out),
           count("Pairs that overlap", "found", static_cast<std::int64_t>(state.found.size()))};
 }
@@ -196,8 +196,9 @@ std::vector<Proof> tree_proofs(const View& view, const QueryPlaces* query) {
     std::vector<NodePair> found = pairing->found();
     std::sort(found.begin(), found.end());
     const bool same = found == pairs_one_by_one(run.boxes(), *query);
-    return {{same ? "testing each box with each finds the same pairs" : "testing each box with each finds other pairs",
-             same, true}};
+    return {
+        {same ? "testing every pair of boxes finds the same pairs" : "testing every pair of boxes finds other pairs",
+         same, true}};
   }
   if (run.undecided() != kNoIndex) return {};
   if (!run.is_query() && !run.is_whole()) return {};

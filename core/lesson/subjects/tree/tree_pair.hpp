@@ -33,7 +33,7 @@ struct TreePairing {
 /// Tests a tree against its copy. trace: where the steps are appended.
 [[nodiscard]] TreePairing pair_with_copy(const TreeOfBoxes& tree, std::span<const Box2> boxes, const QueryPlaces& query,
                                          TreeTrace& trace);
-/// The same pairs, found by testing each box with each, by the first box and then by the second.
+/// The same pairs, found by testing every pair of boxes, by the first box and then by the second.
 [[nodiscard]] std::vector<NodePair> pairs_one_by_one(std::span<const Box2> boxes, const QueryPlaces& query);
 /// The boxes of the copy.
 [[nodiscard]] std::vector<Box2> moved_by(const QueryPlaces& query, std::span<const Box2> boxes);

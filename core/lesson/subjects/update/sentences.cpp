@@ -83,7 +83,7 @@ std::string Entry<fit::BoundsRotated>::sentence(const fit::BoundsRotated& fact, 
 
 std::string Entry<fit::CenterMoved>::sentence(const fit::CenterMoved&, const UpdateWhere& where) {
   if (where.run.strategy().volume == "aabb")
-    return "The AABB has the body’s reach on every side of the pivot. Where the body has rotated to does not matter.";
+    return "The AABB reaches equally far on every side of the pivot, however the body has rotated.";
   return "The centre moves with the body.";
 }
 

@@ -26,7 +26,7 @@ TreeStage any_pair_of_trees(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("two trees find the pairs that testing each box with each finds") {
+TEST_CASE("two trees find the pairs that testing every pair of boxes finds") {
   std::size_t found = 0, left_out = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);
@@ -74,10 +74,10 @@ TEST_CASE("sentences name the copy's boxes in small letters, and count the pairs
   const TreeRun run(kTwoTrees, stage.aabbs(), "top_down_median", *stage.query);
   std::vector<std::string> said;
   for (int step = 0; step < run.steps(); ++step) said.push_back(run.sentence(step, {}));
-  CHECK(said.front() == "The roots overlap, so each child of the one is paired with each child of the other.");
+  CHECK(said.front() == "The roots overlap, so each child of one node is paired with each child of the other.");
   CHECK(std::count(said.begin(), said.end(), "AB and ab are apart, so the 4 pairs of boxes below are left out.") == 1);
   CHECK(std::count(said.begin(), said.end(), "Boxes C and b are tested: they overlap.") == 1);
-  CHECK(said.back().find("testing each box with each takes 16") != std::string::npos);
+  CHECK(said.back().find("testing every pair of boxes takes 16") != std::string::npos);
 }
 
 TEST_CASE("whether two nodes are apart can be asked, and the model answer is right") {
