@@ -21,7 +21,7 @@ template <class PlaceOf>
   std::vector<Placed> placed;
   for (const Index i : points) {
     const auto place = place_of(i);
-    const auto [found, fresh] = at.try_emplace({place[0], place[1], place[2]}, placed.size());
+    const auto [found, fresh] = at.try_emplace(std::array<double, 3>{place[0], place[1], place[2]}, placed.size());
     if (fresh) {
       placed.push_back({i});
       continue;

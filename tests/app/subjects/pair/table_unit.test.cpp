@@ -13,7 +13,7 @@ namespace snug::app {
 TEST_CASE("the unit is the power of ten below the size of boxes that are large or small") {
   lesson::BoxPair pair{.dim = 3};
   const auto unit_at = [&](double size) {
-    for (auto& box : pair.boxes) box.half_extents = Point3::Constant(size);
+    for (auto& box : pair.boxes) box.half_extents = Vector<double, 3>::Constant(size);
     return table_unit(pair);
   };
   CHECK(unit_at(1).words() == "units");
