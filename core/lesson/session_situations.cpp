@@ -8,6 +8,17 @@
 #include "lesson/situations.hpp"
 
 namespace snug::lesson {
+namespace {
+
+/// Whether sliders have the same values, except for rounding.
+bool stand_alike(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kRounding = 1e-9;  // in parts of the value
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::abs(x - y) <= kRounding * std::max(std::abs(x), std::abs(y));
+  });
+}
+
+}  // namespace
 
 Done Session::show_situation(std::string_view name) {
   if (name == situation()) return {};
@@ -81,7 +92,10 @@ Done Session::set_sliders(std::vector<double> values) {
   }
   auto next = slid_to(*lesson_, snapshot(), std::move(values));
   if (!next) return tl::unexpected(std::move(next.error()));
-  if (next->subject->rows() == own().rows() && next->subject->in_float() == own().in_float()) next = opened().clone();
+  // Rows alone do not tell: a frustum's do not have how near its near plane is.
+  const bool as_opened = stand_alike(next->slid.values, opened().slid.values) &&
+                         next->subject->rows() == own().rows() && next->subject->in_float() == own().in_float();
+  if (as_opened) next = opened().clone();
   if (!next->subject->suits(*slots_[0].method))
     return tl::unexpected(InputError{.what = next->subject->refusal(*slots_[0].method)});
   if (!drag_.subject) return become(*std::move(next));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 
@@ -80,6 +81,24 @@ TEST_CASE("from one end of a slider to the other and back, the lesson's own stan
   CHECK(session.is_own());
   CHECK(session.trace_hash() == own);
   CHECK(session.sliders()[0].value == doctest::Approx(30));
+}
+
+TEST_CASE("a slider drives what the rows of numbers do not have: how near the near plane of a frustum is") {
+  for (const char* id : {"frustum-matrix", "cases/far-plane"}) {
+    CAPTURE(id);
+    Session session = test::session_of(id);
+    const auto own = session.trace_hash();
+    const double start = session.sliders()[0].value;
+    for (const int place : {0, session.sliders()[0].places}) {
+      REQUIRE(session.slide_to_place(0, place));
+      CHECK(session.sliders()[0].place == place);
+      CHECK(session.trace_hash() != own);
+      CHECK_FALSE(session.is_own());
+    }
+    REQUIRE(session.slide(0, start));
+    CHECK(session.is_own());
+    CHECK(session.trace_hash() == own);
+  }
 }
 
 TEST_CASE("a drag of a slider is one entry of undo, and the run follows each of its moves") {
