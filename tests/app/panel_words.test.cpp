@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/bench.hpp"
+#include "bench.hpp"
 
 namespace snug::app {
 namespace {
