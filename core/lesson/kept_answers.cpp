@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lesson/lesson.hpp"
-#include "lesson/toml_table.hpp"
+#include "lesson/toml_file.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -105,11 +105,10 @@ std::string kept_text(std::span<const Outcome> outcomes) {
 }
 
 std::vector<Outcome> outcomes_of(std::string_view kept) {
-  if (kept.size() > kMostLessonBytes) return {};
-  const toml::parse_result parsed = toml::parse(kept);
-  if (!parsed) return {};
   Complaints complaints("");
-  TomlTable table(parsed.table(), "the answers", complaints);
+  const auto parsed = parse_file(kept, "the answers", complaints);
+  if (!parsed) return {};
+  TomlTable table(*parsed, "the answers", complaints);
   std::vector<Outcome> outcomes;
   for (const toml::table* answer : table.tables("answer")) outcomes.push_back(read_outcome(*answer, complaints));
   if (complaints.first()) return {};

@@ -55,8 +55,34 @@ test("lines and nests without an end are refused", () => {
   refused_within(800, ["cull", write_many("object.jsonl", "", '{"a":', mebibyte)], /object\.jsonl:1/);
 });
 
+test("lessons and courses that nest without an end, or are endless, are refused", () => {
+  const check = (name, before, text, times, says) => refused_within(400, ["lesson", "check", write_many(name, before, text, times)], says);
+  check("long.toml", "version = 2\nx = ", "[", mebibyte, /long\.toml:1.*at most/);
+  check("arrays.toml", "version = 2\nx = ", "[", 200 * 1024, /arrays\.toml:2/);
+  check("tables.toml", "version = 2\nx = ", "{a=", 80 * 1024, /tables\.toml:2/);
+  check("dots.toml", "version = 2\na", ".a", 100 * 1024, /dots\.toml:2:1: a key has more than 64 dots/);
+  check("heads.toml", "version = 2\n[a", ".a", 100 * 1024, /heads\.toml:2:1: a key has more than 64 dots/);
+  check("course.toml", "a", ".a", 100 * 1024, /course\.toml:1: a key has more than 64 dots/);
+});
+
+test("tables of results that nest, or have a line without an end, are refused", () => {
+  const against = ["cost", "--generate", "cube:8", "--algorithms", "sphere:ritter", "--repeat", "1", "--against"];
+  refused_within(800, [...against, write_many("rows.json", '{"table":"costs","rows":', "[", mebibyte)], /rows\.json/);
+  refused_within(800, [...against, write_many("objects.json", "", '{"table":', mebibyte)], /objects\.json/);
+  refused_within(800, [...against, write_many("fields.csv", "# snug table: costs\n", "a,", mebibyte)], /fields\.csv:2/);
+  refused_within(800, [...against, write_many("quoted.csv", '# snug table: costs\n"', "a,\n", mebibyte)], /quoted\.csv/);
+});
+
+test("numbers that promise a billion points or frames are refused", () => {
+  refused_within(400, ["cost", "--generate", "cube:1000000000"], /from 1 to/);
+  refused_within(400, ["scene", "scene-broad", "--frames", "1000000000"], /from 1 to/);
+});
+
 test("files without an end are read up to half a gibibyte", { skip: !existsSync("/dev/zero") }, () => {
   refused_within(2000, fit("/dev/zero"), /\/dev\/zero/);
   refused_within(2000, ["overlap", "/dev/zero"], /\/dev\/zero/);
   refused_within(2000, ["lesson", "check", "/dev/zero"], /\/dev\/zero/);
+  const zeros = openSync("/dev/zero");
+  for (const args of [fit("-"), ["overlap", "-"], ["cull", "-"]]) refused_within(2000, args, /^snug: -: /, zeros);
+  closeSync(zeros);
 });

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/course.hpp"
+#include "lesson/kept_answers.hpp"
 #include "lesson/play.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
@@ -410,6 +412,33 @@ TEST_CASE("no bytes make the reader fail otherwise than by an error") {
     const auto lesson = read_lesson(kSmallLesson.substr(0, length), "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().unit == InputError::Unit::kLine);
+  }
+}
+
+TEST_CASE("a key of more dots than a file needs is refused before it is read") {
+  std::string dots;
+  for (int i = 0; i < 100'000; ++i) dots += ".a";
+  for (const std::string& deep : {"a" + dots + " = 1\n", "[a" + dots + "]\n", "x = {a" + dots + " = 1}\n"}) {
+    const Draft draft = read_draft("# A comment.\nversion = 2\n" + deep, "a.toml", Checked::kAsWritten);
+    REQUIRE(!draft.mistakes.empty());
+    CHECK(draft.mistakes.front().place.line == 3);
+    CHECK(draft.mistakes.front().what == "a key has more than 64 dots");
+    const auto course = read_course(deep, "course.toml", std::vector<std::string>{"a"});
+    REQUIRE(!course);
+    CHECK(course.error().what == "a key has more than 64 dots");
+    CHECK(outcomes_of(deep).empty());
+  }
+  // Dots in texts and comments are none of a key's.
+  std::string dotted(kSmallLesson);
+  const std::string many(200, '.');
+  dotted = "# " + many + "\n" + dotted;
+  for (const std::string& text :
+       {"\"" + many + "\\\"" + many + "\"", "'" + many + "'", "\"\"\"\n" + many + "\"" + many + "\n\"\"\""}) {
+    std::string lesson = dotted;
+    const std::string_view summary = "summary = ";
+    const std::size_t at = lesson.find(summary) + summary.size();
+    lesson.replace(at, lesson.find('\n', at) - at, text);
+    CHECK(read_draft(lesson, "a.toml", Checked::kAsWritten).mistakes.empty());
   }
 }
 
