@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "fit/hull/quickhull.hpp"
@@ -114,6 +115,12 @@ Polytope polytope_of(const ConvexHull<double, 3>& hull, int dim) {
   Polytope polytope{hull.vertices, {}};
   if (dim == 2) {
     polytope.faces.push_back(joined(hull.facets, hull.vertices.size()));
+    return polytope;
+  }
+  if (hull.affine_dim < 3) {  // a polygon in space, its vertices in order; a segment; or a point, which has no face
+    if (hull.vertices.size() < 2) return polytope;
+    polytope.faces.emplace_back(hull.vertices.size());
+    std::iota(polytope.faces.front().begin(), polytope.faces.front().end(), 0);
     return polytope;
   }
   if (hull.facets.size() > kMostFacetsJoined) {

@@ -128,6 +128,7 @@ void add_sides(const Canvas& canvas, const std::vector<ImVec2>& outline) {
 }
 
 std::vector<bool> faces_in_front(const Canvas& canvas, const Polytope& polytope) {
+  if (polytope.faces.size() == 1) return {true};  // flat, and seen from both sides
   std::vector<bool> front;
   for (const auto& face : polytope.faces) {
     const auto corner = [&](std::size_t i) -> const V3& { return polytope.corners[face[i]]; };

@@ -58,4 +58,19 @@ TEST_CASE("facets of a hull that lie in one plane are drawn as one face") {
   CHECK(hull_of(cube).faces.size() == 9);
 }
 
+TEST_CASE("a flat hull in space is drawn as its polygon, points on a line as a segment") {
+  const auto faces_of = [](const std::vector<lesson::Point3>& points) {
+    const fit::Result result = fit::find_algorithm("hull", "quickhull")->fit(*lesson::to_set(points, 3), {});
+    return polytope_of(*std::get_if<ConvexHull<double, 3>>(&result.volume), 3).faces;
+  };
+  const lesson::Point3 a(0, 0, 1), b(2, 0, 1), c(2, 2, 1), d(0, 2, 1), inside(1, 1, 1);
+  const auto polygon = faces_of({a, c, inside, b, d});
+  REQUIRE(polygon.size() == 1);
+  CHECK(polygon.front() == std::vector<int>{0, 1, 2, 3});
+  const auto segment = faces_of({a, b, (a + b) / 2});
+  REQUIRE(segment.size() == 1);
+  CHECK(segment.front().size() == 2);
+  CHECK(faces_of({a, a}).empty());
+}
+
 }  // namespace snug::app

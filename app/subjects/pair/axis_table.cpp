@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "app/marks.hpp"
 #include "app/shown.hpp"
@@ -28,21 +31,38 @@ std::vector<const Axis*> rows_of(const std::vector<Axis>& seen, int dim) {
   return rows;
 }
 
-/// A row's figures, as they are on the stage and in the sentence.
-std::array<std::string, 4> figures_of(const Axis& axis) {
-  const auto along = [&](double length) { return lesson::length_along(axis, length); };
-  return {along(axis.distance), along(axis.radius_a), along(axis.radius_b), lesson::gap_text(axis.axis.gap)};
+/// A number with a power of ten in few signs, "2.22e-16"; any other as it is.
+std::string brief_text(double value, std::string text) {
+  if (text.find("×") == std::string::npos) return text;
+  std::array<char, 32> brief{};
+  std::snprintf(brief.data(), brief.size(), "%.2e", std::abs(value));
+  std::string number = brief.data();
+  const std::size_t power = number.find('e') + 2;  // after its sign
+  while (power + 1 < number.size() && number[power] == '0') number.erase(power, 1);
+  return (value < 0 ? "−" : "") + number;
+}
+
+/// A row's figures, as they are on the stage and in the sentence; brief: where those do not fit.
+std::array<std::string, 4> figures_of(const Axis& axis, bool brief) {
+  const auto shown = [&](double value, std::string text) {
+    return brief ? brief_text(value, std::move(text)) : std::move(text);
+  };
+  const auto along = [&](double length) { return shown(length, lesson::length_along(axis, length)); };
+  return {along(axis.distance), along(axis.radius_a), along(axis.radius_b),
+          shown(axis.axis.gap, lesson::gap_text(axis.axis.gap))};
 }
 
 /// Where the columns of figures end: as wide as their figures, at equal distances.
 struct Columns {
   std::array<float, 4> ends{};  // from the table's left
   float cell = kCell;           // the size of the figures, smaller if there are so many digits that they need it
+  bool brief = false;           // powers of ten in few signs, if that is not enough
 
   Columns(const Look& look, std::span<const lesson::AxisName> names, std::span<const Axis> seen, float width) {
-    float between = place(look, names, seen, width);
-    if (between >= kBetween) return;
+    if (place(look, names, seen, width) >= kBetween) return;
     cell = kSmallCell;
+    if (place(look, names, seen, width) >= kBetween) return;
+    brief = true;
     place(look, names, seen, width);
   }
 
@@ -55,8 +75,8 @@ struct Columns {
       widths[i] = measure(look, Face::kRegular, kHead, kHeads[i]).x;
       for (const Axis& axis : seen)
         if (!axis.skipped)
-          widths[i] =
-              std::max(widths[i], measure(look, i == 3 ? Face::kMonoBold : Face::kMono, cell, figures_of(axis)[i]).x);
+          widths[i] = std::max(
+              widths[i], measure(look, i == 3 ? Face::kMonoBold : Face::kMono, cell, figures_of(axis, brief)[i]).x);
       sum += widths[i];
     }
     for (const lesson::AxisName& name : names)
@@ -92,7 +112,7 @@ struct AxisTable {
     if (name.kind == query::AxisKind::kEdgeEdge) length_bar(y, name, axis->length);
     if (axis->skipped)
       return text_right(list, look, Face::kRegular, kHead, {x + width, middle}, look->muted, "parallel: none");
-    const std::array<std::string, 4> figures = figures_of(*axis);
+    const std::array<std::string, 4> figures = figures_of(*axis, columns.brief);
     for (int i = 0; i < 4; ++i)
       text_right(list, look, i == 3 ? Face::kMonoBold : Face::kMono, cell, {right(i), middle}, i == 3 ? ink : look->ink,
                  figures[i]);

@@ -1,4 +1,7 @@
 // A length along an axis has the same digits in the table, on the stage and in the sentence, and they show the gap.
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
@@ -30,6 +33,34 @@ TEST_CASE("the table and the stage have the same digits, none of them a minus on
     CHECK(lengths == 2);
     for (const std::string& words : in_table)
       CHECK((!words.starts_with("−") || words.find_first_of("123456789") != std::string::npos));
+  }
+}
+
+TEST_CASE("no figures of the table run into each other, however many digits they need") {
+  for (const char* name : {"unit-of-length", "edge-touch", "parallel-noise"}) {
+    CAPTURE(name);
+    std::ifstream file(std::string(SNUG_SOURCE_DIR "/lessons/cases/") + name + ".toml", std::ios::binary);
+    auto lesson = lesson::read_lesson(std::string(std::istreambuf_iterator<char>(file), {}), name);
+    REQUIRE(lesson.has_value());
+    Bench bench(*std::move(lesson),
+                {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 270, 900}});
+    std::vector<DrawnWords> drawn;
+    bench.app.note_words(&drawn);
+    bench.session().jump(bench.session().steps());
+    bench.frames(2);
+    std::map<float, std::map<float, DrawnWords>> rows;  // from the left
+    for (const DrawnWords& one : drawn)
+      if (one.low.x >= 800) rows[one.low.y][one.low.x] = one;
+    int full = 0;
+    for (const auto& [y, row] : rows) {
+      full += row.size() >= 5;
+      float end = 0;
+      for (const auto& [x, one] : row) {
+        CHECK_MESSAGE(x >= end, one.words);
+        end = one.high.x;
+      }
+    }
+    CHECK(full >= 10);
   }
 }
 
