@@ -17,19 +17,20 @@ constexpr Index kMostHandles = 60;
 constexpr int kMostFrames = 30;
 constexpr std::size_t kMostBodies = 12;  // more take their time
 
-/// Each time another session of the lesson; fuzz.sh runs in the project's folder.
-lesson::Session opened() {
-  static const lesson::Lesson kLesson = [] {
+/// The one session of the lesson, for opening it takes long: every input undoes what it did. fuzz.sh runs in the
+/// project's folder.
+lesson::Session& opened() {
+  static lesson::Session session = [] {
     std::ifstream file("lessons/scene-effects.toml");
     std::stringstream text;
     text << file.rdbuf();
     auto draft = lesson::read_draft(text.str(), "scene-effects", lesson::Checked::kAsWritten);
     require(draft.lesson && draft.mistakes.empty());
-    return *std::move(draft.lesson);
+    auto made = lesson::Session::open(*std::move(draft.lesson));
+    require(made.has_value());
+    return *std::move(made);
   }();
-  auto session = lesson::Session::open(kLesson);
-  require(session.has_value());
-  return *std::move(session);
+  return session;
 }
 
 void play(lesson::Session& session) {
@@ -48,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   require(typed.set.has_value() == typed.mistakes.empty());
   for (const lesson::FileError& mistake : typed.mistakes) require(mistake.place.line >= 1 && !mistake.what.empty());
   if (typed.set && typed.set->bodies.size() > kMostBodies) return 0;
-  lesson::Session session = opened();
+  lesson::Session& session = opened();
   const auto before = session.subject().file();
   require(before.has_value());
   if (!session.set_file(text)) return 0;
@@ -56,7 +57,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   require(after && after->typed == text);
   require((after->runs == text) == after->mistakes.empty());
   if (session.size() <= kMostHandles) play(session);
-  session.undo();
-  require(session.subject().file()->runs == before->runs);
+  session.jump(0);
+  session.end_typing();
+  if (text != before->typed) session.undo();
+  require(session.subject().file()->runs == before->runs && session.subject().file()->typed == before->typed);
   return 0;
 }
