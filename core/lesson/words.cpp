@@ -37,4 +37,9 @@ std::string axis_name(const Vector<double, 3>& direction) {
   return name.starts_with('+') ? name.substr(1) : name;
 }
 
+std::string capital(std::string text) {
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
 }  // namespace snug::lesson

@@ -20,5 +20,7 @@ namespace snug::lesson {
 /// The name of a k-DOP's direction, "+x−y"; and of its axis, "x−y".
 [[nodiscard]] std::string direction_name(const Vector<double, 3>& direction);
 [[nodiscard]] std::string axis_name(const Vector<double, 3>& direction);
+/// The text, which is not empty, with a capital letter first.
+[[nodiscard]] std::string capital(std::string text);
 
 }  // namespace snug::lesson

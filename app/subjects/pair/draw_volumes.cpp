@@ -146,7 +146,8 @@ struct Drawing {
     }
     const double radii = lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]);
     brush.label({(from.x + to.x) / 2, (from.y + to.y) / 2}, 8, {from.y - to.y, to.x - from.x},
-                "distance between the cores " + lesson::number_texts_apart(distance, radii).first,
+                "distance between the " + std::string(lesson::compared_in(pair)) + " " +
+                    lesson::number_texts_apart(distance, radii).first,
                 known_apart ? p.wrong_text : p.examined_text, Face::kSemiBold, 13);
   }
   void operator()(const query::NearestFound& fact) const {

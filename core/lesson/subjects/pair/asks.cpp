@@ -64,6 +64,7 @@ Truth separates_truth(const Asked& asked, const Run& run) {
 
 Truth slab_truth(const Asked& asked, const Run& run) {
   const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
+  if (!slab.separates && touch(slab)) return no("The intervals touch, and touching counts as overlapping.");
   if (!slab.separates) return no("The intervals overlap.");
   const double gap = std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
   return yes("The intervals are " + gap_text(gap) + " apart.");
@@ -78,7 +79,7 @@ Truth cores_truth(const Asked& asked, const Run& run) {
 
 Truth overlap_truth(const Asked& asked, const Run& run) {
   const auto& end = *std::get_if<OverlapDecided>(&pair_run(run).trace()[asked.fact].step.fact);
-  if (end.overlap) return no("The volumes overlap.");
+  if (end.overlap) return no(overlap_text(pair_run(run).trace().first(static_cast<std::size_t>(asked.fact))));
   return yes("There is a gap of " + gap_text(end.gap) + ".");
 }
 

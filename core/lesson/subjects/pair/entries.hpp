@@ -158,10 +158,30 @@ Truth overlap_truth(const Asked& asked, const Run& run);
 const char* offer_coordinate_axes(Asked& asked, const Run& run);
 Truth first_axis_truth(const Asked& asked, const Run& run);
 
-/// A bound of an interval, with digits that show whether the intervals are apart.
+/// A bound of an interval, as a k-DOP stores it: along (1, 1), not along the unit vector of that direction. Its digits
+/// show whether the intervals are apart.
 [[nodiscard]] inline std::string bound_text(const query::SlabTested& fact, double bound) {
   const double gap = std::max(fact.least_b - fact.greatest_a, fact.least_a - fact.greatest_b);
-  return length_text(bound, decimals_showing(gap));
+  return length_text(bound / fact.direction.cwiseAbs().maxCoeff(), decimals_showing(gap));
+}
+
+/// Whether two intervals have an end in common, and nothing else.
+[[nodiscard]] inline bool touch(const query::SlabTested& fact) {
+  return fact.greatest_a == fact.least_b || fact.greatest_b == fact.least_a;
+}
+
+/// Whether two volumes that overlap do no more than touch, by what their test has compared up to a step.
+[[nodiscard]] inline bool only_touch(PairSteps steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
+    const auto* slab = std::get_if<query::SlabTested>(&entry.step.fact);
+    const auto* cores = std::get_if<query::CoresCompared>(&entry.step.fact);
+    return (slab != nullptr && touch(*slab)) || (cores != nullptr && cores->distance == cores->radii);
+  });
+}
+
+/// "The volumes overlap." steps: those of the test, up to its verdict.
+[[nodiscard]] inline std::string overlap_text(PairSteps steps) {
+  return only_touch(steps) ? "The volumes touch, and touching counts as overlapping." : "The volumes overlap.";
 }
 
 template <>
@@ -174,7 +194,9 @@ struct Entry<query::SlabTested> : EntryDefaults {
     };
     return "Along " + axis_name(fact.direction) + " A covers " + interval(fact.least_a, fact.greatest_a) + " and B " +
            interval(fact.least_b, fact.greatest_b) +
-           (fact.separates ? ": the intervals are disjoint, so the volumes are apart." : ": the intervals overlap.");
+           (fact.separates ? ": the intervals are disjoint, so the volumes are apart."
+            : touch(fact)  ? ": the intervals touch, and touching counts as overlapping."
+                           : ": the intervals overlap.");
   }
   static std::optional<Mark::Kind> mark(const Fact& fact, const PairWhere&) {
     return fact.separates ? std::optional(Mark::Kind::kBest) : std::nullopt;
@@ -256,7 +278,7 @@ struct Entry<query::SupportFound> : EntryDefaults {
   static constexpr std::array kAskings{Asking{"next_vertex", &offer_difference, &next_vertex_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
-    if (fact.gap > 0) return found + ": the cores are at least " + number_text(fact.gap) + " apart.";
+    if (fact.gap > 0) return found + ": the " + where.compared() + " are at least " + number_text(fact.gap) + " apart.";
     return found + ", beyond the origin: nothing is proved yet.";
   }
   static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {
@@ -277,9 +299,9 @@ struct Entry<query::DigitsDoubled> : EntryDefaults {
 template <>
 struct Entry<query::DistanceFound> : EntryDefaults {
   using Fact = query::DistanceFound;
-  static std::string sentence(const Fact& fact, const PairWhere&) {
-    if (!(fact.gap > 0)) return "The simplex contains the origin: the cores have a point in common.";
-    return "Both bounds meet: the cores are " + number_text(fact.distance) + " apart.";
+  static std::string sentence(const Fact& fact, const PairWhere& where) {
+    if (!(fact.gap > 0)) return "The simplex contains the origin: the " + where.compared() + " have a point in common.";
+    return "Both bounds meet: the " + where.compared() + " are " + number_text(fact.distance) + " apart.";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kBest; }
 };
@@ -289,11 +311,12 @@ struct Entry<OverlapDecided> : EntryDefaults {
   static constexpr std::array kAskings{
       Asking{"apart", &offer_yes_no, &overlap_truth}, Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth},
       Asking{.name = "cheaper", .offer = &offer_own_and_gjk, .truth = &cheaper_truth, .figure = "operations"}};
-  static std::string sentence(const OverlapDecided& fact, const PairWhere&) {
-    if (fact.overlap) return "The volumes overlap.";
+  static std::string sentence(const OverlapDecided& fact, const PairWhere& where) {
+    const PairSteps steps = where.run.trace().first(static_cast<std::size_t>(where.i));
+    if (fact.overlap) return overlap_text(steps);
     if (fact.distance >= 0) return "Apart: the distance between the volumes is " + gap_text(fact.distance) + ".";
-    const Vector<double, 3> way = fact.direction.cwiseAbs();
-    const std::string axis = way.maxCoeff() == 1 ? axis_name(way) : "the separating axis";
+    const auto* slab = steps.empty() ? nullptr : std::get_if<query::SlabTested>(&steps.back().step.fact);
+    const std::string axis = slab != nullptr ? axis_name(slab->direction) : "the separating axis";
     return "Apart: along " + axis + " there is a gap of " + gap_text(fact.gap) + ".";
   }
   static std::optional<Mark::Kind> mark(const OverlapDecided&, const PairWhere&) { return Mark::Kind::kReplaced; }

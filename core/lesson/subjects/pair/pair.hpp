@@ -35,8 +35,9 @@ class PairRun final : public FactRun<PairRun, PairStep> {
 
   PairRun(int dim, PairTrace trace, std::vector<RowTruth> truths)
       : dim_(dim), trace_(std::move(trace)), truths_(std::move(truths)) {}
-  PairRun(int dim, PairTrace trace, Vertices vertices)
-      : dim_(dim), trace_(std::move(trace)), vertices_(std::move(vertices)) {}
+  /// compared: what a distance of the trace is between, as "cores".
+  PairRun(int dim, PairTrace trace, Vertices vertices, std::string_view compared)
+      : dim_(dim), trace_(std::move(trace)), vertices_(std::move(vertices)), compared_(compared) {}
   [[nodiscard]] std::span<const PairTrace::value_type> trace() const { return trace_; }
   [[nodiscard]] std::vector<Index> candidates(int i) const override;
   struct Where {
@@ -46,6 +47,7 @@ class PairRun final : public FactRun<PairRun, PairStep> {
     [[nodiscard]] int dim() const { return run.dim_; }
     /// What the row should have said; null where the test's own word is to be trusted.
     [[nodiscard]] const RowTruth* truth() const { return run.truth(i); }
+    [[nodiscard]] std::string compared() const { return std::string(run.compared_); }
     /// place: kNoIndex for a point of a smooth core, which is no vertex.
     [[nodiscard]] CoreVertex vertex(int side, Index place) const {
       if (place == kNoIndex) return {side == 0 ? "a point of A" : "a point of B"};
@@ -60,6 +62,7 @@ class PairRun final : public FactRun<PairRun, PairStep> {
   PairTrace trace_;
   std::vector<RowTruth> truths_;  // of a naive test, one for each step
   Vertices vertices_;
+  std::string_view compared_;
 };
 
 extern template class FactRun<PairRun, PairStep>;

@@ -136,6 +136,13 @@ std::vector<Turned> turned_of(const HeldVolume& held) {
   return {{" turn", 0}, {" turn", 1}, {" turn", 2}};
 }
 
+/// The angle of a box's first axis in the plane, degrees; none of what has no first axis, or in space.
+std::optional<double> angle_of(const HeldVolume& held) {
+  const auto* box = std::get_if<Obb<double, 3>>(&held.volume);
+  if (box == nullptr || held.dim == 3) return std::nullopt;
+  return std::atan2(box->axes(1, 0), box->axes(0, 0)) * 180 / std::numbers::pi;
+}
+
 /// The pair rounded to float. Errors: numbers that are too large for it, or bounds between which nothing is left.
 tl::expected<VolumePair, InputError> pair_in_float(const VolumePair& pair) {
   VolumePair next = pair;
@@ -262,7 +269,8 @@ std::vector<Drive> VolumesSubject::drives() const {
   std::vector<Drive> all;
   for (const int side : {0, 1}) {
     const HeldVolume& held = unrounded().held[side];
-    for (const Turned& one : turned_of(held)) all.push_back({.name = name_of_drive(side, one), .unit = "degrees"});
+    for (const Turned& one : turned_of(held))
+      all.push_back({.name = name_of_drive(side, one), .unit = "degrees", .now = angle_of(held)});
     for (int axis = 0; axis < dim(); ++axis)
       all.push_back({.name = name_of_drive(side, {"", axis}), .now = at_handle(held, {})[axis]});
   }
@@ -326,6 +334,12 @@ void VolumesSubject::begin_task(const Lesson&, const Task&, const Subject& own) 
   origin_.in_float = in_float;
 }
 
+std::string_view compared_in(const VolumePair& pair) {
+  const auto is_sphere = [](const HeldVolume& held) { return std::holds_alternative<Sphere<double, 3>>(held.volume); };
+  if (is_sphere(pair.held[0]) && is_sphere(pair.held[1])) return "centres";
+  return radius_of(pair.held[0]) + radius_of(pair.held[1]) > 0 ? "cores" : "volumes";
+}
+
 /// The vertices of both cores, with their handles. A hull's vertices are some of its points, and have their handles; a
 /// k-DOP's have none.
 PairRun::Vertices VolumesSubject::vertices() const {
@@ -354,7 +368,7 @@ std::string VolumesSubject::refusal(const Method& method) const {
 }
 
 std::unique_ptr<Run> VolumesSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<PairRun>(dim(), record(method.name, pair_), vertices());
+  return std::make_unique<PairRun>(dim(), record(method.name, pair_), vertices(), compared_in(pair_));
 }
 
 std::string VolumesSubject::opening(const Method& method) const {

@@ -57,6 +57,9 @@ using Kinds = std::array<std::size_t, 2>;
 [[nodiscard]] double reach_along(const HeldVolume& held, const Point3& way);
 /// The radius around the core.
 [[nodiscard]] double radius_of(const HeldVolume& held);
+/// What the distance that a test finds is between: the "centres" of two spheres, the "cores" of volumes that a sphere
+/// sweeps, or the "volumes" themselves.
+[[nodiscard]] std::string_view compared_in(const VolumePair& pair);
 /// The nearest points of both; none if they overlap.
 [[nodiscard]] std::optional<query::Separation<double, 3>> separation_of(const VolumePair& pair);
 /// The same for the cores alone, without the radii.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lesson/subjects/tree/tree_run.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::lesson {
 
@@ -29,10 +30,6 @@ Truth loses_truth(const Asked& asked, const Run& run);
 
 /// "x".
 [[nodiscard]] inline std::string axis_letter(int axis) { return std::string(1, "xy"[axis]); }
-[[nodiscard]] inline std::string capital(std::string text) {
-  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text;
-}
 /// "1 test", "12 tests".
 [[nodiscard]] inline std::string tests_text(std::int64_t tests) {
   return std::to_string(tests) + (tests == 1 ? " test" : " tests");
