@@ -341,6 +341,51 @@ TEST_CASE("a pass is judged with the digits that tell it from the best") {
         "Pass 6 ends at 0.9918, smaller than the best so far, 0.9920: it is kept.");
 }
 
+TEST_CASE("a point on the circle is said to be there") {
+  CHECK(alone(with_ball(1, fit::PointExamined{0, 1, false}), kThree) == "P0 lies on the circle: nothing changes.");
+  CHECK(alone(with_ball(1.5, fit::PointExamined{0, 1, false}), kThree) == "P0 lies inside by 0.500: nothing changes.");
+}
+
+TEST_CASE("the circle through two points is the smallest of many") {
+  using Tried = fit::CandidateTried<double, 3>;
+  const fit::Sphere3 ball{{1, 0, 0}, 2.5};
+  CHECK(
+      alone(with_ball(2.5, Tried{{0, 1}, ball, Tried::Verdict::kKept, kNoIndex}), kThree) ==
+      "The smallest circle through P0 and P1 contains all points and, with radius 2.500, is the smallest so far: it is "
+      "kept.");
+  CHECK(alone(with_ball(2.5, Tried{{0, 1}, ball, Tried::Verdict::kLeavesPointOutside, 2}), kThree) ==
+        "The smallest circle through P0 and P1 leaves P2 outside, and is dropped.");
+  CHECK(alone(with_ball(2.5, Tried{{0, 1, 2}, ball, Tried::Verdict::kNotSmaller, kNoIndex}), kThree) ==
+        "The circle through P0, P1 and P2 is no smaller than the best: no point needs testing.");
+}
+
+TEST_CASE("a box that is tried is said to stand on an edge, on two edges or on a face") {
+  using Tried = fit::BoxTried<double, 3>;
+  const AnyPointSet space = set_of({{1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {1, 1, 1}}, 3);
+  const fit::Step3 tried{0, true, Obb<double, 3>{}, Tried{{0, 3, 1, 3}, {}, 2, false}};
+  const fit::Step3 searched{0, true, Obb<double, 3>{}, fit::EdgeSearched{0, 3, 4, 2, 9}};
+  CHECK(sentence({tried, searched}, 0, space, true) ==
+        "The box on the edges from P0 to P3 and from P1 to P3 has volume 2.000, no smaller than the best: it is "
+        "dropped.");
+  CHECK(sentence({{0, true, Obb<double, 3>{}, fit::EdgeSearched{0, 3, 4, 2, 0}}}, 0, space, true)
+            .find("2 are ruled out at once, the rest without halving.") != std::string::npos);
+  const fit::Step3 face{0, true, Obb<double, 3>{}, Tried{{0, 1, 2}, {}, 2, true}};
+  CHECK(alone(face, space) ==
+        "The box on the face of P0, P1 and P2 has volume 2.000, the smallest so far: it is kept.");
+  CHECK(sentence({{0, false, {}, fit::PointsChosen{{0, 1, 2, 3}}}, face}, 1, space, false) ==
+        "The box along the edge from P0 to P1, with a face through P2, has volume 2.000, the smallest so far: it is "
+        "kept.");
+  CHECK(alone({0, true, Obb<double, 3>{}, Tried{{0, 1, 2}, {}, 2, true}}, kThree) ==
+        "The box on the edge from P0 to P1 has area 2.000, the smallest so far: it is kept.");
+}
+
+TEST_CASE("points that quickhull drops may lie on the outline") {
+  CHECK(alone({0, false, {}, fit::PointsAssigned{{}, {}, {}, {0, 1}, 2}}, kThree) ==
+        "No point lies outside these edges: 2 points are dropped.");
+  CHECK(alone({0, false, {}, fit::PointsAssigned{{0}, {3}, {}, {0}, 1}}, kThree) ==
+        "3 points lie outside and are assigned to edges; 1 does not, and is dropped.");
+}
+
 TEST_CASE("names in a row") {
   CHECK(lesson::point_names({}, nullptr) == "no point");
   const std::array<Index, 3> three{3, 9, 12};

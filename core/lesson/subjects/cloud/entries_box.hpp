@@ -91,9 +91,27 @@ template <>
 struct Entry<fit::BoxTried<double, 3>> : FitEntry {
   using Fact = fit::BoxTried<double, 3>;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const std::string on = fact.on.empty() ? "A box" : "The box on " + where.names(list_of(fact.on));
-    return on + " has " + where.size_word() + number_text(fact.measure) +
+    return "The box " + axes_of(fact, where) + " has " + where.size_word() + number_text(fact.measure) +
            (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
+  }
+  /// What its axes follow from. Of points that follow an edge in the plane, the box only touches the others.
+  static std::string axes_of(const Fact& fact, const FitWhere& where) {
+    const auto edge = [&](std::size_t i) {
+      return "from " + where.name(fact.on[i]) + " to " + where.name(fact.on[i + 1]);
+    };
+    const bool dito = std::holds_alternative<fit::PointsChosen>(where.run.trace().front().step.fact);
+    if (fact.on.empty()) return "from PCA";
+    if (fact.on.size() == 1) return "on " + where.name(fact.on[0]);
+    if (where.dim() == 2 || fact.on.size() == 2) return "on the edge " + edge(0);
+    if (dito) return "along the edge " + edge(0) + ", with a face through " + where.name(fact.on[2]) + ",";
+    if (fact.on.size() == 4 && searches_edges(where)) return "on the edges " + edge(0) + " and " + edge(2);
+    return "on the face of " + where.names(list_of(fact.on));
+  }
+  /// Whether the search goes through pairs of edges.
+  static bool searches_edges(const FitWhere& where) {
+    const auto rest = where.run.trace().subspan(static_cast<std::size_t>(where.i));
+    return std::any_of(rest.begin(), rest.end(),
+                       [](const auto& one) { return std::holds_alternative<fit::EdgeSearched>(one.step.fact); });
   }
   static std::optional<Mark::Kind> mark(const Fact& fact, const FitWhere& where) { return best_if(fact.better, where); }
 };
@@ -114,7 +132,8 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
     const bool first = where.before() == nullptr || !where.before()->has_volume;
     const double before = first ? 0 : fit::measure_of(where.before()->volume, where.dim());
     if (!(before > fact.measure)) return ", the smallest so far.";
-    return ", " + without_plus(percent_text(1 - fact.measure / before)) + " less than before.";
+    const std::string gain = without_plus(percent_text(1 - fact.measure / before));
+    return ", " + (gain == "0.0 %" ? "less by under 0.1 %" : gain + " less than before") + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
     return points_of({{&fact.edge_a, 1}, {&fact.edge_b, 1}});
@@ -141,7 +160,8 @@ struct Entry<fit::EdgeSearched> : FitEntry {
     const std::string others = fact.pairs == 1 ? "one other: " : "each of " + count_text(fact.pairs) + " others: ";
     const Index searched = fact.pairs - fact.ruled_out;
     if (searched == 0) return others + (fact.pairs == 1 ? "ruled out at once. " : "all are ruled out at once. ");
-    const std::string after = " after " + counted(fact.halvings, "halving") + ". ";
+    const std::string after =
+        fact.halvings == 0 ? " without halving. " : " after " + counted(fact.halvings, "halving") + ". ";
     if (fact.ruled_out == 0) return others + "done" + after;
     return others + count_text(fact.ruled_out) + (fact.ruled_out == 1 ? " is" : " are") +
            " ruled out at once, the rest" + after;

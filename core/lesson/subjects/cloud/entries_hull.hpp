@@ -44,14 +44,17 @@ struct Entry<fit::PointsAssigned> : FitEntry {
     for (const Index count : fact.counts) outside += count;
     const std::string facet = where.dim() == 2 ? "edge" : "facet";
     if (outside == 0 && fact.dropped == 0) return "No point is left to assign to these " + facet + "s.";
-    const std::string dropped = counted(fact.dropped, "point") +
-                                (fact.dropped == 1 ? " lies inside and is dropped." : " lie inside and are dropped.");
-    if (outside == 0) return "No point lies outside these " + facet + "s; " + dropped;
+    const std::string are_dropped = fact.dropped == 1 ? " is dropped." : " are dropped.";
+    if (outside == 0)
+      return "No point lies outside these " + facet + "s: " + counted(fact.dropped, "point") + are_dropped;
     const std::string assigned =
         counted(outside, "point") + (outside == 1
                                          ? " lies outside and is assigned to the " + facet + " that it is outside of"
                                          : " lie outside and are assigned to " + facet + "s");
-    return assigned + (fact.dropped == 0 ? "; none is dropped." : "; " + dropped);
+    if (fact.dropped == 0) return assigned + "; none is dropped.";
+    // Inside, or exactly on the outline.
+    return assigned + "; " + count_text(fact.dropped) + (fact.dropped == 1 ? " does not, and" : " do not, and") +
+           are_dropped;
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.inside}); }
   static std::string predicate(const Fact&, const FitWhere&, bool plural) {

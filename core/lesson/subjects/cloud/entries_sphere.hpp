@@ -100,10 +100,15 @@ struct Entry<fit::PointExamined> : FitEntry {
   static std::string said(const Fact& fact, const FitWhere& where, const std::string& point) {
     const double gap = fact.distance - where.radius();
     const bool forced = where.next() != nullptr && std::holds_alternative<fit::BoundaryForced>(where.next()->fact);
-    if (!fact.outside)
-      return point + " lies inside" + (gap < 0 ? " by " + number_text(-gap) : "") + ": nothing changes.";
+    if (!fact.outside) return point + " lies " + place_of(gap, where) + ": nothing changes.";
     return point + " lies outside by " + number_text(gap) +
            (forced ? ", so it must be on the boundary of the next " + where.ball() + "." : ".");
+  }
+  /// Where a point is that changes nothing. gap: how far beyond the boundary; above 0 if rounding or an epsilon hides
+  /// it.
+  static std::string place_of(double gap, const FitWhere& where) {
+    if (gap == 0) return "on the " + where.ball();
+    return gap < 0 ? "inside by " + number_text(-gap) : "inside";
   }
   static std::optional<Mark::Kind> mark(const Fact&, const FitWhere& where) {
     return where.is_first_wrong() ? std::optional(Mark::Kind::kWrong) : first(where);
@@ -289,14 +294,16 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
   static constexpr std::array kAskings{kBetter, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string names = where.names(list_of(fact.points));
-    const std::string tried = "The " + where.ball() + " through " + names;
+    // Through two points there are many circles, and through three many spheres.
+    const bool one_of_many = fact.points.size() <= where.dim();
+    const std::string tried = (one_of_many ? "The smallest " : "The ") + where.ball() + " through " + names;
     switch (fact.verdict) {
       case Verdict::kKept:
-        return tried + " contains all points and is the smallest so far, " + number_text(fact.candidate.radius) +
-               ": it is kept.";
+        return tried + " contains all points and, with radius " + number_text(fact.candidate.radius) +
+               ", is the smallest so far: it is kept.";
       case Verdict::kNotSmaller: return tried + " is no smaller than the best: no point needs testing.";
       case Verdict::kLeavesPointOutside:
-        return tried + " leaves " + where.name(fact.outside) + " outside: it is dropped.";
+        return tried + " leaves " + where.name(fact.outside) + " outside, and is dropped.";
       case Verdict::kDependent:
         return "No " + where.ball() + " passes through " + names + ": they lie " +
                (fact.points.size() <= 3 ? "on one line." : "in one plane.");
