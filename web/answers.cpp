@@ -97,7 +97,7 @@ val told_object(const lesson::Session& session, const lesson::Outcome* outcome, 
   object.set("given", answer_object(*asked, session, &outcome->given));
   object.set("canShow", session.can_show_answer());
   object.set("shown", session.answer_shown());
-  object.set("rightChoices", session.answer_shown()
+  object.set("rightChoices", session.answer_shown() || asked->ordered
                                  ? array_of(session.right_choices(), [](int choice) { return val(choice); })
                                  : val::array());
   return object;

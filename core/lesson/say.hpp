@@ -22,6 +22,8 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
 
 /// After a wrong answer that has a second try; and after the "next" key at a question.
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
+                                  kTryOrderAgain = "Not in that order. Try once more.",
+                                  kTryThoseAgain = "Not those. Try once more.",
                                   kTriedAlready = "You have tried that one. Choose another.",
                                   kPressToSkip = "Press again to skip this question.",
                                   kSkipHint = "Page Down twice skips.",

@@ -240,7 +240,7 @@ bool Session::give(const Answer& answer, bool for_good) {
   if (standing_of(&judged) == Standing::kWrong && !for_good && !second && has_second_try(*question)) {
     tried_ = Tried{question->question->id, answer};
     unpick();
-    answer_says_ = kTryAgain;
+    answer_says_ = question->ordered ? kTryOrderAgain : question->many ? kTryThoseAgain : kTryAgain;
     ProseFigures figures(*this);
     const Truth truth = question->asking->truth(*question, run(0));
     if (const std::string meaning = meaning_of(*question, answer, truth); !meaning.empty())

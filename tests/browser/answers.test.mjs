@@ -49,6 +49,11 @@ test("an order is chosen one after the other, and is given once it is whole; the
   const told = await until(page, (now) => now.outcome);
   assert.equal(told.outcome.question, "order");
   assert.match(told.outcome.predicted, /^Exact minimum, PCA of the /);
+  // The right order is a list, with the place that each had in the prediction.
+  const { choices, rightChoices, given } = told.outcome;
+  const lines = card(page).locator(".order li");
+  assert.deepEqual(await lines.locator("span").allTextContents(), rightChoices.map((choice) => choices[choice]));
+  assert.deepEqual((await lines.locator("b").allTextContents()).map((text) => Number(/\d/.exec(text)[0])), rightChoices.map((choice) => given.choices.indexOf(choice) + 1));
   await page.keyboard.press("Enter");
   await until(page, (now) => now.outcome?.question === "cheapest");
 });

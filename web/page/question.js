@@ -8,6 +8,8 @@ const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 const as_laid_out = (key, value) => (key === "prompt" || key === "because" ? undefined : value);
 const kicker = (words, place, kind = "") =>
   element("h2", { class: `kicker ${kind}` }, words, ...(place ? [element("span", { class: "place-of" }, ` · ${place}`)] : []));
+/** Whether the choices are lines of code. */
+const are_code = (choices) => choices.some((words) => /[;={}]/.test(words));
 const row = (...children) => element("div", { class: "commit" }, ...children);
 const quiet = (words, onclick) => element("button", { type: "button", class: "quiet", onclick }, words);
 
@@ -110,7 +112,7 @@ export class QuestionCard {
     this.#choices = choices.map((words, i) => {
       const was = !ordered && tried?.choices.includes(i);
       return button(words, () => this.#act(() => this.#door.pick_choice(i)),
-        { class: `button${was ? " tried" : ""}${ordered ? " ordered" : ""}`, "aria-label": was ? `${words}, not that one` : null, "aria-pressed": "false", "data-first": i === first });
+        { class: `button${was ? " tried" : ""}${ordered ? " ordered" : ""}${are_code(choices) ? " of-code" : ""}`, "aria-label": was ? `${words}, not that one` : null, "aria-pressed": "false", "data-first": i === first });
     });
     const pass = quiet(this.#words.skip, () => this.#do("skip_question"));
     return element("div", { class: "card predict", tabindex: "-1" },
@@ -140,6 +142,20 @@ export class QuestionCard {
     return skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, whole_names(predicted)))];
   }
 
+  /** The right order, line by line, each with the place that it had in the prediction. */
+  #order({ says, choices, given, rightChoices, right: all }) {
+    const [heading] = says.split(": ");
+    const places = given?.choices ?? [];
+    const lines = rightChoices.map((choice, i) => {
+      const place = places.indexOf(choice);
+      const right = all || choices[places[i]] === choices[choice]; // equal ones may stand either way round
+      return element("li", {}, element("span", { class: are_code(choices) ? "of-code" : "" }, choices[choice]),
+        ...(place >= 0 ? [element("b", { class: right ? "right" : "wrong" }, `${kMarks[right ? "right" : "wrong"]} ${place + 1}`)] : []));
+    });
+    return [element("p", { class: "order-head" }, `${heading}:`, ...(places.length > 0 ? [element("b", {}, this.#words.prediction)] : [])),
+      element("ol", { class: "order" }, ...lines)];
+  }
+
   /** The card while the steps up to the outcome are played: it tells nothing yet. */
   #deciding_card(deciding) {
     return element("div", { class: "card deciding", tabindex: "-1" }, kicker(this.#words.prediction, deciding.place),
@@ -149,8 +165,9 @@ export class QuestionCard {
 
   /** The card with the outcome, until it is dismissed. */
   #outcome_card(outcome) {
-    const { verdict, kind, promptWords, place, says, becauseWords, ordered, given, shown, canShow, rightChoices, happened, fromStep, step } = outcome;
-    const choices = ordered ? [] : outcome.choices; // of an order, the whole is told
+    const { says, ordered, given, shown, canShow, rightChoices, happened } = outcome;
+    if (ordered && rightChoices.length > 0) return this.#ordered_card(outcome);
+    const choices = outcome.choices;
     const marked = shown && choices.length > 0 ? [element("div", { class: "choices" }, ...choices.map((words, i) => {
       const mark = rightChoices.includes(i) ? "right" : given?.choices.includes(i) ? "wrong" : "";
       return element("span", { class: `chip ${mark}` }, mark ? `${kMarks[mark]} ${words}` : words);
@@ -158,11 +175,19 @@ export class QuestionCard {
     // In its button's place, so that nothing moves.
     const show = !canShow ? [] : !shown ? [button(this.#words.show, () => this.#do("show_answer"))]
       : choices.length === 0 ? [element("p", { class: "said right" }, `${kMarks.right} ${happened}`)] : [];
+    return this.#told(outcome, [...marked, element("p", {}, ...spelled(says))], show);
+  }
+
+  /** The same of an order, which is told as a list: there is nothing left to be shown. */
+  #ordered_card(outcome) {
+    return this.#told(outcome, this.#order(outcome), []);
+  }
+
+  #told({ verdict, kind, promptWords, place, becauseWords, fromStep, step }, what, show) {
     return element("div", { class: `card outcome ${kind}`, tabindex: "-1" },
       kicker(`${kMarks[kind]} ${verdict}`, place, kind),
       element("p", { class: "asked" }, ...this.#texts.of(promptWords)),
-      ...marked,
-      element("p", {}, ...spelled(says)), element("p", {}, ...this.#texts.of(becauseWords)),
+      ...what, element("p", {}, ...this.#texts.of(becauseWords)),
       row(...show,
         ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
         element("span", { class: "gap" }),

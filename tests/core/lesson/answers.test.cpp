@@ -137,6 +137,15 @@ TEST_CASE("an order: every choice has its place, and equal ones may change their
   CHECK_FALSE(session.comparing());
 }
 
+TEST_CASE("a wrong order has a second try, and is called an order") {
+  Session session = test::open(with_question(
+      "algorithm = \"ritter\"\nbefore = \"extremes_found\"\nasks = \"sequence\"\nchoices = [\"1\", \"2\", \"3\"]\n"));
+  REQUIRE(session.asked() != nullptr);
+  for (int i = 0; i < 3; ++i) REQUIRE(session.pick(choice(i)));  // never shown in order
+  REQUIRE(session.commit());
+  CHECK(session.answer_says() == "Not in that order. Try once more.");
+}
+
 TEST_CASE("lines to be put into order are never shown in order") {
   for (const char* id : {"a", "b", "c", "d", "e", "f"}) {
     std::string text = with_question("algorithm = \"ritter\"\nbefore = \"extremes_found\"\nasks = \"sequence\"\n"
@@ -208,7 +217,7 @@ TEST_CASE("a wrong number and a wrong one of several points are told what they m
   Session several = at_support("wrong = { P0 = \"Never said: P0 is right.\", P2 = \"P2 is inside.\" }\n");
   REQUIRE((several.pick(point(0)) && several.pick(point(2))));
   REQUIRE(several.commit());
-  CHECK(several.answer_says() == "Not that one. Try once more. P2 is inside.");
+  CHECK(several.answer_says() == "Not those. Try once more. P2 is inside.");
 }
 
 TEST_CASE("two questions at one place are both asked before either is told") {
