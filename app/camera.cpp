@@ -56,6 +56,17 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
   if (at_once) now_ = goal_, turn();
 }
 
+Sphere<double, 3> Camera::framing(const Outline& outline) const {
+  constexpr double kNearer = 1.06;  // in space, by how much what is nearer than the middle may look larger
+  const double free_x = std::max(free_width() - outline.left - outline.right, free_width() / 2),
+               free_y = std::max(free_height() - outline.below, free_height() / 2);
+  const double unit = (dim_ == 3 ? kNearer : 1) *
+                      std::max(2 * outline.half_width / free_x, 2 * outline.half_height / free_y);  // to a pixel
+  const double fit = std::min(1.0, free_width() / free_height());
+  return {outline.center + right_ * ((outline.right - outline.left) / 2 * unit) - up_ * (outline.below / 2 * unit),
+          unit * fit * free_height() / 2};
+}
+
 double Camera::share_of_room(const Sphere<double, 3>& ball) const {
   const ScreenPoint center = project(ball.center);
   const double reach = ball.radius * scale_at(ball.center);

@@ -16,6 +16,14 @@ struct ScreenPoint {
   bool visible = true;  // in front of the camera
 };
 
+/// What a view has to show, as it is seen from where the camera stands: half of its width and of its height around a
+/// place, scene units, and the pixels that are needed beside it.
+struct Outline {
+  Vector<double, 3> center = Vector<double, 3>::Zero();
+  double half_width = 0, half_height = 0;
+  float left = 0, right = 0, below = 0;
+};
+
 /// The state of the camera, which easing interpolates. Scene units; angles in radians.
 struct View {
   Vector<double, 3> target = Vector<double, 3>::Zero();
@@ -45,6 +53,8 @@ class Camera {
   }
   /// Moves to where the ball fills the free room, at once or easing.
   void frame(const Sphere<double, 3>& ball, bool at_once);
+  /// The ball that frames an outline: more tightly than the ball around it would, where the free room is wide or high.
+  [[nodiscard]] Sphere<double, 3> framing(const Outline& outline) const;
   /// The fraction of the free room that the ball takes, by the larger side; > 1 if it reaches beyond.
   [[nodiscard]] double share_of_room(const Sphere<double, 3>& ball) const;
 
@@ -81,6 +91,8 @@ class Camera {
   [[nodiscard]] double focal() const;  // page pixels; 3-D only
   [[nodiscard]] float center_x() const;
   [[nodiscard]] float center_y() const;
+  /// The width and the height of the free room, page pixels.
+  [[nodiscard]] std::array<double, 2> room() const { return {free_width(), free_height()}; }
   /// The lower end of the free room.
   [[nodiscard]] float free_bottom() const { return stage_.y + stage_.height - bottom_; }
 

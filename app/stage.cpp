@@ -93,6 +93,7 @@ void Stage::reset_view(const lesson::Session& session) {
 fit::Sphere3 Stage::aimed_at(const lesson::Session& session) const {
   const lesson::StageView& wish = session.lesson().view;
   fit::Sphere3 ball = view_->extent(session);
+  if (const auto outline = view_->outline(session, camera_)) ball = camera_.framing(*outline);
   ball.radius /= wish.zoom;
   if (const auto ends = wish.look_at ? ends_of(*wish.look_at, *view_, session) : std::nullopt)
     ball.center = ((*ends)[0] + (*ends)[1]) / 2;
@@ -149,7 +150,11 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   if (!view_->can_move(session)) hands_.arrows = false;
   if (first) {
     framed_ball_ = aimed_at(session);
-    if (!std::exchange(camera_kept_, false)) camera_.frame(framed_ball_, true);
+    if (!std::exchange(camera_kept_, false)) {
+      camera_.frame(framed_ball_, true);
+      framed_ball_ = aimed_at(session);  // as it is seen from there
+      camera_.frame(framed_ball_, true);
+    }
   }
   keep_framed(session);
   if (hands_.selected >= session.size()) hands_.selected = kNoIndex;
@@ -189,6 +194,16 @@ void Stage::keep_framed(const lesson::Session& session) {
     frame_ = {all.center, unit};  // so that floats are precise enough around it
     scene_.points.clear();
   }
+}
+
+/// An outline that fills the free room is framed again whenever the room has changed, as by a card that comes or goes.
+void Stage::keep_outline_framed(const lesson::Session& session) {
+  const std::array<double, 2> room = camera_.room();
+  if (room == framed_room_ || hands_.dragging || !camera_.framed()) return;
+  framed_room_ = room;
+  if (!view_->outline(session, camera_)) return;
+  framed_ball_ = aimed_at(session);
+  camera_.frame(framed_ball_, !camera_.moving());
 }
 
 void Stage::project_points(const lesson::Session& session) {
@@ -272,6 +287,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
     take(session, look, rect);
   }
   sync(session, settings);
+  keep_outline_framed(session);
   camera_.ease(dt, look.still);
   last_now_ = now;
   auto volume = volume_drawn(look, session, now);

@@ -55,6 +55,7 @@ class Stage {
   // stage.cpp
   void sync(const lesson::Session& session, const Settings& settings);
   void keep_framed(const lesson::Session& session);
+  void keep_outline_framed(const lesson::Session& session);
   [[nodiscard]] fit::Sphere3 aimed_at(const lesson::Session& session) const;
   struct Taken {
     float above = 0;        // as of SubjectView::room_of_inset
@@ -107,6 +108,7 @@ class Stage {
   bool camera_kept_ = false;  // whether it stays at the first refresh
   Frame frame_;
   fit::Sphere3 framed_ball_;
+  std::array<double, 2> framed_room_{};  // the free room that an outline was framed for
   GlScene scene_;
   Motion motion_;
   std::vector<ScreenPoint> screen_;

@@ -2,10 +2,12 @@
 // its folder in app/subjects; the stage, the inspector and the timeline know only this interface.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/camera.hpp"
 #include "app/look.hpp"
 #include "app/panel_words.hpp"
 #include "app/shown.hpp"
@@ -50,6 +52,8 @@ class SubjectView {
   virtual bool take_room(const Rect&, double) { return false; }
   /// The ball that the view has to show.
   [[nodiscard]] virtual fit::Sphere3 extent(const lesson::Session& session);
+  /// The same as it is seen, which frames it more tightly; none if only the ball is known.
+  [[nodiscard]] virtual std::optional<Outline> outline(const lesson::Session&, const Camera&) const { return {}; }
   /// Whether the volume moves smoothly from one step to the next; it jumps if the points inside move.
   [[nodiscard]] virtual bool glides() const { return true; }
   /// The button that shows the smallest volume, or what the lesson compares with, before the end; empty for none.

@@ -32,6 +32,28 @@ TEST_CASE("a framed ball stands within the free room and fills it") {
     }
 }
 
+TEST_CASE("an outline fills the free room by its width or by its height, clear of what is beside it") {
+  for (const auto& [half_width, half_height] : {std::pair{4.0, 1.0}, {1.0, 4.0}}) {
+    Camera camera = framed(2, {V3::Zero(), 1});
+    const Outline outline{
+        .center = {2, 1, 0}, .half_width = half_width, .half_height = half_height, .left = 60, .below = 20};
+    camera.frame(camera.framing(outline), true);
+    const ScreenPoint low = camera.project(outline.center - V3(half_width, half_height, 0)),
+                      high = camera.project(outline.center + V3(half_width, half_height, 0));
+    // The free room: 140 to 700 across, 90 to 450 down.
+    if (half_width > half_height) {
+      CHECK(low.x == doctest::Approx(200));
+      CHECK(high.x == doctest::Approx(700));
+    } else {
+      CHECK(high.y == doctest::Approx(90));
+      CHECK(low.y == doctest::Approx(430));
+    }
+    CHECK((low.x + high.x) / 2 == doctest::Approx(450));
+    CHECK((low.y + high.y) / 2 == doctest::Approx(260));
+    CHECK(camera.share_of_room(camera.framing(outline)) < 1.06);
+  }
+}
+
 TEST_CASE("far from the origin a pixel is still a pixel") {
   const Camera camera = framed(2, {V3(1e8, -1e8, 0), 1});
   const V3 right(1e8 + 0.5, -1e8, 0);

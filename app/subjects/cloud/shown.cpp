@@ -215,7 +215,9 @@ void show_optimum(CloudShown& shown, const lesson::Session& session, bool wanted
     return;
   }
   shown.optimum.reset();
-  const fit::Recording* optimum = wanted ? cloud->optimum(session.view()) : nullptr;
+  const lesson::Method* than = cloud->compared_with();
+  if (!wanted || than == nullptr || is_itself(*than, session)) return;
+  const fit::Recording* optimum = cloud->optimum(session.view());
   if (optimum == nullptr) return;
   shown.optimum = optimum->result.volume;
   shown.optimum_word = cloud->reference(session.view()).word;
@@ -236,6 +238,10 @@ std::optional<lesson::CertificateLines> certificate_now(const lesson::Session& s
 }
 
 }  // namespace
+
+bool is_itself(const lesson::Method& reference, const lesson::Session& session) {
+  return !reference.exact && &reference == session.method(0);
+}
 
 CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   CloudShown shown{shown_at(session)};

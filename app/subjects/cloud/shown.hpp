@@ -66,5 +66,8 @@ struct CloudShown : Shown {
 
 /// want_optimum: as for shown_at.
 [[nodiscard]] CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum);
+/// Whether what the lesson compares with is the method on the stage itself, and not proven to be the best: then there
+/// is nothing to show beside it.
+[[nodiscard]] bool is_itself(const lesson::Method& reference, const lesson::Session& session);
 
 }  // namespace snug::app

@@ -31,6 +31,7 @@ void draw_spread(Brush& brush, const CloudShown& shown) {
       brush.canvas.obstacles.segments.push_back({mean.x, mean.y, tip.x, tip.y});
       brush.label(tip, 8, {tip.x - mean.x, tip.y - mean.y}, "σ = " + lesson::number_text(shown.spread->sigma[i]),
                   main ? p.support_text : p.ink);
+      brush.labels.back().request.clear_of_points = true;
     }
   }
   disc(brush.list, mean, 8 * p.mark, p.ground);

@@ -25,7 +25,7 @@ constexpr double kRoomForTree = 1.4, kAsideOfTree = -0.38, kBelowTree = 0.12;  /
 std::string_view button_for(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
   const lesson::Method* than = cloud != nullptr ? cloud->compared_with() : nullptr;
-  if (cloud != nullptr && than == nullptr) return {};
+  if (cloud != nullptr && (than == nullptr || is_itself(*than, session))) return {};
   if (than != nullptr && than->volume == "hull") return "Hull";
   if (than == nullptr || (than->exact && than->volume == session.lesson().volume)) return "Smallest";
   return "Reference";

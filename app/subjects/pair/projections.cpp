@@ -88,7 +88,9 @@ struct Ruler {
   }
   /// Draws the projection of a point of the scene.
   void drop(const Point3& from, double t, float share) const {
-    line(brush.list, brush.at(from), at(t, 0), Stroke::kDotted, brush.p.muted, brush.stroke(share));
+    const ImVec2 place = brush.at(from), foot = at(t, 0);
+    line(brush.list, place, foot, Stroke::kDotted, brush.p.muted, brush.stroke(share));
+    brush.canvas.obstacles.segments.push_back({place.x, place.y, foot.x, foot.y});
   }
 };
 

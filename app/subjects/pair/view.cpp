@@ -1,5 +1,8 @@
 #include "app/subjects/pair/view.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "app/polytope.hpp"
 #include "app/subjects/pair/axis_table.hpp"
 #include "app/subjects/pair/draw.hpp"
@@ -12,7 +15,8 @@
 namespace snug::app {
 namespace {
 
-constexpr double kRoomForAxis = 1.15;  // room for the axis with its bars beside the boxes
+constexpr double kRoomForAxis = 1.15;                              // room for the axis with its bars beside the boxes
+constexpr float kRoomForIntervals = 64, kRoomForDifference = 200;  // pixels
 
 class PairView final : public SubjectView {
  public:
@@ -117,6 +121,30 @@ class VolumesView final : public SubjectView {
     // The difference is at the left.
     return {both.center - Point3(0.25 * both.radius, 0, 0), 1.25 * kRoomForAxis * both.radius};
   }
+  /// Of a test of intervals with room for the axes beside the volumes, of GJK with room for the difference. Along
+  /// separating axes projections lie in any direction.
+  [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
+    const lesson::VolumePair& pair = pair_of(session);
+    const std::string_view test = session.method(0)->name;
+    if (pair.any || test == "separating_axes") return std::nullopt;
+    const auto range = [&](const Point3& way) {
+      const auto reach = [&](const Point3& along) {
+        return std::max(lesson::reach_along(pair.held[0], along), lesson::reach_along(pair.held[1], along));
+      };
+      return std::array{-reach(-way), reach(way)};
+    };
+    const auto [left, right] = range(camera.right());
+    const auto [low, high] = range(camera.up());
+    const auto [near, far] = range(camera.forward());
+    Outline seen{.center = camera.right() * ((left + right) / 2) + camera.up() * ((low + high) / 2) +
+                           camera.forward() * ((near + far) / 2),
+                 .half_width = (right - left) / 2,
+                 .half_height = (high - low) / 2};
+    if (reports<query::SlabTested>(session))
+      seen.left = pair.dim == 3 ? kRoomForIntervals : 0, seen.right = seen.below = kRoomForIntervals;
+    if (pair.dim == 2 && reports<query::NearestFound>(session)) seen.left = kRoomForDifference;
+    return seen;
+  }
   [[nodiscard]] bool working() const override { return working_; }
   [[nodiscard]] bool shows_points(const lesson::Session&) const override { return false; }
   /// The table of all pairs needs room.
@@ -147,6 +175,12 @@ class VolumesView final : public SubjectView {
     return *lesson::as<lesson::VolumesSubject>(session.subject());
   }
   static const lesson::VolumePair& pair_of(const lesson::Session& session) { return subject_of(session).pair(); }
+  template <class Fact>
+  static bool reports(const lesson::Session& session) {
+    const lesson::PairSteps steps = lesson::pair_run(session.run(0)).trace();
+    return std::any_of(steps.begin(), steps.end(),
+                       [](const auto& one) { return std::holds_alternative<Fact>(one.step.fact); });
+  }
 
   Shown shown_;
   mutable bool working_ = false;  // on the costs of all pairs

@@ -126,6 +126,20 @@ TEST_CASE("a slider follows what is edited by other means, beyond its ends as we
   CHECK(session.sliders()[0].text == "30°");
 }
 
+TEST_CASE("a slider's number keeps its decimals wherever it is dragged to") {
+  std::string text(kBoxes);
+  text += "\n[[slider]]\ntitle = \"A to the right\"\ndrives = \"A x\"\nfrom = -3\nto = 3\nsteps = 48\n";
+  Session session = open(text);
+  CHECK(session.sliders()[1].text == "−2.000 units");
+  const auto moved_to = [&](double x) {
+    REQUIRE(session.set_numbers(0, 0, std::array{x, 0.0}));
+    return session.sliders()[1].text;
+  };
+  CHECK(moved_to(0.3) == "0.300 units");
+  CHECK(moved_to(-0.55) == "−0.550 units");
+  CHECK(moved_to(0.00125) == "0.00125 units");
+}
+
 TEST_CASE("the offset of points goes from 1 to 1e8 in equal factors, and back without a lost bit") {
   Session session = open(small_with("drives = \"offset\"\nfrom = 1\nto = 1e8\nlogarithmic = true"));
   CHECK(session.is_own());
