@@ -122,7 +122,7 @@ Truth first_axis_of_test(const Asked& asked, const Run& run) {
   if (first < 0 && !result.overlap) first = axis_index(asked.dim, result.axis);
   if (first < 0)
     return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No row shows a gap, so all are tested."};
-  const std::string& name = asked.choices[static_cast<std::size_t>(first)];
+  const std::string& name = asked.choices[first];
   return {{first}, {}, name, name + " is the first row of the table that shows a gap."};
 }
 

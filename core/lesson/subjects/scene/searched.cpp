@@ -87,7 +87,7 @@ const char* offer_bodies(Asked& asked, const Run&) {
 }
 
 Truth most_compared_truth(const Asked& asked, const Run& run) {
-  const SceneFrame& frame = scene_run(run).recording().frames[static_cast<std::size_t>(asked.fact) + 1];
+  const SceneFrame& frame = scene_run(run).recording().frames[asked.fact + 1];
   const std::vector<scene::Pair> compared = pairs_compared(frame, *search_asked(asked));
   Truth truth;
   truth.points = most_compared(compared, frame.bodies.size());

@@ -7,7 +7,7 @@ namespace snug::app {
 
 TEST_CASE("points in the same place share one name, which is the worst one's where it is among them") {
   const std::vector<Vector<double, 3>> places{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  const auto placed = by_place({0, 1, 2, 3, 4, 5}, 3, [&](Index i) { return places[static_cast<std::size_t>(i)]; });
+  const auto placed = by_place({0, 1, 2, 3, 4, 5}, 3, [&](Index i) { return places[i]; });
   REQUIRE(placed.size() == 3);
   CHECK(placed[0].first == 0);
   CHECK(placed[0].more == 1);
