@@ -208,13 +208,14 @@ struct Entry<query::CoresCompared> : EntryDefaults {
   using Fact = query::CoresCompared;
   static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &cores_truth},
                                        Asking{"feature", &offer_features, &feature_truth}};
-  static std::string sentence(const Fact& fact, const PairWhere&) {
+  static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto [distance, radii] = number_texts_apart(fact.distance, fact.radii);
     const std::string least =
         fact.tests > 1 ? ", the least of " + std::to_string(fact.tests) + " pairs of features," : ",";
-    return "The cores are " + distance + " apart" + least + " and the radii add up to " + radii +
-           (fact.apart ? ": the distance is greater, so the volumes are apart."
-                       : ": the distance is not greater, so the volumes overlap.");
+    return "The " + where.compared() + " are " + distance + " apart" + least + " and the radii add up to " + radii +
+           (fact.apart                    ? ": the distance is greater, so the volumes are apart."
+            : fact.distance == fact.radii ? ": the distance is not greater, so the volumes touch."
+                                          : ": the distance is not greater, so the volumes overlap.");
   }
   static std::optional<Mark::Kind> mark(const Fact&, const PairWhere&) { return Mark::Kind::kBest; }
 };

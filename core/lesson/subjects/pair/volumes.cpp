@@ -32,7 +32,7 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& le
 
 /// The state of the test after some steps, from the last step of each fact.
 struct SoFar {
-  int tests = 0;
+  int tests = 0, simplices = 0;
   double radii = 0;
   std::optional<double> lower, upper;  // bounds on the cores' distance
   const query::SlabTested* slab = nullptr;
@@ -41,7 +41,7 @@ struct SoFar {
   void operator()(const query::SlabTested& fact) { ++tests, slab = &fact; }
   void operator()(const query::AxisTested<double, 3>&) { ++tests; }
   void operator()(const query::CoresCompared& fact) { tests += fact.tests, lower = upper = fact.distance; }
-  void operator()(const query::NearestFound& fact) { ++tests, upper = fact.distance; }
+  void operator()(const query::NearestFound& fact) { ++simplices, upper = fact.distance; }
   void operator()(const query::SupportFound& fact) { lower = std::max(lower.value_or(0), fact.gap); }
   void operator()(const query::Verdict<double, 3>& fact) {
     if (!fact.result.overlap) gap = fact.result.axis.gap;
@@ -58,11 +58,14 @@ Figure operations_figure(PairSteps steps) {
   return {"Operations so far", "operations", count_text(count), static_cast<double>(count), ""};
 }
 
+constexpr std::string_view kSlabsThenGjk = "slabs_then_gjk";
+
 /// What a test counts, as `snug overlap` counts it: "Simplices so far".
 std::string_view counted_by(std::string_view test, bool of_cores, bool of_slabs) {
   if (test == "gjk") return "Simplices so far";
-  if (of_cores) return "Pairs of features so far";
-  return of_slabs ? "Slabs so far" : "Tests so far";
+  if (test == kSlabsThenGjk) return "Slabs and simplices so far";
+  if (of_slabs) return "Slabs so far";
+  return of_cores ? "Pairs of features so far" : "Tests so far";
 }
 
 Figure length(std::string name, std::string key, std::optional<double> value) {
@@ -379,28 +382,30 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const PairSteps steps = pair_run(view.run()).trace();
   SoFar standing;
   for (const auto& entry : steps.first(view.step)) std::visit(standing, entry.step.fact);
-  const auto count = [&](std::string_view name) {
-    return Figure{std::string(name), "tests", std::to_string(standing.tests), static_cast<double>(standing.tests), ""};
+  const auto count = [](std::string_view name, std::string_view key, int number) {
+    return Figure{std::string(name), std::string(key), std::to_string(number), static_cast<double>(number), ""};
   };
   if (!axes_seen(steps).empty()) {  // the table of axes says the rest
-    std::vector<Figure> few{length("Separation", "gap", standing.gap), count("Axes so far")};
+    std::vector<Figure> few{length("Separation", "gap", standing.gap), count("Axes so far", "tests", standing.tests)};
     if (pair_.any) few.push_back(operations_figure(steps.first(view.step)));
     return few;
   }
   std::vector<Figure> figures;
+  const bool gjk = view.method().name == "gjk";
+  const std::string compared(compared_in(pair_));
   const double radii = radius_of(pair_.held[0]) + radius_of(pair_.held[1]);
   const bool cores = std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
     return std::holds_alternative<query::NearestFound>(entry.step.fact) ||
            std::holds_alternative<query::CoresCompared>(entry.step.fact);
   });
   if (cores) {
-    if (view.method().name == "gjk") {
-      figures.push_back(length("Cores apart, at least", "lower", standing.lower));
-      figures.push_back(length("Cores apart, at most", "upper", standing.upper));
+    if (gjk) {
+      figures.push_back(length(capital(compared) + " apart, at least", "lower", standing.lower));
+      figures.push_back(length(capital(compared) + " apart, at most", "upper", standing.upper));
     } else {
-      figures.push_back(length("Distance between the cores", "cores", standing.upper));
+      figures.push_back(length("Distance between the " + compared, "cores", standing.upper));
     }
-    figures.push_back(length("Sum of the radii", "radii", radii));
+    if (radii > 0 || pair_.any) figures.push_back(length("Sum of the radii", "radii", radii));
     if (view.method().name == "spheres")
       for (Figure& figure : squares_of(pair_, radii, standing.tests > 0)) figures.push_back(std::move(figure));
   }
@@ -410,8 +415,10 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const bool slabs = std::any_of(steps.begin(), steps.end(), [](const auto& entry) {
     return std::holds_alternative<query::SlabTested>(entry.step.fact);
   });
-  figures.push_back(
-      count(is_of_boxes(view.method().name) ? "Axes so far" : counted_by(view.method().name, cores, slabs)));
+  const std::string_view test = view.method().name;
+  figures.push_back(count(is_of_boxes(test) ? "Axes so far" : counted_by(test, cores, slabs), "tests",
+                          standing.tests + standing.simplices));
+  if (test == kSlabsThenGjk) figures.push_back(count("Slabs so far", "slabs", standing.tests));
   if (pair_.cylinders) add_cylinders(figures, pair_, view.at_end());
   if (pair_.any) figures.push_back(operations_figure(steps.first(view.step)));
   return figures;

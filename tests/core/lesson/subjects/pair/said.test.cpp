@@ -2,6 +2,8 @@
 // are stored; and what their figures count.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "lesson/session.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 
@@ -31,6 +33,12 @@ std::vector<std::string> sentences(Session& session) {
   return all;
 }
 
+std::optional<double> figure(const Session& session, std::string_view key) {
+  const std::vector<Figure> figures = session.figures();
+  const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.key == key; });
+  return found == figures.end() ? std::nullopt : std::optional(found->value);
+}
+
 }  // namespace
 
 TEST_CASE("boxes that touch are said to, and that it counts as overlapping") {
@@ -49,7 +57,9 @@ TEST_CASE("boxes that touch are said to, and that it counts as overlapping") {
 TEST_CASE("two spheres are compared by their centres") {
   Session spheres = opened("spheres", "a = { sphere = { center = [-1.5, -1], radius = 1.5 } }\n"
                                       "b = { sphere = { center = [2.5, 2], radius = 3.5 } }\n");
-  CHECK(sentences(spheres).back() == "The volumes touch, and touching counts as overlapping.");
+  CHECK(sentences(spheres) == std::vector<std::string>{"The centres are 5.000 apart, and the radii add up to 5.000: "
+                                                       "the distance is not greater, so the volumes touch.",
+                                                       "The volumes touch, and touching counts as overlapping."});
   Session by_gjk = opened("gjk", "a = { sphere = { center = [-1.5, -1], radius = 0.5 } }\n"
                                  "b = { sphere = { center = [2.5, 2], radius = 0.5 } }\n");
   const std::vector<std::string> said = sentences(by_gjk);
@@ -65,12 +75,16 @@ TEST_CASE("the bounds of k-DOPs are said as they are stored") {
         "Along x+y A covers [−2.500, 0.200] and B [0.600, 2.400]: the intervals are disjoint, so the volumes are "
         "apart.");
   CHECK(said.back() == "Apart: along x+y there is a gap of 0.283.");
+  CHECK(figure(apart, "slabs") == 3);
 
   Session overlap = opened("slabs_then_gjk",
                            "a = { kdop = { k = 8, min = [-1.9, -1.3, -2.5, -1.7], max = [-0.2, 0.9, 0.2, 0.2] } }\n"
                            "b = { kdop = { k = 8, min = [-1.0, -0.2, -0.4, -1.5], max = [0.7, 1.2, 1.4, 0.2] } }\n");
   const std::vector<std::string> all = sentences(overlap);
   CHECK(all[all.size() - 2] == "The simplex contains the origin: the volumes have a point in common.");
+  CHECK(figure(overlap, "slabs") == 4);
+  CHECK(figure(overlap, "tests") == 7);  // with GJK's simplices
+  CHECK_FALSE(figure(overlap, "radii"));
 }
 
 TEST_CASE("a slider of an oriented box's turn stands where the box does, and follows its knob") {
