@@ -96,7 +96,8 @@ void CriteriaBoard::draw(const Look& look, lesson::Session& session, const Rect&
   // The buttons are above the pictures, the sentence below.
   const float above = look.fingers ? 60 : look.px(48);
   const float below = look.foot > 0 ? 4 : room_for_sentence(look, rect, caption(session), with_sentence);
-  const Rect room{rect.x + 12, rect.y + above, rect.width - 24, rect.height - above - below};
+  const Rect beside = cover_room(look, rect, below).chart;  // on a low stage the page's buttons are at the left
+  const Rect room{beside.x + 12, rect.y + above, beside.width - 24, rect.height - above - below};
   std::vector<ImVec2> places;
   const std::vector<SmallPicture> all = pictures(session);
   const PictureHands hands =
