@@ -64,6 +64,9 @@ void draw_projection(Brush& brush, const CloudShown& shown) {
     line(brush.list, brush.at(point), feet.back(), Stroke::kDotted, with_alpha(p.muted, 0.6f), brush.stroke(0.5f));
     disc(brush.list, feet.back(), 2.5f * p.mark, p.muted);
   }
+  if (shown.smallest)
+    path(brush.list, rectangle_on(brush, screen, *shown.smallest), true, Stroke::kDotted, p.previous,
+         brush.stroke(0.9f));
   const std::vector<ImVec2> rectangle = rectangle_on(brush, screen, *box);
   brush.list->AddConvexPolyFilled(rectangle.data(), static_cast<int>(rectangle.size()), with_alpha(p.examined, 0.08f));
   path(brush.list, rectangle, true, Stroke::kSolid, p.examined, brush.stroke(0.9f));
@@ -71,6 +74,8 @@ void draw_projection(Brush& brush, const CloudShown& shown) {
   for (const auto& [a, b] : shown.built_on)
     line(brush.list, brush.at(screen.foot(brush.session.point(a))), brush.at(screen.foot(brush.session.point(b))),
          Stroke::kSolid, p.examined, brush.stroke(1.6f));
+  for (const Index i : shown.calipers)
+    ring(brush.list, brush.at(screen.foot(brush.session.point(i))), 4 * p.mark, p.examined, brush.stroke(0.8f));
 }
 
 }  // namespace

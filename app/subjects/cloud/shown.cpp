@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "fit/obb/principal_axes.hpp"
+#include "lesson/subjects/cloud/calipers_turn.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/words.hpp"
 
@@ -127,6 +128,17 @@ struct CloudFiller {
     hull();
     build_on({fact.edge_a, fact.edge_b});
     if (session.dim() == 3) shown.along = fact.along;
+  }
+  void operator()(const fit::CalipersTurned<double, 3>& fact) const {
+    shown.candidate = fact.box;
+    named();
+    hull();
+    build_on({fact.touching[0], fact.touching[1]});
+    shown.along = fact.along;
+    shown.calipers = fact.touching;
+    if (fact.better) return;
+    for (const auto* turned : lesson::calipers_turn(steps, static_cast<int>(steps.size())))
+      if (turned->better) shown.smallest = turned->box;
   }
   void operator()(const fit::EdgeSearched& fact) const {
     named();

@@ -56,6 +56,8 @@ struct CloudShown : Shown {
   };
   std::optional<Products> products;  // the point whose products a step adds to the sums
   std::optional<Point3> along;       // in space, the direction along which the points were projected for a rectangle
+  std::vector<Index> calipers;       // on that projection, the points that the calipers touch
+  std::optional<Obb<double, 3>> smallest;  // on the smallest rectangle of that projection so far, if it is not this one
   std::optional<fit::BallGrown<double, 3>> grown;       // how this step let a sphere grow
   std::optional<lesson::GrowingHull> growing;           // the hull that Quickhull has so far
   std::optional<lesson::LeftOutside> left;              // what a finished sphere leaves outside, if anything

@@ -50,7 +50,7 @@ class ObbExact {
     const auto axes = watched_principal_axes(vertices.span(), 1, tally);
     hand_on(tally, observe_);
     trials_.attempt(axes.template cast<double>(), std::array<Index, 0>{}, 1);
-    shrink_by_rectangles(trials_, hull_.indices, 2, observe_);
+    shrink_by_rectangles(trials_, hull_.indices, 2, 0, observe_);
   }
 
   void search() {

@@ -72,6 +72,18 @@ template <class Count>
   return rectangle_along(direction, points, ignore);
 }
 
+/// A rectangle on which the calipers stand while they turn around a projection.
+struct CalipersTurn {
+  RectangleFrame<3> rectangle;
+  std::vector<Index> touching;  // the ends of its edge first
+  bool better = false;          // whether it is the smallest so far
+};
+
+/// The same, and appends every rectangle in the order of the turn. None if the projection is flat.
+[[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
+                                                const std::vector<Vector<double, 3>>& points, Tally& count,
+                                                std::vector<CalipersTurn>& turns);
+
 /// The same for an observer: it is told the counts, but no steps.
 template <class Observer>
 [[nodiscard]] RectangleFrame<3> watched_rectangle_along(const Vector<double, 3>& direction,

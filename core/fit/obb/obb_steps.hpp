@@ -102,6 +102,22 @@ struct RectangleFound {
   static auto tie(auto& own) { return std::tie(own.along, own.edge_a, own.edge_b, own.box, own.measure, own.better); }
 };
 
+/// The calipers stand on an edge of the points' projection along a direction: the rectangle with a side on that edge,
+/// its other sides on the named points, and the box on it. touching: begins with the edge's ends; area: the
+/// rectangle's, least: that of the smallest on this projection so far, scene units squared; better: whether it is this
+/// one.
+template <class Scalar, int Dim>
+struct CalipersTurned {
+  static constexpr std::string_view kName = "calipers_turned";
+  Vector<Scalar, Dim> along;
+  std::vector<Index> touching;
+  Obb<Scalar, Dim> box;
+  double area = 0, least = 0;
+  bool better = false;
+  static constexpr std::array<std::string_view, 6> kFields{"along", "touching", "box", "area", "least", "better"};
+  static auto tie(auto& own) { return std::tie(own.along, own.touching, own.box, own.area, own.least, own.better); }
+};
+
 /// All boxes with one face flush with the hull's edge from a to b and an adjacent face flush with a later edge were
 /// searched. pairs: how many such later edges there are; ruled_out: for how many of them one bound showed that no box
 /// is smaller; halvings: how often the curves of the others were halved to show it, or to find a smaller box.
@@ -117,7 +133,7 @@ template <class Scalar, int Dim>
 using ObbStep = Step<Obb<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
                      PairChosen, ExtentsFound<Scalar, Dim>, BallFound<Scalar, Dim>, HullFound,
                      SurfaceFound<Scalar, Dim>, ProductsAdded<Scalar, Dim>, PointsChosen, BoxTried<Scalar, Dim>,
-                     RectangleFound<Scalar, Dim>, EdgeSearched, Finished>;
+                     RectangleFound<Scalar, Dim>, CalipersTurned<Scalar, Dim>, EdgeSearched, Finished>;
 
 /// What fits oriented boxes.
 [[nodiscard]] std::span<const Algorithm> rows_of(const Obb<double, 3>*);

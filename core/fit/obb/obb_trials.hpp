@@ -131,6 +131,11 @@ class ObbTrials {
     return better;
   }
 
+  /// The box on these axes in scene units, which is neither compared nor counted: for steps.
+  [[nodiscard]] Obb<Scalar, Dim> box_on(const Matrix<double, Dim>& axes) const {
+    return place(LocalBox<Dim>(axes, local_.at));
+  }
+
   [[nodiscard]] const Matrix<double, Dim>& axes() const { return axes_; }
   [[nodiscard]] Matrix<Scalar, Dim> scalar_axes() const { return axes_.template cast<Scalar>(); }
   [[nodiscard]] const Obb<Scalar, Dim>& box() const { return best_box_; }  // for steps: kept only if they are observed

@@ -367,7 +367,7 @@ double stated_steps(const fit::Algorithm& algorithm, int n, int dim) {
       {"sphere/brute_force_slide", 2 * subsets + 4},
       {"obb/pca_sums", n + 5},
       {"obb/pca_one_pass", n + 5},
-      {"obb/pca_rectangle", fit::kMostRectangles + 8},
+      {"obb/pca_rectangle", fit::kMostRectangles + static_cast<double>(fit::kMostTurnsTold) + 8},
       {"obb/face_aligned", 2 * n + 4},
       {"obb/dito", 32},
       {"obb/exact", fit::kMostRectangles + 6 * n},  // twice 3 n - 6 edges: a smaller box on it, and what was searched

@@ -145,6 +145,24 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
 };
 
 template <>
+struct Entry<fit::CalipersTurned<double, 3>> : FitEntry {
+  using Fact = fit::CalipersTurned<double, 3>;
+  static constexpr std::array kAskings{kSmaller, kGrows};
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string area = " has area " + number_text(fact.area);
+    return "On the projection's edge from " + where.name(fact.touching[0]) + " to " + where.name(fact.touching[1]) +
+           ", the rectangle" + area +
+           (fact.better ? ", the smallest so far." : "; the smallest so far has " + number_text(fact.least) + ".");
+  }
+  static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
+    return {fact.touching.begin(), fact.touching.begin() + 2};
+  }
+  static std::string predicate(const Fact&, const FitWhere&, bool) {
+    return "are the ends of the edge on which the calipers stand";
+  }
+};
+
+template <>
 struct Entry<fit::EdgeSearched> : FitEntry {
   using Fact = fit::EdgeSearched;
   static std::string sentence(const Fact& fact, const FitWhere& where) {

@@ -5,6 +5,7 @@
 #include "geometry/kdop.hpp"
 #include "geometry/tolerance.hpp"
 #include "io/text.hpp"
+#include "lesson/subjects/cloud/calipers_turn.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/words.hpp"
@@ -19,6 +20,20 @@ constexpr std::size_t kMostFacets = 10;  // more choices are not read
 /// "P3 to P8"
 std::string edge_name(const Asked& asked, const std::vector<Index>& ends) {
   return asked.subject->name_of(ends[0]) + " to " + asked.subject->name_of(ends[1]);
+}
+
+/// The edges that a rectangle may lie on: in space those that the calipers stood on just before.
+std::vector<std::vector<Index>> edges_of(const Asked& asked, const Run& run) {
+  const FitTrace trace = fit_run(run).trace();
+  std::vector<std::vector<Index>> edges;
+  for (const CalipersTurned<double, 3>* turned : calipers_turn(trace, asked.fact))
+    edges.push_back({turned->touching.begin(), turned->touching.begin() + 2});
+  if (asked.dim == 3) return edges;
+  const HullFound* hull = nullptr;
+  for (int i = asked.fact; hull == nullptr && i-- > 0;) hull = std::get_if<HullFound>(&trace[i].step.fact);
+  for (std::size_t i = 0; hull != nullptr && i < hull->vertices.size(); ++i)
+    edges.push_back({hull->vertices[i], hull->vertices[(i + 1) % hull->vertices.size()]});
+  return edges;
 }
 
 }  // namespace
@@ -49,35 +64,43 @@ Truth faces_truth(const Asked& asked, const Run& run) {
 }
 
 const char* offer_hull_edges(Asked& asked, const Run& run) {
-  if (asked.dim != 2) return "\"edge\" can only be asked of a rectangle in the plane";
-  const FitTrace trace = fit_run(run).trace();
-  const HullFound* hull = nullptr;
-  for (int i = asked.fact; hull == nullptr && i-- > 0;) hull = std::get_if<HullFound>(&trace[i].step.fact);
-  if (hull == nullptr || fact_of<RectangleFound<double, 3>>(asked, run).edge_a == kNoIndex)
-    return "\"edge\" can only be asked of a rectangle on the points' hull";
-  const std::vector<Index>& ring = hull->vertices;
-  if (ring.size() > kMostFacets) return "the hull has more than 10 edges";
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const std::vector<Index> ends{ring[i], ring[(i + 1) % ring.size()]};
-    asked.add_choice(edge_name(asked, ends), ends);
-  }
+  const auto edges = edges_of(asked, run);
+  if (edges.empty() || fact_of<RectangleFound<double, 3>>(asked, run).edge_a == kNoIndex)
+    return asked.dim == 2 ? "\"edge\" can only be asked of a rectangle on the points' hull"
+                          : "in space \"edge\" can only be asked of a rectangle for which calipers turned step by step";
+  if (edges.size() > kMostFacets) return "the hull has more than 10 edges";
+  for (const std::vector<Index>& ends : edges) asked.add_choice(edge_name(asked, ends), ends);
   return nullptr;
 }
 
+/// In space, edges whose rectangles differ by rounding alone are equal.
 Truth hull_edge_truth(const Asked& asked, const Run& run) {
   const auto& fact = fact_of<RectangleFound<double, 3>>(asked, run);
+  const auto turn = calipers_turn(fit_run(run).trace(), asked.fact);
+  const double least = turn.empty() ? fact.measure : turn.back()->least;
   const auto has = [](const std::vector<Index>& ends, Index i) {
     return std::find(ends.begin(), ends.end(), i) != ends.end();
   };
   Truth truth;
-  for (std::size_t i = 0; i < asked.choices.size(); ++i)
-    if (has(asked.choice_handles[i], fact.edge_a) && has(asked.choice_handles[i], fact.edge_b))
-      truth.choices.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < asked.choices.size(); ++i) {
+    const bool found = has(asked.choice_handles[i], fact.edge_a) && has(asked.choice_handles[i], fact.edge_b);
+    const bool equal = i < turn.size() && turn[i]->area <= least * (1 + tolerance::kBoxProof);
+    if (found || equal) truth.choices.push_back(static_cast<int>(i));
+  }
   truth.points = {fact.edge_a, fact.edge_b};
   truth.happened = edge_name(asked, truth.points);
-  truth.sentence = "The smallest rectangle lies on the edge from " + truth.happened + ", with area " +
-                   number_text(fact.measure) + ".";
+  truth.sentence =
+      "The smallest rectangle lies on the edge from " + truth.happened + ", with area " + number_text(least) + ".";
   return truth;
+}
+
+Truth smaller_truth(const Asked& asked, const Run& run) {
+  const auto turn = calipers_turn(fit_run(run).trace(), asked.fact + 1);
+  const double area = turn.back()->area;
+  if (turn.size() == 1) return yes("It is the first on this projection, with area " + number_text(area) + ".");
+  const std::string before = number_text(turn[turn.size() - 2]->least), now = number_text(area);
+  if (turn.back()->better) return yes("Its area is " + now + ", and the smallest before it had " + before + ".");
+  return no("Its area is " + now + ", and the smallest before it has " + before + ".");
 }
 
 const char* offer_narrowest(Asked& asked, const Run& run) {

@@ -8,14 +8,18 @@ namespace snug::lesson {
 /// "faces": which of the hull's faces the eye sees. Any number may be right.
 const char* offer_faces(Asked& asked, const Run& run);
 Truth faces_truth(const Asked& asked, const Run& run);
-/// "edge" of a rectangle: which of the hull's edges it lies on; in 2-D alone.
+/// "edge" of a rectangle: which of the hull's edges it lies on, in space of the projection's, where the calipers turned
+/// around it step by step.
 const char* offer_hull_edges(Asked& asked, const Run& run);
 Truth hull_edge_truth(const Asked& asked, const Run& run);
+/// "smaller": whether the rectangle on which the calipers stand is smaller than those before it on this projection.
+Truth smaller_truth(const Asked& asked, const Run& run);
 /// "slab": which slab of the k-DOP is the narrowest.
 const char* offer_narrowest(Asked& asked, const Run& run);
 Truth narrowest_truth(const Asked& asked, const Run& run);
 
 inline constexpr Asking kFaces{"faces", &offer_faces, &faces_truth},
-    kHullEdge{"edge", &offer_hull_edges, &hull_edge_truth}, kSlab{"slab", &offer_narrowest, &narrowest_truth};
+    kHullEdge{"edge", &offer_hull_edges, &hull_edge_truth}, kSmaller{"smaller", &offer_yes_no, &smaller_truth},
+    kSlab{"slab", &offer_narrowest, &narrowest_truth};
 
 }  // namespace snug::lesson

@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "lesson/subjects/cloud/by_hand.hpp"
+#include "lesson/subjects/cloud/calipers_turn.hpp"
 #include "lesson/subjects/cloud/call_tree.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cloud/covariance_digits.hpp"
 #include "lesson/subjects/cloud/edge_pairs.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
 #include "lesson/subjects/cloud/passes.hpp"
-#include "lesson/subjects/cloud/volume_check.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -38,6 +38,7 @@ class FitBoard {
     best();
     hull();
     slabs();
+    turned();
     searched();
     calls();
     if (entry_ != nullptr) spread(entry_->step.fact);
@@ -64,7 +65,7 @@ class FitBoard {
     const double measure = fit::measure_of(entry_->step.volume, run_.dim());
     if (!ball || reference_.by_measure) this->measure(measure);
     const double own = reference_.by_measure ? measure : fit::size_of(entry_->step.volume, run_.dim());
-    const Index outside = count_outside(run_.points(), entry_->step.volume);
+    const Index outside = run_.outside_at(view_.step - 1);
     if (const auto over = excess_of(own, reference_.size)) excess(*over, outside == 0);
     of_all("Points outside", "outside", outside);
     const auto holding = static_cast<int>(run_.support(view_.step).size());
@@ -172,6 +173,18 @@ class FitBoard {
     add("Slabs" + so_far(), "slabs", things_text(found, "slab", "slabs"), static_cast<double>(found), "slabs");
     add("Stored as float", "bytes", things_text(kBytes * found, "byte", "bytes"), static_cast<double>(kBytes * found),
         "bytes");
+  }
+
+  /// The rectangles around a projection in space.
+  void turned() {
+    const auto turn = calipers_turn(trace_, view_.step);
+    if (turn.empty()) return;
+    const auto area = [&](std::string_view name, std::string key, double value) {
+      add(name, std::move(key), number_text(value) + " units²", value, "units²");
+    };
+    if (std::holds_alternative<CalipersTurned<double, 3>>(entry_->step.fact))
+      area("Rectangle on this edge", "rectangle", turn.back()->area);
+    area("Smallest of this projection", "rectangle_least", turn.back()->least);
   }
 
   /// How far the exact search among pairs of edges has come.

@@ -7,6 +7,7 @@
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects/cloud/axes_by_hand.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
+#include "lesson/subjects/cloud/volume_check.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -32,6 +33,11 @@ std::span<const WrongTest> FitRun::wrong_at(int i) const {
   const auto to = std::lower_bound(from, wrong_->end(), i + 1, before);
   const auto first = static_cast<std::size_t>(from - wrong_->begin());
   return std::span<const WrongTest>(*wrong_).subspan(first, to - from);
+}
+
+Index FitRun::outside_at(int i) const {
+  if (outside_.step != i) outside_ = {i, count_outside(points_, trace()[i].step.volume)};
+  return outside_.points;
 }
 
 std::string FitRun::Where::contradiction() const {

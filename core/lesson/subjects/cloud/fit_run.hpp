@@ -37,6 +37,9 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   [[nodiscard]] const std::vector<WrongTest>* wrong() const { return wrong_ ? &*wrong_ : nullptr; }
   /// Those of step i.
   [[nodiscard]] std::span<const WrongTest> wrong_at(int i) const;
+  /// How many points the volume of step i leaves outside by more than rounding. It is kept, for it is asked for by all
+  /// that is told of a step, and takes every point.
+  [[nodiscard]] Index outside_at(int i) const;
   /// The direction across a slab of step i's k-DOP: small whole numbers, or unit where it was set by hand; and its
   /// name.
   [[nodiscard]] Point3 slab_axis(int i, int slab) const;
@@ -80,6 +83,11 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   NamesOfPoints names_;
   std::vector<Point3> axes_;
   std::optional<std::vector<WrongTest>> wrong_;
+  struct Outside {
+    int step = -1;
+    Index points = 0;
+  };
+  mutable Outside outside_;  // of the step that was asked for last
 };
 
 extern template class FactRun<FitRun, fit::Step3>;

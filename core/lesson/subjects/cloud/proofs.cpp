@@ -42,7 +42,7 @@ std::vector<Proof> of_result(const Method& method, const FitRun& run) {
 /// Before the end, containment is not guaranteed yet, and only the ball's support set can be checked.
 std::vector<Proof> on_the_way(const View& view, const FitRun& run, const Step3& step) {
   const Index n = size_of(run.points());
-  const Index outside = count_outside(run.points(), step.volume);
+  const Index outside = run.outside_at(view.step - 1);
   const std::string held =
       outside == 0 ? "contains " + all(n) : "contains " + count_text(n - outside) + " of " + count_text(n) + " points";
   std::vector<Proof> proofs{{held, outside == 0, false}};

@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "core/at_random.hpp"
 #include "core/fit/families.hpp"
@@ -205,6 +207,48 @@ TEST_CASE("rectangles shrink a box until none of them does") {
     }
   }
   CHECK(rounds > 5);
+}
+
+TEST_CASE("calipers turn around a projection edge by edge, and the smallest rectangle of the turn is the one found") {
+  const auto cloud = test::generated<double, 3>("clusters", 14, 3);
+  const auto run = fit::find_algorithm("obb", "pca_rectangle")->record(test::set_of<double, 3>(cloud), {});
+  double least = std::numeric_limits<double>::infinity();
+  std::array<Index, 2> best{kNoIndex, kNoIndex};
+  int turns = 0, projections = 0;
+  for (const auto& entry : run.steps) {
+    if (const auto* turned = std::get_if<fit::CalipersTurned<double, 3>>(&entry.step.fact)) {
+      ++turns;
+      // A rectangle that lies on two edges is met twice, and measured with other rounding.
+      if (!(std::abs(turned->area - least) <= 1e-12 * least)) CHECK(turned->better == (turned->area < least));
+      if (turned->better) least = turned->area, best = {turned->touching[0], turned->touching[1]};
+      CHECK(turned->least == least);
+      const Obb<double, 3>& box = turned->box;
+      CHECK(turned->area == doctest::Approx(4 * box.half_extents[1] * box.half_extents[2]));
+      CHECK(std::abs(box.axes.col(0).dot(turned->along)) == doctest::Approx(1));
+      for (const Index i : turned->touching) {  // on one of the sides
+        const Vector<double, 3> at = box.axes.transpose() * (cloud[static_cast<std::size_t>(i)] - box.center);
+        const Vector<double, 3> beyond = at.cwiseAbs() - box.half_extents;
+        CHECK(std::max(beyond[1], beyond[2]) == doctest::Approx(0).epsilon(1e-12));
+      }
+    } else if (const auto* found = std::get_if<fit::RectangleFound<double, 3>>(&entry.step.fact)) {
+      CHECK(std::array<Index, 2>{found->edge_a, found->edge_b} == best);
+      least = std::numeric_limits<double>::infinity();
+      ++projections;
+    }
+  }
+  CHECK(turns >= 3 * projections);
+  CHECK(projections >= 3);
+}
+
+TEST_CASE("the calipers' edges are reported up to a bound, and a run without an observer finds the same box") {
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("ball", 2000, 1));
+  const auto run = fit::find_algorithm("obb", "pca_rectangle")->record(points, {});
+  const auto turned = std::count_if(run.steps.begin(), run.steps.end(), [](const auto& entry) {
+    return std::holds_alternative<fit::CalipersTurned<double, 3>>(entry.step.fact);
+  });
+  CHECK(turned <= 240);
+  const auto plain = fit::find_algorithm("obb", "pca_rectangle")->fit(points, {}).volume;
+  CHECK(std::get<Obb<double, 3>>(run.result.volume).axes == std::get<Obb<double, 3>>(plain).axes);
 }
 
 TEST_CASE("DiTO's box is never larger than the AABB, and near the smallest on turned boxes") {

@@ -2,9 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "lesson/session.hpp"
+#include "lesson/subjects/cloud/calipers_turn.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/words.hpp"
 
@@ -14,11 +16,11 @@ using namespace snug::lesson;
 namespace {
 
 std::string lesson_of(const std::string& points, const std::string& algorithm, const std::string& before,
-                      const std::string& asks) {
+                      const std::string& asks, int nth = 1) {
   return "version = 2\ntitle = \"T\"\nsummary = \"S.\"\nminutes = 1\ncovers = []\nalgorithms = [\"" + algorithm +
          "\"]\n[points]\n" + points + "\n[[section]]\ntitle = \"A\"\ntext = \"Words.\"\n[[question]]\nid = \"own\"\n" +
-         "algorithm = \"" + algorithm + "\"\nbefore = \"" + before + "\"\nasks = \"" + asks +
-         "\"\nprompt = \"Which?\"\nbecause = \"So.\"\n";
+         "algorithm = \"" + algorithm + "\"\nbefore = \"" + before + "\"\nnth = " + std::to_string(nth) +
+         "\nasks = \"" + asks + "\"\nprompt = \"Which?\"\nbecause = \"So.\"\n";
 }
 
 Session opened(const std::string& text) {
@@ -57,6 +59,33 @@ TEST_CASE("an edge: that of the hull on which the smallest rectangle lies") {
   CHECK(session.asked()->asking->truth(*session.asked(), session.run(0)).sentence.ends_with("with area 4.000."));
 }
 
+TEST_CASE("an edge in space: that of the projection on which the calipers found the smallest rectangle") {
+  Session session = at_question(
+      lesson_of("dim = 3\ngenerate = \"clusters\"\ncount = 12", "obb/pca_rectangle", "rectangle_found", "edge"));
+  const Asked asked = *session.asked();
+  const auto turn = calipers_turn(fit_run(session.run(0)).trace(), asked.fact);
+  REQUIRE(turn.size() >= 3);
+  CHECK(asked.choices.size() == turn.size());
+  const auto least =
+      std::min_element(turn.begin(), turn.end(), [](const auto* a, const auto* b) { return a->area < b->area; });
+  const auto right = right_choices(session);
+  CHECK(std::find(right.begin(), right.end(), asked.choices[static_cast<std::size_t>(least - turn.begin())]) !=
+        right.end());
+  CHECK(right.size() < turn.size());
+}
+
+TEST_CASE("smaller: whether the next edge of the calipers' turn has a smaller rectangle than all before it") {
+  for (const int nth : {1, 2, 3}) {
+    Session session = at_question(lesson_of("dim = 3\ngenerate = \"clusters\"\ncount = 12", "obb/pca_rectangle",
+                                            "calipers_turned", "smaller", nth));
+    const auto turn = calipers_turn(fit_run(session.run(0)).trace(), session.asked()->fact + 1);
+    REQUIRE(static_cast<int>(turn.size()) == nth);
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i + 1 < nth; ++i) before = std::min(before, turn[static_cast<std::size_t>(i)]->area);
+    CHECK(right_choices(session) == std::vector<std::string>{turn.back()->area < before ? "yes" : "no"});
+  }
+}
+
 TEST_CASE("faces: those that the eye lies beyond, all of them and no other") {
   Session session = at_question(lesson_of(
       "dim = 3\nlist = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8], [5, 5, 5], [1, 1, 1], [7, 4, -1], [-1, 2, 3]]",
@@ -91,6 +120,6 @@ TEST_CASE("they are refused of steps that have no edge or slab") {
   };
   const std::string plane = "list = [[0, 0], [4, 0], [3, 1], [0, 1]]";
   refused(lesson_of(plane, "obb/pca", "finished", "slab"), "can only be asked of a k-DOP");
-  refused(lesson_of("dim = 3\ngenerate = \"cube\"\ncount = 12", "obb/pca_rectangle", "rectangle_found", "edge"),
-          "rectangle in the plane");
+  refused(lesson_of("dim = 3\nlist = [[0, 0, 0], [1, 2, 3]]", "obb/pca_rectangle", "rectangle_found", "edge"),
+          "calipers turned step by step");
 }
