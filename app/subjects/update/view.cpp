@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/subjects/update/draw.hpp"
+#include "app/subjects/update/turn_panel.hpp"
 
 namespace snug::app {
 namespace {
@@ -45,6 +46,9 @@ class UpdateView final : public SubjectView {
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   [[nodiscard]] int axis_in_use(const lesson::Session&) const override {
     return shown_.climb && shown_.run->strategy().k == 0 ? shown_.climb->axis : -1;
+  }
+  float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
+    return draw_turn_panel(look, session, at, width);
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "volume updated", .best = "bound found"};

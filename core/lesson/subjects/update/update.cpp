@@ -194,6 +194,19 @@ double UpdateSubject::degrees() const {
          kRadiansOfDegree;
 }
 
+std::vector<double> UpdateSubject::slack_over_turn(const Method& method, int steps) const {
+  const auto update = fit::start_unwatched_updates(strategy_of(method), *points());
+  std::vector<double> all;
+  for (int i = 0; i <= steps; ++i) {
+    const double radians = (2.0 * i / steps - 1) * std::numbers::pi;
+    Pose3 pose{snug::turn(Point3::UnitZ(), radians), pose_.translation};
+    if (dim() == 3) pose.rotation = orthonormal<double, 3>(pose.rotation * pose_.rotation);
+    const fit::UpdatedFrame frame = update(pose);
+    all.push_back(fit::slack(frame.measure, frame.tightest));
+  }
+  return all;
+}
+
 std::vector<Drive> UpdateSubject::drives() const {
   std::vector<Drive> all = PointSubject::drives();
   Drive& turn = all.emplace_back(Drive{.name = std::string(kTurnOfBody), .unit = "degrees"});

@@ -64,6 +64,10 @@ class UpdateSubject final : public PointSubject {
   [[nodiscard]] const Handle& grip(Index i) const { return grips_[i - count()]; }
   /// In the plane, how far the body is rotated, in (-180, 180].
   [[nodiscard]] double degrees() const;
+  /// The looseness of a method's volume over a whole turn, from -180 to 180 degrees in so many equal steps: by how much
+  /// it is larger than the tightest, 0.1 for 10 per cent. In the plane the body is rotated by that; in space it is
+  /// rotated about z by that much further than now.
+  [[nodiscard]] std::vector<double> slack_over_turn(const Method& method, int steps) const;
 
  protected:
   void points_changed() override;

@@ -209,3 +209,22 @@ because = "No neighbour reaches farther."
     if (asked.question->id == "extreme")
       CHECK(lesson::model_answer(asked, session.run(0)).value == (next.best == next.vertex ? 0 : 1));
 }
+
+TEST_CASE("the looseness over a whole turn is that of the updates at its poses") {
+  lesson::Session session = opened("rotated_box");
+  const Index turn = handle(session, "Body turn");
+  const auto curve = lesson::body_of(session.subject()).slack_over_turn(*session.method(0), 8);
+  REQUIRE(curve.size() == 9);
+  CHECK(curve.front() == doctest::Approx(curve.back()));
+  CHECK(curve[4] == doctest::Approx(0));  // the local AABB itself
+  const Point3 pivot = session.point(handle(session, "Body"));
+  const double reach = (session.point(turn) - pivot).norm();
+  for (int i = 1; i < 8; ++i) {
+    const double radians = (i - 4) * std::acos(-1.0) / 4;
+    REQUIRE(session.move(turn, pivot + reach * Point3(std::cos(radians), std::sin(radians), 0)).has_value());
+    session.last();
+    CHECK(figure(session, "slack") == doctest::Approx(100 * curve[static_cast<std::size_t>(i)]).epsilon(1e-6));
+  }
+  for (const double loose : lesson::body_of(session.subject()).slack_over_turn(*session.method(0), 8))
+    CHECK(loose >= 0);
+}
