@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "geometry/turn.hpp"
 #include "geometry/volume_bytes.hpp"
 #include "query/overlaps.hpp"
+#include "query/overlaps_any.hpp"
 #include "query/support_function.hpp"
 
 namespace snug::cost {
@@ -92,7 +94,27 @@ OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
       lifted);
 }
 
+template <int Dim>
+double operations_in(const fit::Volume3& lifted, std::uint64_t seed) {
+  return std::visit(
+      [&](const auto& kind) {
+        Random random(seed);
+        const auto volume = converted<double, Dim>(kind);
+        Counter counter;
+        const auto copies = copies_of<double, Dim>(volume, random);
+        for (const auto& copy : copies)
+          static_cast<void>(query::test_any_overlap<double, Dim>(Volume<double, Dim>(volume), copy, counter));
+        const std::int64_t all = std::accumulate(counter.counts.begin(), counter.counts.end(), std::int64_t{0});
+        return static_cast<double>(all) / static_cast<double>(copies.size());
+      },
+      lifted);
+}
+
 }  // namespace
+
+double operations_of_test(const fit::Volume3& volume, int dim, std::uint64_t seed) {
+  return dim == 2 ? operations_in<2>(volume, seed) : operations_in<3>(volume, seed);
+}
 
 OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed) {
   if (single) return dim == 2 ? work_of<float, 2>(volume, seed) : work_of<float, 3>(volume, seed);

@@ -21,6 +21,10 @@ struct OverlapWork {
 /// float.
 [[nodiscard]] OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed);
 
+/// The operations of the overlap test, all kinds together, on average over such copies, in double. They are counted,
+/// and so the same on every machine.
+[[nodiscard]] double operations_of_test(const fit::Volume3& volume, int dim, std::uint64_t seed);
+
 /// Bytes in the scalar and dimension it was fitted in (geometry/volume_bytes.hpp).
 [[nodiscard]] std::int64_t bytes_of(const fit::Volume3& volume, int dim, bool single);
 

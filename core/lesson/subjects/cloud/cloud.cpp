@@ -14,6 +14,7 @@
 #include "lesson/subjects/cloud/samples.hpp"
 #include "lesson/subjects/cloud/stored.hpp"
 #include "lesson/words.hpp"
+#include "measure/volume_cost.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -51,9 +52,10 @@ const fit::Algorithm& algorithm_of(const Method& method) { return *fit::find_alg
 
 void read_cloud(TomlTable& table, Lesson& lesson, Complaints& complaints) {
   lesson.points = read_points(*table.table("points"), complaints, true);
-  if (!table.has("stored")) return table.allow("stored");
+  if (!table.has("stored") && !table.has("tested")) return table.allow("stored"), table.allow("tested");
   auto tables = std::make_shared<CloudTables>();
   tables->stored = table.flag_or("stored", false);
+  tables->tested = table.flag_or("tested", false);
   lesson.tables = std::move(tables);
 }
 
@@ -105,6 +107,8 @@ CloudSubject::CloudSubject(const Lesson& lesson, AnyPointSet points, std::option
       by_measure_(is_mixed(lesson) || (reference_ != nullptr && reference_->volume != lesson.volume)),
       has_naive_(std::any_of(lesson.algorithms.begin(), lesson.algorithms.end(),
                              [&](const std::string& name) { return find_method(lesson, name)->naive; })),
+      is_tested_(lesson.subject == &kCloudRow && lesson.tables != nullptr &&
+                 static_cast<const CloudTables&>(*lesson.tables).tested),
       hand_(volumes_by_hand(lesson), *this->points()) {}
 
 Point3 CloudSubject::at(Index i) const { return i < count() ? PointSubject::at(i) : hand_.at(i - count()); }
@@ -218,6 +222,11 @@ std::string CloudSubject::opening(const Method& method) const {
 std::vector<Figure> CloudSubject::figures(const View& view) const {
   std::vector<Figure> figures = fit_figures(view, fit_run(view.run()), reference(view));
   add_wrong_tests(figures, view);
+  if (is_tested_ && view.at_end()) {
+    const fit::Recording& recording = fit_run(view.run()).recording();
+    const double operations = cost::operations_of_test(recording.result.volume, dim(), origin_.seed);
+    figures.push_back({"Operations of a test", "test_operations", number_text(operations), operations, "operations"});
+  }
   if (!has_naive_ || !view.at_end()) return figures;
   add_left_outside(figures, fit_run(view.run()));
   add_certificate(figures, fit_run(view.run()), view.method().naive, names());

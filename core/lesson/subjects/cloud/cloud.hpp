@@ -94,6 +94,7 @@ class CloudSubject final : public PointSubject {
   const Method* reference_ = nullptr;  // null for none
   bool by_measure_ = false;
   bool has_naive_ = false;
+  bool is_tested_ = false;  // whether the overlap test of its volumes is counted
   Hand hand_;
   mutable Worked worked_;  // computed on demand, and forgotten with the next edit
 };

@@ -5,9 +5,10 @@
 
 namespace snug::lesson {
 
-/// Whether it is shown how the volume is stored; a situation that does not say has the lesson's own.
+/// Whether it is shown how the volume is stored, and what its overlap test takes; a situation that says neither has the
+/// lesson's own.
 struct CloudTables final : Tables {
-  bool stored = false;
+  bool stored = false, tested = false;
 };
 
 /// The volume at the current step, if the lesson asks for it with "stored". What the run has not found yet is a dash.

@@ -1,0 +1,68 @@
+// What the overlap test of a fitted volume takes, as a figure, and a task that is graded by it.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "core/lesson/lesson_files.hpp"
+#include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
+
+using namespace snug;
+using namespace snug::lesson;
+
+namespace {
+
+Session opened_fit() {
+  auto session = Session::open(test::lesson_of("swept-fit"));
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+double operations_of(const Session& session, std::string_view algorithm) {
+  for (const Figure& figure : session.result(*find_method(session.lesson(), algorithm)))
+    if (figure.key == "test_operations") return figure.value;
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("two capsules take one distance, and two boxes up to fifteen axes") {
+  Session session = opened_fit();
+  REQUIRE(session.show_situation("plate").has_value());
+  CHECK(operations_of(session, "capsule/pca") == 1);
+  CHECK(operations_of(session, "sphere/welzl") == 1);
+  CHECK(operations_of(session, "lozenge/pca") > 1);
+  CHECK(operations_of(session, "obb/exact") > operations_of(session, "lozenge/pca"));
+  CHECK(operations_of(session, "obb/exact") > 15);
+}
+
+TEST_CASE("a box that loses to a capsule in volume but not enough in its test does not solve the task") {
+  Session session = opened_fit();
+  const std::size_t task = session.lesson().tasks.size() - 1;
+  const auto solved = session.solve_task(task);
+  REQUIRE(solved.has_value());
+  CHECK_MESSAGE(solved->done, solved->says);
+  // The same body, shorter.
+  REQUIRE(session
+              .set_rows({{-0.63, -0.07, -1.13},
+                         {-1.01, 0.06, -0.82},
+                         {-1.17, -0.28, -0.49},
+                         {-0.97, -0.73, -0.47},
+                         {-0.59, -0.86, -0.78},
+                         {-0.43, -0.52, -1.11},
+                         {0.97, 0.73, 0.47},
+                         {0.59, 0.86, 0.78},
+                         {0.43, 0.52, 1.11},
+                         {0.63, 0.07, 1.13},
+                         {1.01, -0.06, 0.82},
+                         {1.17, 0.28, 0.49},
+                         {-1.13, -0.57, -1.13},
+                         {1.13, 0.57, 1.13}})
+              .has_value());
+  const Grade shorter = session.grade(task);
+  CHECK_FALSE(shorter.done);
+  CHECK(shorter.says.find("Operations of a test (") != std::string::npos);
+  CHECK(shorter.says.find("it must be at least 24 operations") != std::string::npos);
+  CHECK(shorter.says.find("it must be at least 200") == std::string::npos);
+  CHECK(shorter.says.find("it must be at least 0") == std::string::npos);
+}
