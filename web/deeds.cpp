@@ -7,9 +7,11 @@
 #include "io/point_file.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/playground.hpp"
+#include "number/fnv.hpp"
 #include "web/cover.hpp"
 #include "web/door.hpp"
 #include "web/numbers.hpp"
+#include "web/values.hpp"
 #include "web/view.hpp"
 
 namespace snug::web {
@@ -41,6 +43,7 @@ void pick_choice(int choice) {
 }
 bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
 val targets() { return session() ? target_names(*session()) : val::array(); }
+val trace() { return session() ? text(hex_of(session()->trace_hash())) : val::null(); }
 
 bool figures_fill() { return door().app && door().app->figures_fill(); }
 double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }

@@ -17,6 +17,8 @@ void pick_choice(int choice);
 bool pick_name(const std::string& name);
 /// The names of the handles that can be the answer. A mesh has thousands, so they are not part of view().
 val targets();
+/// The hash of the run, for scripts alone: it takes every step of it, and no frame of a drag waits for that.
+val trace();
 /// Whether the step's own numbers may need the whole column, and their height in the last frame, in pixels.
 bool figures_fill();
 double figures_height();

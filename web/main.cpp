@@ -222,6 +222,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("pick_choice", &web::pick_choice);
   function("pick_name", &web::pick_name);
   function("targets", &web::targets);
+  function("trace", &web::trace);
   function("words", &web::words_object);
   function("go", &web::go);
   function("jump", &web::jump);

@@ -8,7 +8,6 @@
 #include "lesson/speaking.hpp"
 #include "lesson/stored.hpp"
 #include "lesson/subjects.hpp"
-#include "number/fnv.hpp"
 #include "web/cover.hpp"
 #include "web/numbers.hpp"
 #include "web/prose.hpp"
@@ -214,7 +213,6 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("playing", app.playing());
   object.set("speed", app.speed());
   object.set("previewing", session.previewing());
-  object.set("trace", text(hex_of(session.trace_hash())));
   set_answers(object, session);
   object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
   object.set("cover", cover_object(app));

@@ -8,9 +8,14 @@
 namespace snug::lesson {
 
 template <class Own, class Step>
+const Step& FactRun<Own, Step>::step_at(int i) const {
+  if constexpr (requires { own().entry(i); }) return own().entry(i).step;
+  else return own().trace()[i].step;
+}
+template <class Own, class Step>
 template <class Call>
 auto FactRun<Own, Step>::visit(int i, Call call) const {
-  return std::visit(call, own().trace()[i].step.fact);
+  return std::visit(call, step_at(i).fact);
 }
 template <class Own, class Step>
 auto FactRun<Own, Step>::where(int i, const Untold* untold) const {
@@ -27,7 +32,7 @@ std::string_view FactRun<Own, Step>::fact(int i) const {
 }
 template <class Own, class Step>
 int FactRun<Own, Step>::line(int i) const {
-  return own().trace()[i].step.line;
+  return step_at(i).line;
 }
 template <class Own, class Step>
 std::string FactRun<Own, Step>::sentence(int i, const Untold& untold) const {
@@ -57,7 +62,7 @@ bool FactRun<Own, Step>::counts(int i) const {
 template <class Own, class Step>
 const fit::Volume3* FactRun<Own, Step>::volume(int steps) const {
   if constexpr (requires(const Step& step) { step.volume; })
-    if (steps > 0 && own().trace()[steps - 1].step.has_volume) return &own().trace()[steps - 1].step.volume;
+    if (steps > 0 && step_at(steps - 1).has_volume) return &step_at(steps - 1).volume;
   return nullptr;
 }
 template <class Own, class Step>

@@ -27,25 +27,27 @@ struct EntryDefaults {
 
 /// A run whose steps are facts of a variant. Own: the run itself, with
 ///   std::span<const Recorder<Step>::Entry> trace() const
-///   struct Where, made of the run, the step's place and Untold.
+///   struct Where, made of the run, the step's place and Untold
+/// and, if not all steps are recorded at once, steps() and `entry(int i)`, which records as many as it needs.
 /// The definitions are in fact_run.hpp, for the one file that has all entries and instantiates it.
 template <class Own, class Step>
 class FactRun : public Run {
  public:
-  [[nodiscard]] int steps() const final;
-  [[nodiscard]] std::string_view fact(int i) const final;
+  [[nodiscard]] int steps() const override;
+  [[nodiscard]] std::string_view fact(int i) const override;
   [[nodiscard]] int line(int i) const final;
   [[nodiscard]] std::string sentence(int i, const Untold& untold) const final;
   [[nodiscard]] std::vector<Index> handles(int i) const final;
   [[nodiscard]] std::string predicate(int i, bool plural) const final;
-  [[nodiscard]] std::optional<Mark::Kind> mark(int i) const final;
-  [[nodiscard]] std::span<const Asking> askings(int i) const final;
-  [[nodiscard]] bool counts(int i) const final;
+  [[nodiscard]] std::optional<Mark::Kind> mark(int i) const override;
+  [[nodiscard]] std::span<const Asking> askings(int i) const override;
+  [[nodiscard]] bool counts(int i) const override;
   [[nodiscard]] std::uint64_t hash() const final;
   [[nodiscard]] const fit::Volume3* volume(int steps) const final;
 
  private:
   [[nodiscard]] const Own& own() const { return static_cast<const Own&>(*this); }
+  [[nodiscard]] const Step& step_at(int i) const;
   template <class Call>
   auto visit(int i, Call call) const;
   [[nodiscard]] auto where(int i, const Untold* untold = nullptr) const;

@@ -100,7 +100,7 @@ void Session::run_again(int slot) {
 void Session::subject_changed() {
   const bool at_end = slots_[0].run != nullptr && step_ == steps() && step_ > 0;
   rivals_.reset(), results_.clear();
-  forget_grades();
+  if (!waits()) forget_grades();
   run_again(0);
   run_again(1);
   run_changed(at_end);
@@ -116,6 +116,8 @@ bool Session::turn(std::string_view name, bool on) {
   ++revision_;
   return true;
 }
+
+bool Session::waits() const { return drag_.subject != nullptr && now_->results_wait(); }
 
 const std::vector<Rival>& Session::rivals() const {
   if (!rivals_) rivals_ = now_->rivals(*lesson_, view());
@@ -208,7 +210,7 @@ std::vector<Figure> Session::figures(int slot) const {
 
 const std::vector<Figure>& Session::result(const Method& of) const {
   static const std::vector<Figure> kNotYet;
-  if (drag_.subject != nullptr && &of != method(0) && now_->results_wait()) return kNotYet;
+  if (waits()) return kNotYet;
   const auto [found, is_new] = results_.try_emplace(&of);
   if (is_new && now_->suits(of)) found->second = now_->figures_at_end(of, view());
   return found->second;

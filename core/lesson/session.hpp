@@ -257,7 +257,7 @@ class Session {
   /// Whether the summary is shown: the run is finished, each question done and its outcome read. It can be closed.
   [[nodiscard]] bool at_summary() const;
   void close_summary();
-  /// The grade of a task, as the stage is now.
+  /// The grade of a task, as the stage is now; while results wait for the hand to rest, as it was before the drag.
   [[nodiscard]] Grade grade(std::size_t task) const;
   /// That of the task in hand; none if the lesson has no task.
   [[nodiscard]] std::optional<Grade> grade() const;
@@ -339,6 +339,8 @@ class Session {
   void stand(int step);
   bool refuse(std::string why);
   void forget_grades();
+  /// Whether the results at the end of runs, and grades, wait until the hand rests.
+  [[nodiscard]] bool waits() const;
   [[nodiscard]] const Asked* standing() const;
   bool give(const Answer& answer, bool for_good);
   bool pick_one_more(const Asked& question, const Answer& chosen);

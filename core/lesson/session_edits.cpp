@@ -199,6 +199,7 @@ void Session::end_drag() {
   Snapshot before = std::move(drag_);
   if (before.subject && drag_moved_) {
     remember(std::move(before));
+    if (now_->results_wait()) forget_grades();
     ++revision_;
   }
   drag_moved_ = false;

@@ -278,7 +278,8 @@ class Subject {
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
   /// The figures at the end of a method's run. A run that the view has is not repeated.
   [[nodiscard]] virtual std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
-  /// Whether those of methods that are not on the stage take too long to be worked out while something is dragged.
+  /// Whether the ends of runs take too long to be worked out while something is dragged: a run records its steps no
+  /// farther than they are shown, and results and grades wait until the hand rests.
   [[nodiscard]] virtual bool results_wait() const { return false; }
   /// The figures by which tasks and conditions are judged: those at the end, with every part switched on.
   [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;

@@ -55,12 +55,14 @@ lesson::Lesson cloud(int count, int dim, const char* first, const char* second) 
   return lesson;
 }
 
-/// Works out what a door shows of a session beside the canvas. Returns something that depends on all of it.
+/// Works out what a door shows of a session beside the canvas, grades too. Returns something that depends on all of it.
 double words_beside(const lesson::Session& session) {
   double seen = static_cast<double>(session.marks().size() + session.caption().size());
   for (int slot = 0; slot < 2; ++slot)
     if (session.method(slot) != nullptr)
       seen += static_cast<double>(session.figures(slot).size() + session.proofs(slot).size());
+  for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task)
+    seen += static_cast<double>(session.grade(task).says.size());
   lesson::ProseFigures figures(session);
   for (const lesson::RunFigure& figure : session.lesson().figures)
     seen += static_cast<double>(figures.of(figure).text.size());
@@ -78,15 +80,25 @@ std::string handle_to_drag(const app::Bench& bench, lesson::Session& session) {
   return {};
 }
 
-Index index_of(const lesson::Session& session, const std::string& name) {
-  Index i = 0;
-  while (session.name_of(i) != name) ++i;
-  return i;
+/// Where all handles are. Another may lie over the one that was pressed, and be the one that is dragged.
+std::vector<Vector<double, 3>> places_of(const lesson::Session& session) {
+  std::vector<Vector<double, 3>> all;
+  for (Index i = 0; i < session.size(); ++i) all.push_back(session.point(i));
+  return all;
+}
+
+/// Skips all questions: while one is asked, only its answers respond.
+void skip_questions(lesson::Session& session) {
+  std::vector<lesson::Outcome> skipped;
+  for (const lesson::Question& question : session.lesson().questions)
+    skipped.push_back({.question = question.id, .given = {}, .skipped = true});
+  session.take_up_answers(std::move(skipped));
 }
 
 /// Drags a handle around a circle. Nothing where the stage has none.
 std::optional<Row> drag_on(app::Bench& bench, std::string words) {
   lesson::Session& session = bench.session();
+  skip_questions(session);
   session.jump(session.steps());
   if (!session.subject().moves_at(session.step())) session.jump(0);
   if (bench.app.cover() != nullptr) bench.app.cover()->show(false);
@@ -94,11 +106,10 @@ std::optional<Row> drag_on(app::Bench& bench, std::string words) {
   const std::string name = handle_to_drag(bench, session);
   if (name.empty()) return std::nullopt;
   const app::Handle from = bench.handle(name);
-  const Index handle = index_of(session, name);
   bench.press(from.x, from.y);
   Row row{.words = std::move(words)};
   std::vector<double> all;
-  Vector<double, 3> before = session.point(handle);
+  auto before = places_of(session);
   for (int frame = 1; frame <= kFrames; ++frame) {
     const float turn = 0.1f * static_cast<float>(frame);
     ImGui::GetIO().AddMousePosEvent(from.x + kReach * std::sin(turn), from.y + kReach * (1 - std::cos(turn)));
@@ -106,11 +117,13 @@ std::optional<Row> drag_on(app::Bench& bench, std::string words) {
     bench.frames(1);
     bench::keep(words_beside(session));
     all.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    if (session.point(handle) != before) ++row.moved;
-    before = session.point(handle);
+    auto now = places_of(session);
+    if (now != before) ++row.moved;
+    before = std::move(now);
   }
   bench.release();
   std::sort(all.begin(), all.end());
+  if (row.moved == 0) std::fprintf(stderr, "%s: nothing was dragged by %s\n", row.words.c_str(), name.c_str());
   row.steps = session.steps(), row.median = all[kFrames / 2], row.most = all[kFrames * 95 / 100];
   return row;
 }

@@ -65,11 +65,10 @@ void measure(const Case& one) {
   lesson.seed = 5;
   const SceneSet set = scene_of(one);
   const auto points = own_points(lesson, {});
-  std::optional<tl::expected<SceneRecording, InputError>> run;
-  const double seconds =
-      bench::seconds([&] { run.emplace(run_scene(set, "sweep_and_prune", points.value(), lesson.seed)); });
-  if (!run->has_value()) std::puts(run->error().what.c_str()), std::abort();
-  const auto& frames = (*run)->frames;
+  auto run = run_scene(set, "sweep_and_prune", points.value(), lesson.seed);
+  if (!run) std::puts(run.error().what.c_str()), std::abort();
+  const double seconds = bench::seconds([&] { run->up_to(one.frames); });
+  const auto& frames = run->up_to(one.frames).frames;
   double seen = 0;
   const auto going = [&](std::size_t frame) {
     return 1e3 * bench::seconds([&] { seen += frames[frame].bodies.front().position[0]; });

@@ -413,7 +413,7 @@ class Page {
   state() {
     const view = this.#door.view();
     if (view?.asked) view.asked.targets = this.#door.targets();
-    return view && { ...view, mistakes: (this.#preview?.says ?? []).flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]) };
+    return view && { ...view, trace: this.#door.trace(), mistakes: (this.#preview?.says ?? []).flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]) };
   }
 
   forget_answers() {

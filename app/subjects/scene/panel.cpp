@@ -23,7 +23,7 @@ constexpr float kReason = 11, kReasonToFinger = 18;  // what an effect's reason 
 
 const lesson::FrameTaken* taken(const lesson::Session& session) {
   if (session.step() == 0) return nullptr;
-  return std::get_if<lesson::FrameTaken>(&lesson::scene_run(session.run(0)).trace()[session.step() - 1].step.fact);
+  return std::get_if<lesson::FrameTaken>(&lesson::scene_run(session.run(0)).entry(session.step() - 1).step.fact);
 }
 
 class ScenePanel {

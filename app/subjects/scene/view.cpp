@@ -99,6 +99,7 @@ Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
 }
 
 fit::Sphere3 SceneView::extent(const lesson::Session& session) {
+  if (extent_ && session.view().in_hand) return extent_->ball;  // that of all frames, which wait until the hand rests
   const std::uint64_t trace = session.trace_hash();
   const lesson::Method* beside = session.method(1);
   if (!extent_ || extent_->trace != trace || extent_->beside != beside) extent_ = {trace, beside, whole_run(session)};

@@ -11,6 +11,8 @@ namespace snug::lesson {
 
 template class FactRun<FrustumRun, FrustumStep>;
 
+std::vector<Index> FrustumRun::candidates(int) const { return box_ ? vertices_of(dim_, 0) : std::vector<Index>{}; }
+
 namespace {
 
 /// The goals: a box that this wrong test loses, although it shares a point with the frustum; a circle or sphere that

@@ -19,10 +19,8 @@ class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
   [[nodiscard]] const std::string& body() const { return body_; }
   /// Whether the test says outside of a body that reaches into the frustum.
   [[nodiscard]] bool loses() const { return loses_; }
-  /// Every vertex of the box.
-  [[nodiscard]] std::vector<Index> candidates(int) const override {
-    return box_ ? vertices_of(dim_, 0) : std::vector<Index>{};
-  }
+  /// Every vertex of the box. Not inline: tests make such a run themselves, and this room has no type information.
+  [[nodiscard]] std::vector<Index> candidates(int i) const override;
   struct Where {
     const FrustumRun& run;
     int i;

@@ -109,6 +109,11 @@ std::string update_words(const FrameTaken& fact, const SceneRun::Where& where) {
   return words + scene_figure_text(kOverHull, over) + " the hull’s.";
 }
 
+/// All frames; while something is dragged, those up to the one that is shown.
+const SceneRecording& recording_for(const View& view, const SceneRun& run, int shown) {
+  return run.recording(view.in_hand ? shown : run.steps());
+}
+
 /// Whether a method searches for pairs by sorting.
 bool sorts(const Method& method) {
   return method.name == scene::kPairSearchNames[static_cast<std::size_t>(scene::PairSearch::kSweepAndPrune)];
@@ -147,11 +152,13 @@ std::string Entry<FrameTaken>::sentence(const FrameTaken& fact, const SceneRun::
   if (asked || (fact.all_pairs == 0 && where.hides("slack") && where.hides("cost")))
     return words + "predict what comes next.";
   if (const std::string still = still_words(where, fact.all_pairs > 0); !still.empty()) return words + still;
-  if (where.subject().set().graph) return words + counts_words(where.run.recording(), fact.frame);
+  if (where.subject().set().graph) return words + counts_words(where.run.recording(fact.frame), fact.frame);
   if (fact.resting) return words + "all bodies are at rest, so no effect runs.";
   if (fact.all_pairs > 0) return words + pair_words(fact, where);
   return words + (where.step().has_volume ? update_words(fact, where) : "the bodies have moved.");
 }
+
+std::span<const Asking> SceneRun::askings(int) const { return Entry<FrameTaken>::kAskings; }
 
 const char* offer_ranges(Asked& asked, const Run&) {
   const std::string unit = scene_figure(asked.question->figure, 0).unit;
@@ -162,7 +169,7 @@ const char* offer_ranges(Asked& asked, const Run&) {
 /// The truth of "figure": the range that the figure lies in.
 Truth range_truth(const Asked& asked, const Run& run) {
   const Question& question = *asked.question;
-  const FrameStep& step = scene_run(run).trace()[asked.fact].step;
+  const FrameStep& step = scene_run(run).entry(asked.fact).step;
   const double value = value_of(step, question.figure, *scene_run(run).subject().points());
   const auto range = std::lower_bound(question.bounds.begin(), question.bounds.end(), value) - question.bounds.begin();
   const bool none = value == 0 && asked.choices.front() == "none";
@@ -205,7 +212,7 @@ std::unique_ptr<Run> SceneSubject::run(const Method& method, std::unique_ptr<Run
     return start_of(set(), *points(), origin_.seed);
   };
   auto run = run_scene(set(), method.name, *points(), origin_.seed, clock_, off_, pushed_).or_else(stand_still);
-  return std::make_unique<SceneRun>(*this, run ? *std::move(run) : SceneRecording());
+  return std::make_unique<SceneRun>(*this, run ? *std::move(run) : SceneRecorder());
 }
 
 std::string SceneSubject::refusal_now(std::string_view method) const {
@@ -225,7 +232,7 @@ std::string SceneSubject::opening(const Method& method) const {
 
 std::vector<Figure> SceneSubject::figures(const View& view) const {
   if (view.step == 0) return {};
-  return scene_figures(scene_run(view.run()).trace()[view.step - 1].step, *points(), sorts(view.method()));
+  return scene_figures(scene_run(view.run()).entry(view.step - 1).step, *points(), sorts(view.method()));
 }
 
 /// None: its figures are counts.
@@ -276,7 +283,7 @@ std::string SceneSubject::time_of(const scene::Tally& tally) const {
 }
 
 std::vector<Switch> SceneSubject::switches(const View& view) const {
-  const SceneRecording& run = scene_run(view.run()).recording();
+  const SceneRecording& run = recording_for(view, scene_run(view.run()), view.step);
   const std::size_t effects = run.tallies.size(), first = static_cast<std::size_t>(view.step) * effects;
   std::vector<Switch> all;
   for (std::size_t i = 0; i < effects; ++i) {
@@ -409,7 +416,7 @@ void SceneSubject::begin_task(const Lesson& lesson, const Task& task, const Subj
 }
 
 bool SceneSubject::push(Index i, const View& view) {
-  const SceneRecording& run = scene_run(view.run()).recording();
+  const SceneRecording& run = scene_run(view.run()).recording(view.step);
   const std::size_t body = set().first_at_points() + static_cast<std::size_t>(i);
   if (!set().graph || view.step == 0 || body >= run.members.size() || !run.members[body].moves()) return false;
   const bool moves =
@@ -423,8 +430,8 @@ bool SceneSubject::push(Index i, const View& view) {
 }
 
 const SceneRecording* recorded_scene(const Session& session, int slot) {
-  const bool scene = as<SceneSubject>(session.subject()) != nullptr && session.method(slot) != nullptr;
-  return scene ? &scene_run(session.run(slot)).recording() : nullptr;
+  if (as<SceneSubject>(session.subject()) == nullptr || session.method(slot) == nullptr) return nullptr;
+  return &recording_for(session.view(), scene_run(session.run(slot)), session.step_of(slot));
 }
 
 const SceneFrame* frame_of(const Session& session) {

@@ -13,25 +13,36 @@ extern const SubjectRow kSceneRow;
 
 class SceneSubject;
 
+/// Its frames are recorded when something of them is asked for. What is the same of every frame records none.
 class SceneRun final : public FactRun<SceneRun, FrameStep> {
  public:
-  SceneRun(const SceneSubject& subject, SceneRecording recording)
-      : subject_(subject), recording_(std::move(recording)) {}
-  [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording_.steps; }
-  [[nodiscard]] const SceneRecording& recording() const { return recording_; }
+  SceneRun(const SceneSubject& subject, SceneRecorder recorder) : subject_(subject), recorder_(std::move(recorder)) {}
+  [[nodiscard]] int steps() const override { return recorder_.frames(); }
+  [[nodiscard]] std::string_view fact(int) const override { return FrameTaken::kName; }
+  [[nodiscard]] std::span<const Asking> askings(int) const override;
+  [[nodiscard]] std::optional<Mark::Kind> mark(int) const override { return std::nullopt; }
+  [[nodiscard]] bool counts(int) const override { return true; }
+  [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording(steps()).steps; }
+  [[nodiscard]] const Recorder<FrameStep>::Entry& entry(int i) const {
+    return recording(i + 1).steps[static_cast<std::size_t>(i)];
+  }
+  /// The recording, up to this frame at least.
+  [[nodiscard]] const SceneRecording& recording(int frame) const { return recorder_.up_to(frame); }
+  [[nodiscard]] const SceneRecording& recording() const { return recording(steps()); }
+  [[nodiscard]] int recorded() const { return recorder_.recorded(); }
   [[nodiscard]] const SceneSubject& subject() const { return subject_; }
   struct Where {
     const SceneRun& run;
     int i;
     const Untold* untold;
-    [[nodiscard]] const FrameStep& step() const { return run.trace()[i].step; }
+    [[nodiscard]] const FrameStep& step() const { return run.entry(i).step; }
     [[nodiscard]] const SceneSubject& subject() const { return run.subject_; }
     [[nodiscard]] bool hides(std::string_view figure) const { return untold != nullptr && untold->hides(figure); }
   };
 
  private:
   const SceneSubject& subject_;
-  SceneRecording recording_;
+  mutable SceneRecorder recorder_;  // of all frames the same bits, whenever they are recorded
 };
 
 extern template class FactRun<SceneRun, FrameStep>;
@@ -113,8 +124,8 @@ class SceneSubject final : public PointSubject {
   mutable std::string refused_;  // why the last run stands still; empty if it runs
 };
 
-/// The recording of a slot's run, in a lesson about a scene; null otherwise. Its current frame is
-/// step_of(slot).
+/// The recording of a slot's run, in a lesson about a scene; null otherwise. Its current frame is step_of(slot), up to
+/// which it goes while something is dragged; else it has all frames.
 [[nodiscard]] const SceneRecording* recorded_scene(const Session& session, int slot);
 /// The current frame of slot 0, valid until another is requested; null if there is none.
 [[nodiscard]] const SceneFrame* frame_of(const Session& session);
@@ -123,7 +134,7 @@ class SceneSubject final : public PointSubject {
   return static_cast<const SceneSubject&>(session.subject()).set();
 }
 [[nodiscard]] inline std::span<const scene::Member> members_of(const Session& session) {
-  return scene_run(session.run(0)).recording().members;
+  return scene_run(session.run(0)).recording(0).members;
 }
 
 }  // namespace snug::lesson

@@ -70,7 +70,8 @@ void add_frame(SceneRecording& run, const scene::Scene& scene) {
     hold(run.bodies, world.bodies[i].position - reach, world.bodies[i].position + reach);
   }
   for (const Aabb<double, 3>& box : world.state.volumes) hold(run.volumes, box.min, box.max);
-  for (const scene::Tally& tally : scene.tallies()) run.counts.push_back({tally.run, tally.skipped});
+  run.tallies.assign(scene.tallies().begin(), scene.tallies().end());
+  for (const scene::Tally& tally : run.tallies) run.counts.push_back({tally.run, tally.skipped});
   int awake = 0;
   for (std::size_t i = 0; i < world.size(); ++i) awake += world.awake(i) ? 1 : 0;
   run.awake.push_back(awake);
@@ -226,9 +227,38 @@ double figure_of(const FrameTaken& frame, std::string_view figure) {
   return found == kFigures.end() ? 0 : values[found - kFigures.begin()];
 }
 
-tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::string_view method,
-                                                   const AnyPointSet& points, std::uint64_t seed, scene::Clock clock,
-                                                   std::span<const SwitchedOff> off, std::span<const Pushed> pushed) {
+SceneRecorder::SceneRecorder(scene::Scene opened, int line, int frames, std::vector<SwitchedOff> off,
+                             std::vector<Pushed> pushed)
+    : recording_(begun_with(std::move(opened))), line_(line), frames_(frames), off_(std::move(off)),
+      pushed_(std::move(pushed)) {
+  if (frames_ == 0) recording_.frames.finish();
+}
+
+const SceneRecording& SceneRecorder::up_to(int frame) {
+  while (recorded() < std::min(frame, frames_)) record_next();
+  return recording_;
+}
+
+void SceneRecorder::record_next() {
+  SceneRecording& run = recording_;
+  scene::Scene& scene = run.frames.scene();
+  const int before = recorded();
+  switch_off(scene, off_, before);
+  for (const Pushed& one : pushed_)
+    if (one.after == before) scene.push(one.body);
+  run.frames.step();
+  counts_[static_cast<std::size_t>(Operation::kPointsTouched)] +=
+      static_cast<std::int64_t>(scene.world().state.refitted.cost);
+  run.steps.push_back({step_of(scene, line_), counts_});
+  run.deeds.insert(run.deeds.end(), scene.deeds().begin(), scene.deeds().end());
+  run.changes.push_back(scene.changes());
+  add_frame(run, scene);
+  if (recorded() == frames_) run.frames.finish();
+}
+
+tl::expected<SceneRecorder, InputError> run_scene(const SceneSet& set, std::string_view method,
+                                                  const AnyPointSet& points, std::uint64_t seed, scene::Clock clock,
+                                                  std::span<const SwitchedOff> off, std::span<const Pushed> pushed) {
   auto declaration = declaration_with(set, method, points, seed);
   if (!declaration) return tl::unexpected(std::move(declaration.error()));
   auto opened = scene::Scene::open(*declaration, clock);
@@ -236,25 +266,8 @@ tl::expected<SceneRecording, InputError> run_scene(const SceneSet& set, std::str
   const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
                                   [&](const Method& one) { return one.name == method; });
   const int line = static_cast<int>(known->pseudocode.size()) - 1;
-  SceneRecording run = begun_with(*std::move(opened));
-  scene::Scene& scene = run.frames.scene();
-  OperationCounts counts{};
-  const int frames = frames_of(set, fit::size_of(points), pushed);
-  for (int frame = 0; frame < frames; ++frame) {
-    switch_off(scene, off, frame);
-    for (const Pushed& one : pushed)
-      if (one.after == frame) scene.push(one.body);
-    run.frames.step();
-    counts[static_cast<std::size_t>(Operation::kPointsTouched)] +=
-        static_cast<std::int64_t>(scene.world().state.refitted.cost);
-    run.steps.push_back({step_of(scene, line), counts});
-    run.deeds.insert(run.deeds.end(), scene.deeds().begin(), scene.deeds().end());
-    run.changes.push_back(scene.changes());
-    add_frame(run, scene);
-  }
-  run.tallies.assign(scene.tallies().begin(), scene.tallies().end());
-  run.frames.finish();
-  return run;
+  return SceneRecorder(*std::move(opened), line, frames_of(set, fit::size_of(points), pushed), {off.begin(), off.end()},
+                       {pushed.begin(), pushed.end()});
 }
 
 int frames_of(const SceneSet& set, std::int64_t points, std::span<const Pushed> pushed) {
@@ -265,14 +278,10 @@ int frames_of(const SceneSet& set, std::int64_t points, std::span<const Pushed> 
   return longer.is_too_long(points) ? set.frames : longer.frames;
 }
 
-tl::expected<SceneRecording, InputError> start_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed) {
+tl::expected<SceneRecorder, InputError> start_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed) {
   scene::Declaration still = declaration_of(set, points, seed);
   still.effects.clear();
-  return scene::Scene::open(still).map([](scene::Scene scene) {
-    SceneRecording run = begun_with(std::move(scene));
-    run.frames.finish();
-    return run;
-  });
+  return scene::Scene::open(still).map([](scene::Scene scene) { return SceneRecorder(std::move(scene), 0, 0); });
 }
 
 tl::expected<LastFrame, InputError> last_frame(const SceneSet& set, std::string_view method, const AnyPointSet& points,

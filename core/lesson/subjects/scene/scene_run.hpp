@@ -27,13 +27,14 @@ struct Pushed {
   int after = 0;
 };
 
+/// What is recorded of a scene, up to some frame.
 struct SceneRecording {
   std::vector<Recorder<FrameStep>::Entry> steps;  // one for each frame
   SceneFrames frames;
   std::vector<scene::Member> members;
-  std::vector<scene::Tally> tallies;  // those at the end
+  std::vector<scene::Tally> tallies;  // those at its last frame
   std::vector<EffectCount> counts;    // for each frame, the start first: the effects in the order of tallies
-  Aabb<double, 3> bodies, volumes;    // around all bodies in all frames and orientations, and around all volumes
+  Aabb<double, 3> bodies, volumes;    // around all bodies in all its frames and orientations, and around all volumes
   std::vector<const scene::EffectKind*> kinds = {};  // of the effects, in the order of tallies
   std::vector<scene::Deed> deeds = {};               // for each frame from the first on: what each effect did
   std::vector<scene::SlotSet> changes = {};          // for each frame from the first on: what changed
@@ -47,9 +48,34 @@ struct SwitchedOff {
   int after = 0;
 };
 
+/// Records a scene frame by frame, no farther than it is asked: while a body is dragged, only the frame that is shown
+/// is needed, and a hundred more would be late for the next.
+class SceneRecorder {
+ public:
+  SceneRecorder() = default;  // of nothing
+  /// line: of the pseudocode, to which every frame belongs. frames: how many there are to record.
+  SceneRecorder(scene::Scene opened, int line, int frames, std::vector<SwitchedOff> off = {},
+                std::vector<Pushed> pushed = {});
+
+  /// How many frames there are, recorded or not; the start is not counted.
+  [[nodiscard]] int frames() const { return frames_; }
+  [[nodiscard]] int recorded() const { return static_cast<int>(recording_.steps.size()); }
+  /// The recording, which goes at least as far as this frame. Valid until more is asked for.
+  const SceneRecording& up_to(int frame);
+
+ private:
+  void record_next();
+
+  SceneRecording recording_;
+  OperationCounts counts_{};
+  int line_ = 0, frames_ = 0;
+  std::vector<SwitchedOff> off_;
+  std::vector<Pushed> pushed_;
+};
+
 /// method: one of scene_methods(). Errors: those of scene::Scene::open, with lines of the lesson's file; an effect that
 /// the method is about but that the scene does not call for.
-[[nodiscard]] tl::expected<SceneRecording, InputError>
+[[nodiscard]] tl::expected<SceneRecorder, InputError>
 run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& points, std::uint64_t seed,
           scene::Clock clock = nullptr, std::span<const SwitchedOff> off = {}, std::span<const Pushed> pushed = {});
 
@@ -59,8 +85,8 @@ run_scene(const SceneSet& set, std::string_view method, const AnyPointSet& point
 
 /// The start alone of a scene that is refused: its bodies stand where they are put, and nothing runs. Errors: those of
 /// scene::check.
-[[nodiscard]] tl::expected<SceneRecording, InputError> start_of(const SceneSet& set, const AnyPointSet& points,
-                                                                std::uint64_t seed);
+[[nodiscard]] tl::expected<SceneRecorder, InputError> start_of(const SceneSet& set, const AnyPointSet& points,
+                                                               std::uint64_t seed);
 
 /// The last frame only, with the first body's volume if that is measured. Errors: those of run_scene.
 struct LastFrame {

@@ -14,7 +14,7 @@ constexpr const char* kNoEffect = "none of them";
 }  // namespace
 
 const char* offer_effects(Asked& asked, const Run& run) {
-  const SceneRecording& recording = scene_run(run).recording();
+  const SceneRecording& recording = scene_run(run).recording(0);
   asked.many = true;
   for (const scene::Tally& tally : recording.tallies) asked.add_choice(effect_words(tally.effect));
   asked.add_choice(kNoEffect);
@@ -22,7 +22,7 @@ const char* offer_effects(Asked& asked, const Run& run) {
 }
 
 Truth skipped_truth(const Asked& asked, const Run& run) {
-  const SceneRecording& recording = scene_run(run).recording();
+  const SceneRecording& recording = scene_run(run).recording(asked.fact + 1);
   Truth truth;
   std::string why;
   for (std::size_t i = 0; i < recording.tallies.size(); ++i) {

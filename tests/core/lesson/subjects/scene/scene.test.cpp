@@ -150,16 +150,54 @@ TEST_CASE("the result of a method that is not on the stage is what its own run e
   }
 }
 
-TEST_CASE("while a body is dragged, the results of methods that are not on the stage wait until it rests") {
+TEST_CASE("while a body is dragged, no frame is worked out that is not shown") {
+  for (const std::string id : {"scene-broad", "scene-effects", "kdop-update"}) {
+    CAPTURE(id);
+    lesson::Session session = opened(id);
+    session.jump(0);
+    const int frames = session.steps();
+    const auto recorded = [&] { return lesson::scene_run(session.run(0)).recorded(); };
+    session.begin_drag();
+    for (int i = 1; i <= 3; ++i) {
+      REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
+      CHECK(frame_of(session) != nullptr);
+      static_cast<void>(session.switches());
+      static_cast<void>(session.figures());
+      for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task) static_cast<void>(session.grade(task));
+      CHECK(recorded() == 0);
+      CHECK(session.steps() == frames);
+    }
+    session.end_drag();
+    const std::uint64_t dragged = session.trace_hash();
+    CHECK(recorded() == frames);
+    session.undo();
+    session.redo();
+    CHECK(session.trace_hash() == dragged);
+  }
+}
+
+TEST_CASE("a task's grade waits until the hand rests, and is then that of what it left") {
+  lesson::Session session = opened("scene-broad");
+  session.start_task(0);
+  const std::string before = session.grade(0).says;
+  session.begin_drag();
+  REQUIRE(session.move(0, session.point(1) + Vector<double, 3>(0.01, 0, 0)).has_value());  // both overlap now
+  CHECK(session.grade(0).says == before);
+  session.end_drag();
+  CHECK(session.grade(0).says != before);
+}
+
+TEST_CASE("while a body is dragged, the results of methods wait until it rests") {
   lesson::Session session = opened("kdop-update");
   session.jump(0);
   const lesson::Method& other = *lesson::find_method(session.lesson(), "sphere");
   session.begin_drag();
   REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
   CHECK(session.result(other).empty());
-  CHECK_FALSE(session.result(*session.method(0)).empty());
+  CHECK(session.result(*session.method(0)).empty());
   session.end_drag();
   CHECK_FALSE(session.result(other).empty());
+  CHECK_FALSE(session.result(*session.method(0)).empty());
 }
 
 TEST_CASE("no frame of a scene is marked, but for questions") {
