@@ -2,11 +2,11 @@
 // do not run into each other.
 #include "app/subjects/pair/table_unit.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "../../bench.hpp"
-#include "core/lesson/lesson_files.hpp"
+#include "../../viewed_lessons.hpp"
 
 namespace snug::app {
 
@@ -25,14 +25,16 @@ TEST_CASE("the unit is the power of ten below the size of boxes that are large o
 }
 
 TEST_CASE("no two numbers in a row of the tables overlap, however large or small the boxes are") {
-  for (const char* situation : {"own", "large", "small"}) {
-    CAPTURE(situation);
-    lesson::Lesson lesson = test::lesson_of("epsilons");
-    lesson.questions.clear();
-    Bench bench(std::move(lesson),
+  for (const char* zeros : {"", "e6", "e-6"}) {
+    CAPTURE(zeros);
+    const std::string e = zeros;
+    lesson::Lesson boxes =
+        test::viewed("volume = \"box_pair\"\nalgorithms = [\"no_epsilon_float\"]",
+                     "[boxes]\ndim = 3\ncenter = [[0.0, 0.0, 0.0], [0.98" + e + ", 0.7" + e + ", 0.21" + e +
+                         "]]\nhalf_extents = [[0.3" + e + ", 0.6" + e + ", 1.0" + e + "], [0.3" + e + ", 0.5" + e +
+                         ", 0.9" + e + "]]\nturn = [[17, -13, -29], [17, -13, -28.9999427042204869]]");
+    Bench bench(std::move(boxes),
                 {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 280, 900}});
-    REQUIRE(bench.session().show_situation(situation).has_value());
-    REQUIRE(bench.session().choose(0, "no_epsilon_float").has_value());
     bench.session().jump(bench.session().steps());
     std::vector<DrawnWords> drawn;
     bench.app.note_words(&drawn);
