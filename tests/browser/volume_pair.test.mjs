@@ -126,7 +126,7 @@ async function measured_pairs(page) {
   const measure = page.getByRole("button", { name: "Measure what each costs" });
   await measure.focus();
   await page.keyboard.press("Enter");
-  const now = await until_within(180_000, page, (it) => it.panels[0].button?.words === "Measure again");
+  const now = await until_within(300_000, page, (it) => it.panels[0].button?.words === "Measure again");
   return now.panels[0].rows;
 }
 const kKinds = ["AABB", "OBB", "capsule", "lozenge", "k-DOP", "hull"];
