@@ -142,37 +142,8 @@ bool cheaper_waits(const lesson::Session& session) {
   });
 }
 
-/// The button that measures, and what was measured. Returns how high it is.
-float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at, float width) {
-  const auto& subject = *lesson::as<lesson::VolumesSubject>(session.subject());
-  if (!subject.can_measure()) return 0;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const bool running = subject.costs() != nullptr && !subject.costs()->done();
-  const float height = look.fingers ? 44.0f : look.px(30);
-  if (subject.costs() == nullptr && cheaper_waits(session))
-    return paragraph(list, look, Face::kRegular, kPairWords, kPairLine, at, width, look->muted,
-                     "Predict which test is cheaper. Then you can measure what each pair costs.");
-  const std::string words = running ? "Measured: " + std::to_string(subject.costs()->rows().size()) + " of 28"
-                            : subject.costs() != nullptr ? "Measure again"
-                                                         : "Measure what each costs";
-  if (button(list, look,
-             {.id = "measure pairs",
-              .rect = {at.x, at.y, width, height},
-              .words = words,
-              .kind = ButtonKind::kOutlined,
-              .enabled = !running,
-              .size = 13}))
-    measure_pairs(session);
-  if (subject.costs() == nullptr) return height;
-  return height + look.px(6) +
-         paragraph(list, look, Face::kRegular, 11, 16, {at.x, at.y + height + look.px(6)}, width, look->muted,
-                   "Nanoseconds of one test on this machine, on the same 24 pairs of random bodies. The line above "
-                   "has GJK’s time for them. The stronger the tint, the more expensive the test.");
-}
-
-}  // namespace
-
-namespace {
+constexpr std::string_view kPredictCheaper =
+    "Predict which test is cheaper. Then you can measure what each pair costs.";
 
 const lesson::VolumesSubject& volumes_on(const lesson::Session& session) {
   return *lesson::as<lesson::VolumesSubject>(session.subject());
@@ -190,6 +161,29 @@ CoverButton measure_button(const lesson::VolumesSubject& subject) {
                    : subject.costs() != nullptr ? "Measure again"
                                                 : "Measure what each costs",
           .enabled = !running};
+}
+
+/// The button that measures, and what was measured. Returns how high it is.
+float draw_pair_measuring(const Look& look, lesson::Session& session, ImVec2 at, float width) {
+  if (!volumes_on(session).can_measure()) return 0;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float height = look.fingers ? 44.0f : look.px(30);
+  if (measuring_waits(session))
+    return paragraph(list, look, Face::kRegular, kPairWords, kPairLine, at, width, look->muted, kPredictCheaper);
+  const CoverButton measure = measure_button(volumes_on(session));
+  if (button(list, look,
+             {.id = "measure pairs",
+              .rect = {at.x, at.y, width, height},
+              .words = measure.words,
+              .kind = ButtonKind::kOutlined,
+              .enabled = measure.enabled,
+              .size = 13}))
+    measure_pairs(session);
+  if (volumes_on(session).costs() == nullptr) return height;
+  return height + look.px(6) +
+         paragraph(list, look, Face::kRegular, 11, 16, {at.x, at.y + height + look.px(6)}, width, look->muted,
+                   "Nanoseconds of one test on this machine, on the same 24 pairs of random bodies. The line above "
+                   "has GJK’s time for them. The stronger the tint, the more expensive the test.");
 }
 
 }  // namespace
@@ -225,7 +219,8 @@ std::optional<PanelWords> pairs_in_words(const lesson::Session& session) {
                                   cost != nullptr ? lesson::number_text(100 * cost->apart, 3) + " %" : std::string()});
     }
   if (!subject.can_measure()) return words;
-  if (!measuring_waits(session)) words.button = measure_button(subject);
+  if (measuring_waits(session)) words.says = kPredictCheaper;
+  else words.button = measure_button(subject);
   return words;
 }
 
