@@ -14,12 +14,13 @@
 
 #include "app/app.hpp"
 #include "app/look.hpp"
+#include "places.hpp"
 
 namespace snug::app {
 
 inline std::string font_bytes(std::string_view name) {
   for (const char* extension : {".otf", ".ttf"}) {
-    std::ifstream file(std::string(SNUG_ASSETS_DIR "/fonts/") + std::string(name) + extension, std::ios::binary);
+    std::ifstream file(assets_folder() + "fonts/" + std::string(name) + extension, std::ios::binary);
     if (file) return {std::istreambuf_iterator<char>(file), {}};
   }
   return {};

@@ -423,7 +423,7 @@ namespace {
 const Layout kWithNumbers{{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 4000}, false, 88};
 
 lesson::Lesson case_named(const std::string& name) {
-  std::ifstream file(SNUG_SOURCE_DIR "/lessons/cases/" + name + ".toml", std::ios::binary);
+  std::ifstream file(lessons_folder() + "cases/" + name + ".toml", std::ios::binary);
   REQUIRE(file);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   auto lesson = lesson::read_lesson(text, name + ".toml");

@@ -25,7 +25,7 @@ struct AtItsEnd {
     bench.session().jump(bench.session().steps());
   }
   static lesson::Lesson lesson_of(const std::string& id) {
-    std::ifstream file(SNUG_SOURCE_DIR "/lessons/" + id + ".toml", std::ios::binary);
+    std::ifstream file(lessons_folder() + id + ".toml", std::ios::binary);
     REQUIRE(file);
     auto lesson = lesson::read_lesson(std::string{std::istreambuf_iterator<char>(file), {}}, id + ".toml",
                                       lesson::Checked::kAsWritten);

@@ -63,14 +63,14 @@ std::string bytes_of(const std::filesystem::path& path) {
 std::optional<io::PointFile> mesh_of(const std::string& mesh) {
   if (mesh.empty()) return std::nullopt;
   const std::string name = mesh + ".ply";
-  auto read = io::read_points(bytes_of(SNUG_ASSETS_DIR "/meshes/" + name), name);
+  auto read = io::read_points(bytes_of(assets_folder() + "meshes/" + name), name);
   REQUIRE(read.has_value());
   return *std::move(read);
 }
 
 std::vector<lesson::Lesson> all_lessons() {
   std::vector<lesson::Lesson> lessons;
-  for (const auto& entry : std::filesystem::directory_iterator(SNUG_SOURCE_DIR "/lessons")) {
+  for (const auto& entry : std::filesystem::directory_iterator(lessons_folder())) {
     if (entry.path().extension() != ".toml" || entry.path().filename() == "course.toml") continue;
     auto lesson =
         lesson::read_lesson(bytes_of(entry.path()), entry.path().filename().string(), lesson::Checked::kAsWritten);

@@ -7,13 +7,14 @@
 #include <iterator>
 #include <string>
 
+#include "../places.hpp"
 #include "lesson/boxes.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::app {
 
 inline lesson::Session lesson_session(const std::string& id, bool asks) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
+  std::ifstream file(lessons_folder() + id + ".toml", std::ios::binary);
   const std::string toml{std::istreambuf_iterator<char>(file), {}};
   auto lesson = lesson::read_lesson(toml, id + ".toml", lesson::Checked::kAsWritten);
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));

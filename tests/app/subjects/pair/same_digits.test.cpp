@@ -39,7 +39,7 @@ TEST_CASE("the table and the stage have the same digits, none of them a minus on
 TEST_CASE("no figures of the table run into each other, however many digits they need") {
   for (const char* name : {"unit-of-length", "edge-touch", "parallel-noise"}) {
     CAPTURE(name);
-    std::ifstream file(std::string(SNUG_SOURCE_DIR "/lessons/cases/") + name + ".toml", std::ios::binary);
+    std::ifstream file(lessons_folder() + "cases/" + name + ".toml", std::ios::binary);
     auto lesson = lesson::read_lesson(std::string(std::istreambuf_iterator<char>(file), {}), name);
     REQUIRE(lesson.has_value());
     Bench bench(*std::move(lesson),
