@@ -155,10 +155,11 @@ void Stage::name_handles(Brush& brush) const {
     for (Index i = 0; i < session.size(); ++i)
       if (names_handle(*picked, i)) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   for (const Index i : {hands_.selected, hands_.hovered})
-    if (i != kNoIndex && i < session.size()) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+    if (i != kNoIndex && i < session.size() && !view_->writes_name(session, i))
+      names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   if (!lit_.empty())
     for (const Index i : lesson::marked_handles(session, lit_))
-      names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
+      if (!view_->writes_name(session, i)) names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
   for (const Index i : view_->shown().spoken_of) names.plain(i);
   if (session.size() > kNameAll) return;
   const bool all = session.lesson().view.named;

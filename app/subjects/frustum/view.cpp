@@ -30,6 +30,9 @@ class FrustumView final : public SubjectView {
     const lesson::BoxHandle place = lesson::place_of(lesson::boxes_of(session.subject()), i);
     return place.kind == lesson::BoxHandle::Kind::kCorner && place.box == 0;
   }
+  [[nodiscard]] bool writes_name(const lesson::Session& session, Index i) const override {
+    return lesson::place_of(lesson::boxes_of(session.subject()), i).kind == lesson::BoxHandle::Kind::kCenter;
+  }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     work(session);

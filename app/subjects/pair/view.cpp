@@ -62,6 +62,9 @@ class PairView final : public SubjectView {
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
     return lesson::place_of(session.dim(), i).kind == lesson::BoxHandle::Kind::kCorner;
   }
+  [[nodiscard]] bool writes_name(const lesson::Session& session, Index i) const override {
+    return lesson::place_of(session.dim(), i).kind == lesson::BoxHandle::Kind::kCenter;
+  }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
@@ -151,6 +154,9 @@ class VolumesView final : public SubjectView {
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return pair_of(session).any; }
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
     return subject_of(session).handle(i).kind == lesson::Handle::Kind::kVertex;
+  }
+  [[nodiscard]] bool writes_name(const lesson::Session& session, Index i) const override {
+    return subject_of(session).handle(i).kind == lesson::Handle::Kind::kCenter;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {

@@ -66,6 +66,17 @@ class TreeView final : public SubjectView {
     if (run.pairing() != nullptr) return {.replaced = "boxes overlap", .best = "left out"};
     return {.grew = "node made", .replaced = run.is_query() ? "box met" : "rotation", .best = "left out or taken"};
   }
+  /// The places of a query have their names in any crowd: the text tells to drag them.
+  void name_marks(PointNames& names) const override {
+    const lesson::Session& session = names.brush.session;
+    const auto& subject = *lesson::as<lesson::TreeSubject>(session.subject());
+    if (subject.stage().query && !answered_on_stage(session)) {
+      const bool point = lesson::shape_of_query(session.method(0)->name) == lesson::QueryShape::kPoint;
+      for (Index i = subject.boxes(); i < subject.size() - (point ? 1 : 0); ++i)
+        names.name(i, session.name_of(i), names.brush.p.ink, Face::kSemiBold, 9, 13);
+    }
+    SubjectView::name_marks(names);
+  }
 
  private:
   /// What is done by hand. Returns the height.

@@ -1,0 +1,86 @@
+// A handle has its name once on the stage, although a volume's centre can be selected.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench.hpp"
+
+namespace snug::app {
+namespace {
+
+lesson::Lesson lesson_of_course(const std::string& id) {
+  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
+  const std::string toml{std::istreambuf_iterator<char>(file), {}};
+  auto lesson = lesson::read_lesson(toml, id + ".toml", lesson::Checked::kAsWritten);
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  lesson->questions.clear();
+  return *std::move(lesson);
+}
+
+/// At how many places the name stands, alone or before a colon. A halo and its words are one.
+std::size_t places_named(Bench& bench, const std::string& name) {
+  std::vector<DrawnWords> drawn, found;
+  bench.app.note_words(&drawn);
+  bench.frames(1);
+  bench.app.note_words(nullptr);
+  for (const DrawnWords& one : drawn) {
+    const auto same = [&](const DrawnWords& other) {
+      return std::abs(one.low.x - other.low.x) < 5 && std::abs(one.low.y - other.low.y) < 5;
+    };
+    if (one.words != name && !one.words.starts_with(name + ":")) continue;
+    if (std::none_of(found.begin(), found.end(), same)) found.push_back(one);
+  }
+  return found.size();
+}
+
+}  // namespace
+
+TEST_CASE("what the view writes beside a volume is not written again at its selected centre") {
+  struct Named {
+    const char *lesson, *name;
+  };
+  for (const auto& [id, name] :
+       {Named{"obb-sat", "A"}, Named{"obb-sat", "B"}, Named{"frustum-point", "Point"}, Named{"frustum-2d", "Box"},
+        Named{"frustum-2d", "Frustum"}, Named{"overlap-any", "A"}}) {
+    CAPTURE(id);
+    CAPTURE(name);
+    Bench bench(lesson_of_course(id));
+    for (const int step : {0, 1, 99}) {
+      CAPTURE(step);
+      bench.session().go(std::min(step, bench.session().steps()));
+      bench.frames(2);
+      CHECK(places_named(bench, name) == 1);
+      for (Index i = 0; i < bench.session().size(); ++i)
+        if (bench.session().name_of(i) == name) bench.app.select(i);
+      bench.frames(2);
+      CHECK(places_named(bench, name) == 1);
+      bench.app.command("select_none");
+    }
+  }
+}
+
+TEST_CASE("the places of a query are named, however crowded the boxes are") {
+  Bench bench(lesson_of_course("bvh-traverse"));
+  for (const char* const situation : {"", "outside", "misled"})
+    for (const char* const way : {"point_query", "box_query", "ray_nearest", "ray_by_hand", "frustum_query"}) {
+      CAPTURE(situation);
+      CAPTURE(way);
+      if (*situation != 0) REQUIRE(bench.session().show_situation(situation).has_value());
+      REQUIRE(bench.session().choose(0, way).has_value());
+      for (const int step : {0, 3, 99}) {
+        CAPTURE(step);
+        bench.session().go(std::min(step, bench.session().steps()));
+        bench.frames(2);
+        CHECK(places_named(bench, "Q") == 1);
+        if (std::string_view(way) != "point_query") CHECK(places_named(bench, "R") == 1);
+      }
+    }
+}
+
+}  // namespace snug::app
