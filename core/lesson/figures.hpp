@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,8 +17,10 @@ struct Figure {
   std::string key;   // "radius": the name in window.snug.state().readout
   std::string text;  // "2.118 units"
   double value = 0;
-  std::string unit;   // "units", "%", "points"; empty for a count
-  bool known = true;  // false: there is no value yet, the text is a dash, and readouts leave it out
+  std::string unit;      // "units", "%", "points"; empty for a count
+  bool known = true;     // false: there is no value yet, the text is a dash, and readouts leave it out
+  bool of_step = false;  // whether it is the step's own: other steps do not tell it
+  std::span<const std::string_view> names{};  // what the values 0, 1, 2 … are called; empty for a number
 };
 
 /// A line of the proof: a statement about the volume, and whether it is true.

@@ -21,7 +21,10 @@ std::string bound_text(double bound, const std::string& unit) {
   return plain_number(bound) + " " + (one ? unit.substr(0, unit.size() - 1) : unit);
 }
 
-std::string due_text(const Requirement& due, const std::string& unit) {
+std::string due_text(const Requirement& due, const Figure& figure) {
+  const std::string& unit = figure.unit;
+  if (due.at_least == due.at_most && due.at_least >= 0 && due.at_least < static_cast<double>(figure.names.size()))
+    return "it must be " + std::string(figure.names[static_cast<std::size_t>(due.at_least)]);
   if (due.at_least == due.at_most) return "it must be " + bound_text(due.at_least, unit);
   if (due.at_most == kInfinite) return "it must be at least " + bound_text(due.at_least, unit);
   if (due.at_least == -kInfinite) return "it must be at most " + bound_text(due.at_most, unit);
@@ -143,10 +146,10 @@ Judged judge_requirement(const Requirement& due, const Lesson& lesson, std::stri
   if (!figure) return {false, 0, title_in(lesson, method) + ": " + no_figure_text(due, method, subject, view), false};
   std::string says = figure->name;
   if (!due.algorithm.empty() && due.algorithm != algorithm) says += " (" + title_in(lesson, method) + ")";
-  if (!figure->known) return {false, 0, says + ": none now; " + due_text(due, figure->unit) + "."};
+  if (!figure->known) return {false, 0, says + ": none now; " + due_text(due, *figure) + "."};
   const bool low = figure->value<due.at_least, high = figure->value> due.at_most;
   if (!low && !high) return {true, figure->value, says + ": " + without_plus(figure->text) + "."};
-  says += ": " + missed_text(*figure, low ? due.at_least : due.at_most) + "; " + due_text(due, figure->unit) + ".";
+  says += ": " + missed_text(*figure, low ? due.at_least : due.at_most) + "; " + due_text(due, *figure) + ".";
   return {false, figure->value, says};
 }
 

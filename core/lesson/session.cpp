@@ -203,7 +203,8 @@ std::vector<Figure> Session::figures(int slot) const {
   std::vector<Figure> figures = now_->figures(view(slot));
   const Untold hidden = untold();
   for (Figure& figure : figures)
-    if (hidden.hides(figure.key) || (slot == 1 && awaits(*method(1), figure.key)))
+    if ((figure.of_step ? hidden.now == figure.key : hidden.hides(figure.key)) ||
+        (slot == 1 && awaits(*method(1), figure.key)))
       figure.text = "—", figure.known = false;
   return figures;
 }

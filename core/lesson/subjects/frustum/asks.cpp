@@ -26,6 +26,14 @@ Truth vertex_truth(const Asked& asked, const query::PlaneTested<double, 3>& test
   return truth;
 }
 
+/// Where a point can be, of one plane: in the order of kCullingNames.
+constexpr std::array<std::string_view, 3> kPointSides{"in the negative half-space", "on the plane",
+                                                      "in the positive half-space"};
+
+bool of_point(const query::PlaneTested<double, 3>& fact, const Run& run) {
+  return !of_box(fact) && frustum_run(run).body() == "point";
+}
+
 Truth culling_truth(Culling culling, std::string sentence) {
   return {{static_cast<int>(culling)}, {}, culling_name(culling), std::move(sentence)};
 }
@@ -75,6 +83,12 @@ const char* offer_cullings(Asked& asked, const Run&) {
   return nullptr;
 }
 
+const char* offer_plane_sides(Asked& asked, const Run& run) {
+  if (!of_point(plane_of(asked, run), run)) return offer_cullings(asked, run);
+  for (const std::string_view side : kPointSides) asked.add_choice(std::string(side));
+  return nullptr;
+}
+
 Truth p_vertex_truth(const Asked& asked, const Run& run) { return vertex_truth(asked, plane_of(asked, run), true); }
 Truth n_vertex_truth(const Asked& asked, const Run& run) { return vertex_truth(asked, plane_of(asked, run), false); }
 
@@ -82,7 +96,12 @@ Truth plane_side_truth(const Asked& asked, const Run& run) {
   const auto& tested = plane_of(asked, run);
   const std::string plane = " the " + plane_name(asked.dim, tested.plane) + " plane";
   if (!of_box(tested)) {
-    return culling_truth(tested.side, "For" + plane + ", " + about_center(tested, frustum_run(run).body()));
+    Truth truth = culling_truth(tested.side, "For" + plane + ", " + about_center(tested, frustum_run(run).body()));
+    if (!of_point(tested, run)) return truth;
+    const auto side = center_distance(tested) == 0 ? 1 : static_cast<int>(tested.side);
+    truth.choices = {side};
+    truth.happened = kPointSides[static_cast<std::size_t>(side)];
+    return truth;
   }
   switch (tested.side) {
     case Culling::kOutside:

@@ -13,8 +13,9 @@ using FrustumWhere = FrustumRun::Where;
   return std::string(query::kCullingNames[static_cast<std::size_t>(culling)]);
 }
 
-const char* offer_vertices(Asked& asked, const Run& run);  // the vertices of the box
-const char* offer_cullings(Asked& asked, const Run& run);  // inside, intersecting, outside
+const char* offer_vertices(Asked& asked, const Run& run);     // the vertices of the box
+const char* offer_cullings(Asked& asked, const Run& run);     // inside, intersecting, outside
+const char* offer_plane_sides(Asked& asked, const Run& run);  // the same; for a point, the half-spaces
 Truth p_vertex_truth(const Asked& asked, const Run& run);
 Truth n_vertex_truth(const Asked& asked, const Run& run);
 Truth plane_side_truth(const Asked& asked, const Run& run);
@@ -32,7 +33,7 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   using Fact = query::PlaneTested<double, 3>;
   static constexpr std::array kAskings{Asking{"p_vertex", &offer_vertices, &p_vertex_truth},
                                        Asking{"n_vertex", &offer_vertices, &n_vertex_truth},
-                                       Asking{"plane_side", &offer_cullings, &plane_side_truth}};
+                                       Asking{"plane_side", &offer_plane_sides, &plane_side_truth}};
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     std::string plane = plane_name(where.dim(), fact.plane) + " plane: ";
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');

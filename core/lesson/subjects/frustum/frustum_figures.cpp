@@ -49,6 +49,7 @@ class FrustumBoard {
     if (!by_center) add("Vertex tests", "corners", std::to_string(looked), static_cast<double>(looked), "");
     add(done_ ? "Verdict" : "Verdict so far", "verdict",
         view_.step > 0 && (done_ || by_planes || by_center) ? word(verdict_) : "", static_cast<double>(verdict_), "");
+    figures_.back().names = query::kCullingNames;
     if (matrix) far_plane();
     return std::move(figures_);
   }
@@ -79,6 +80,7 @@ class FrustumBoard {
   void length(std::string name, std::string key, double value, bool known) {
     add(std::move(name), std::move(key), known ? (value > 0 ? "+" : "") + number_text(value) + " units" : "", value,
         "units");
+    figures_.back().of_step = true;
   }
 
   /// Once it was tested: before, the figures would give away which plane is off.

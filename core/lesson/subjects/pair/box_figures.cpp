@@ -82,6 +82,7 @@ std::vector<Figure> box_figures(const View& view, const BoxPair& pair) {
              any),
       {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
        static_cast<double>(tested), "axes"}};
+  for (Figure& figure : figures) figure.of_step = is_along_axis(figure.key);
   if (pair.dim == 3)
     figures.push_back({"Length of the cross product", "length", at ? number_text(axis.length) : "—", axis.length, "",
                        at.has_value()});

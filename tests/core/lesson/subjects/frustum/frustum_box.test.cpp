@@ -7,6 +7,7 @@
 
 #include "core/lesson/lesson_files.hpp"
 #include "geometry/frustum_corners.hpp"
+#include "lesson/grade.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects.hpp"
 
@@ -381,4 +382,38 @@ TEST_CASE("each mistake about a frustum is told with its line") {
         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(broken.marker)), '\n') + 1;
     CHECK_MESSAGE(lesson.error().message().find("x.toml:" + std::to_string(line)) == 0, lesson.error().message());
   }
+}
+
+TEST_CASE("a point is on one of two sides of a plane, and not across it") {
+  Session session = session_of("frustum-point");
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "left-sign");
+  CHECK(session.asked()->choices ==
+        std::vector<std::string>{"in the negative half-space", "on the plane", "in the positive half-space"});
+  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
+  CHECK(session.outcome()->right);
+  CHECK(session.outcome()->happened == "in the negative half-space");
+}
+
+TEST_CASE("a number of one plane is hidden where it is asked for, and told at the planes before") {
+  Session session = session_of("frustum-point");
+  const auto distance = [&] {
+    for (const Figure& figure : session.figures())
+      if (figure.key == "distance") return figure.text;
+    return std::string("none");
+  };
+  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
+  CHECK(distance() == "−0.288 units");
+  session.acknowledge();
+  session.go(2);
+  REQUIRE(session.asked() != nullptr);
+  CHECK(session.asked()->question->id == "distance");
+  CHECK(distance() == "—");
+}
+
+TEST_CASE("a task that needs a verdict says which one, in its word") {
+  Session session = session_of("frustum-point");
+  const Task& task = session.lesson().tasks.front();
+  const Grade grade = grade_by_requirements(session.lesson(), task, session.subject(), session.view(0));
+  CHECK(grade.says == "Planes tested: 4 of 4. Verdict: inside; it must be outside.");
 }
