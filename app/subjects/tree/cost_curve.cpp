@@ -44,8 +44,23 @@ struct CostCurve {
       points.push_back(at(border, priced.cost_at(along, border)));
     path(list, points, false, chosen ? Stroke::kSolid : Stroke::kDotted, color, chosen ? 2.0f : 1.5f);
     for (const ImVec2 point : points) disc(list, point, chosen ? 2.6f : 2, color);
-    text(list, look, Face::kSemiBold, 13, {high.x + 4, middle_of(points.back().y, look.px(13))},
-         chosen ? look->current_text : look->previous_text, std::string(1, "xy"[along]));
+  }
+  /// The names of both curves at their ends, one above the other where these meet.
+  void names() const {
+    const float height = look.px(13);
+    std::array<float, 2> middles{};
+    for (const int along : {0, 1}) middles[along] = at(priced.borders(), priced.cost_at(along, priced.borders())).y;
+    const bool both = std::isfinite(middles[0]) && std::isfinite(middles[1]);
+    if (const float gap = std::abs(middles[0] - middles[1]); both && gap < height) {
+      const int upper = middles[0] < middles[1] || (gap == 0 && priced.axis == 1) ? 0 : 1;
+      middles[upper] -= (height - gap) / 2;
+      middles[1 - upper] += (height - gap) / 2;
+    }
+    for (const int along : {0, 1}) {
+      if (!std::isfinite(middles[along])) continue;
+      text(list, look, Face::kSemiBold, 13, {high.x + 4, middle_of(middles[along], height)},
+           along == priced.axis ? look->current_text : look->previous_text, std::string(1, "xy"[along]));
+    }
   }
 
   void frame() const {
@@ -75,6 +90,7 @@ float draw_cost_curve(const Look& look, const hierarchy::SplitsPriced& priced, I
   const CostCurve curve(look, priced, at, width);
   curve.frame();
   for (const int along : {1 - priced.axis, priced.axis}) curve.axis(along);
+  curve.names();
   curve.minimum();
   return look.px(kCurveHeight + kCurveFoot) + 6;
 }

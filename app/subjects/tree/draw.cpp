@@ -205,6 +205,19 @@ void draw_query(Brush& brush, const lesson::QueryPlaces& query, std::string_view
   }
 }
 
+/// The box along the axes around a merged volume: a circle, or an oriented box, reaches farther than the boxes in it.
+Box2 bounds_of_merged(const fit::Volume3& volume) {
+  const auto around = [](const Point3& center, const Point2& half) {
+    return Box2{center.head<2>() - half, center.head<2>() + half};
+  };
+  if (const auto* ball = std::get_if<fit::Sphere3>(&volume))
+    return around(ball->center, Point2::Constant(ball->radius));
+  if (const auto* box = std::get_if<Obb<double, 3>>(&volume))
+    return around(box->center, (box->axes.cwiseAbs() * box->half_extents).head<2>());
+  const auto& box = std::get<Aabb<double, 3>>(volume);
+  return {box.min.head<2>(), box.max.head<2>()};
+}
+
 }  // namespace
 
 Box2 stage_room(const lesson::Session& session) {
@@ -221,6 +234,9 @@ Box2 stage_room(const lesson::Session& session) {
     for (const Index root : run.forest(run.steps()).roots)
       take(lesson::bounds_of(run.forest(run.steps()).at(root).volume));
   }
+  if (const lesson::TreeRun& run = lesson::tree_run(session.run(0)); run.is_merging())
+    for (const auto* volumes : {&run.volumes().merged, &run.volumes().tight})
+      for (const fit::Volume3& volume : *volumes) take(bounds_of_merged(volume));
   if (!stage.query) return all;
   const lesson::QueryShape shape = lesson::shape_of_query(session.method(0)->name);
   if (shape == lesson::QueryShape::kFrustum)

@@ -12,7 +12,7 @@
 namespace snug::app {
 namespace {
 
-constexpr float kTimesHead = 24, kTimesRow = 22, kTimesWords = 13, kTimesColumn = 78;
+constexpr float kTimesHead = 24, kTimesRow = 22, kTimesWords = 12, kTimesGap = 12;
 constexpr int kStillFrames = 12;
 
 /// The ways that are timed: all that build; of those that move volumes, the one that refits AABBs and the one that
@@ -55,6 +55,15 @@ std::string ratio_words(const lesson::Session& session, const TreeTimes& times) 
     return {};
   return "Here a rebuild takes " + lesson::number_text(*rebuild->timed.ns / *refit->timed.ns, 2) +
          " times as long as a refit.";
+}
+
+/// How wide the column of times is, with the gap before it: no wider than needed, for titles are long.
+float time_column(const Look& look, const lesson::Session& session, const TreeTimes& times) {
+  float width = measure(look, Face::kSemiBold, 12, "Time").x;
+  for (const lesson::Method* method : timed_methods(session))
+    if (const TreeTimes::Entry* entry = times.of(*method); entry != nullptr && entry->timed.ns)
+      width = std::max(width, measure(look, Face::kMono, 12, time_words(*entry->timed.ns)).x);
+  return width + look.px(kTimesGap);
 }
 
 std::string time_notes(const lesson::Session& session, const TreeTimes& times) {
@@ -114,7 +123,7 @@ PanelWords times_in_words(const lesson::Session& session, const TreeTimes& times
 float draw_times_panel(const Look& look, const lesson::Session& session, const TreeTimes& times, ImVec2 at,
                        float width) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const float small = look.px(12), row = look.px(kTimesRow), column = look.px(kTimesColumn);
+  const float small = look.px(12), row = look.px(kTimesRow), column = time_column(look, session, times);
   const float head = middle_of(at.y + look.px(11), small);
   text(list, look, Face::kSemiBold, 12, {at.x, head}, look->muted, crowd_words());
   text_right(list, look, Face::kSemiBold, 12, {at.x + width - column, head}, look->muted, "Cost");

@@ -174,7 +174,7 @@ double merging_loss(const TreeRun& run, Index node) {
 
 Truth loses_truth(const Asked& asked, const Run& run) {
   const double loss = merging_loss(tree_run(run), fact_of<hierarchy::VolumeMade>(asked, run).node);
-  if (loss > 0) return yes("The merged volume is " + without_plus(percent_text(loss)) + " larger.");
+  if (loss > 0) return yes("The merged volume is " + loss_words(loss) + " larger.");
   return no("Both are equally large.");
 }
 

@@ -27,6 +27,11 @@ Truth loses_truth(const Asked& asked, const Run& run);
 /// How much larger a node's merged volume is than the one around the vertices, 0.1 for 10 per cent; 0 where rounding
 /// alone makes the difference.
 [[nodiscard]] double merging_loss(const TreeRun& run, Index node);
+/// Of a loss above 0: "8.3 %", "less than 0.1 %".
+[[nodiscard]] inline std::string loss_words(double loss) {
+  const std::string words = without_plus(percent_text(loss));
+  return words == "0.0 %" ? "less than 0.1 %" : words;
+}
 
 /// "x".
 [[nodiscard]] inline std::string axis_letter(int axis) { return std::string(1, "xy"[axis]); }
@@ -54,16 +59,18 @@ struct Entry<hierarchy::SplitChosen> : EntryDefaults {
   static constexpr std::array kAskings{Asking{"split_axis", &offer_split_axes, &split_axis_truth}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const Branch& node = where.after().at(fact.node);
+    const std::array<const char*, 2> sides = fact.axis == 1   ? std::array{"the lower child", "the upper"}
+                                             : fact.axis == 0 ? std::array{"the left child", "the right"}
+                                                              : std::array{"one child", "the other"};
     const auto side = [&](int i) {
       const std::vector<Index>& boxes = where.after().at(node.children[i]).boxes;
-      return box_names(boxes) + (boxes.size() == 1 ? " goes" : " go");
+      return box_names(boxes) + (boxes.size() == 1 ? " goes into " : " go into ") + sides[i];
     };
     const std::string how = fact.axis == kNoIndex ? "all centres are in one place, so it is halved by number"
                             : fact.cost == 0
                                 ? "the centres spread most along " + axis_letter(fact.axis) + ", so it is halved there"
                                 : "split at " + axis_letter(fact.axis) + " = " + number_text(fact.position);
-    return capital(where.beside_name(fact.node)) + ": " + how + "; " + side(0) + " into one child, " + side(1) +
-           " into the other.";
+    return capital(where.beside_name(fact.node)) + ": " + how + "; " + side(0) + ", " + side(1) + ".";
   }
   /// Those of the left child.
   static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
@@ -155,7 +162,7 @@ struct Entry<hierarchy::VolumeMade> : EntryDefaults {
                                where.beside_name(children[1]) + " are merged";
     const double loss = merging_loss(where.run, fact.node);
     if (loss <= 0) return merged + ", and nothing is lost.";
-    return merged + "; the result is " + without_plus(percent_text(loss)) + " larger than the smallest " + word +
+    return merged + "; the result is " + loss_words(loss) + " larger than the smallest " + word +
            " around the vertices.";
   }
   static std::vector<Index> handles(const Fact& fact, const TreeWhere& where) {
@@ -261,7 +268,7 @@ struct Entry<hierarchy::Done> : EntryDefaults {
       return "Every node has its " + std::string(run.volume_word()) + ", after " + std::to_string(fact.nodes / 2) +
              " mergers; each keeps its children.";
     if (!run.is_query())
-      return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each with the " +
+      return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each inner one with the " +
              (run.nodes() == NodeKind::kAabb ? std::string("box") : std::string(word_of(run.nodes()))) +
              " around its children.";
     return "The end: " + tests_text(fact.volume_tests) + " found " + box_names(run.result().found) +

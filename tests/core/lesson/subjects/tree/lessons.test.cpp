@@ -5,6 +5,7 @@
 
 #include "core/lesson/lesson_files.hpp"
 #include "lesson/play.hpp"
+#include "lesson/subjects/tree/entries.hpp"
 #include "lesson/subjects/tree/tree.hpp"
 
 using namespace snug;
@@ -89,4 +90,10 @@ TEST_CASE("each mistake about boxes under a tree is told with its line") {
            {"[[section]]", "[query]\nfrom = [0, 0]\nto = [1, 1]\n[[section]]", "[query]", "bvh_query"},
        })
     check_broken(build, broken);
+}
+
+TEST_CASE("a loss that is no more than a rounded 0 % is not called 0 %") {
+  CHECK(loss_words(0.083) == "8.3 %");
+  CHECK(loss_words(0.0009) == "0.1 %");
+  CHECK(loss_words(0.00002) == "less than 0.1 %");
 }
