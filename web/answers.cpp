@@ -163,6 +163,7 @@ void set_answers(val& object, const lesson::Session& session) {
   for (std::size_t i = 0; i < session.lesson().tasks.size(); ++i) {
     val task = grade_object(session.grade(i));
     task.set("was", session.was_done(i));
+    task.set("says", lesson::task_says(session, i));
     tasks.call<void>("push", task);
   }
   object.set("tasks", tasks);

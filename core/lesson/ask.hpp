@@ -149,6 +149,8 @@ inline constexpr std::string_view kNoFigureAfter = "\"figure\" names none that t
 
 /// Reads the increasing "bounds" of a question about a figure.
 void read_bounds(TomlTable& table, Question& question);
+/// Whether a unit is of something measured, and not of things that are counted.
+[[nodiscard]] bool is_measured(std::string_view unit);
 /// The ranges between a figure's bounds: "none", "1 to 12 points", "more than 12 points"; "at most 10 %".
 [[nodiscard]] std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit);
 

@@ -294,13 +294,17 @@ void read_bounds(TomlTable& table, Question& question) {
     table.wrong("bounds", "must be numbers that rise"), question.bounds = {0};
 }
 
+bool is_measured(std::string_view unit) {
+  return unit == "%" || unit == "degrees" || unit.find("units") != std::string_view::npos || unit == "times";
+}
+
 std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit) {
-  const bool measured = unit == "%" || unit.find("units") != std::string_view::npos || unit == "times";
+  const bool measured = is_measured(unit);
   const auto whole = [](double bound) { return bound == std::floor(bound); };
   const bool count = !measured && std::all_of(bounds.begin(), bounds.end(), whole);
   const auto number = [&](double value) { return count ? count_text(std::llround(value)) : plain_number(value); };
   const auto with_unit = [&](double value) {
-    const bool one = count && value == 1 && unit.ends_with('s');
+    const bool one = value == 1 && unit.ends_with('s') && unit != "times";
     return number(value) + (unit.empty() ? "" : " ") + std::string(unit.substr(0, unit.size() - (one ? 1 : 0)));
   };
   std::vector<std::string> texts{count && bounds.front() == 0 ? "none" : "at most " + with_unit(bounds.front())};

@@ -70,7 +70,8 @@ std::string_view field_word(const Asked& asked) {
 }
 
 std::string how_to_answer(const Asked& asked) {
-  if (asked.number) return asked.unit.empty() ? "Type a number." : "Type a number, in " + asked.unit + ".";
+  if (asked.number && is_measured(asked.unit)) return "Type a number, in " + asked.unit + ".";
+  if (asked.number) return asked.unit.empty() ? "Type a number." : "Type the number of " + asked.unit + ".";
   if (asked.ordered) return "Choose them one after the other, first to last.";
   if (asked.many && asked.on_stage) return "Tap all that you mean, or type their names. Then press Answer.";
   if (asked.many) return "Choose as many as you like, then press Answer.";
@@ -163,6 +164,12 @@ std::string start_task_text(const Session& session, const Task& task) {
 std::string task_heading(std::size_t task, std::size_t tasks) {
   const std::string turn(kTaskWord);
   return tasks == 1 ? turn : turn + ", " + std::to_string(task + 1) + " of " + std::to_string(tasks);
+}
+
+std::string task_says(const Session& session, std::size_t task) {
+  const Grade grade = session.grade(task);
+  const bool undone = session.was_done(task) && !grade.done;
+  return (undone ? "Solved before, and changed since. " : "") + grade.says;
 }
 
 std::string only_text(const Task& task) {

@@ -69,6 +69,8 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 [[nodiscard]] std::string start_task_text(const Session& session, const Task& task);
 /// The heading of a task: "Your turn"; of several, "Your turn, 2 of 3".
 [[nodiscard]] std::string task_heading(std::size_t task, std::size_t tasks);
+/// Says how far a task is from being done; of one that was done, and no longer is, that as well.
+[[nodiscard]] std::string task_says(const Session& session, std::size_t task);
 /// Says what a task leaves to be moved.
 [[nodiscard]] std::string only_text(const Task& task);
 /// The label of the field in which an answer is typed: "Name", "Names", "Number"; empty if there is none.

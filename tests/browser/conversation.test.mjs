@@ -1,7 +1,7 @@
 // A question is a conversation: on the stage's foot it is asked, tried again, played to where it is decided, told, and
 // acknowledged; and a lesson ends with a summary.
 import { after, before, test } from "node:test";
-import { answer, assert, go_on, handles, kinds, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
+import { answer, assert, drag, go_on, handles, kinds, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -222,4 +222,25 @@ test("a lesson ends with what was predicted, each line leads back, and the next 
   const opened = await until(page, (it, id) => it.lesson === id, next.id);
   assert.deepEqual([opened.step, opened.previewing], [0, false]); // not its result
   assert.equal(await page.evaluate(() => document.activeElement === document.body), false); // the keys go on
+});
+
+test("once an edit is undone, the summary names the algorithms that have questions left", async (t) => {
+  const page = await visit(t, "?lesson=frustum-2d&step=0");
+  await drag(page, "Box", 12, -8);
+  let now = await state(page);
+  for (let i = 0; i < 80 && !now.summary; ++i) {
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
+    await page.waitForTimeout(50);
+    now = await state(page);
+  }
+  assert.ok(now.summary);
+  assert.deepEqual(now.waiting, []); // nobody knows what is asked of an edited stage
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Control+z");
+  const own = await until(page, (it) => it.waiting.length > 0);
+  assert.ok(own.summary);
+  const others = page.locator(".summary .waiting button");
+  await others.first().waitFor();
+  assert.equal(await others.count(), own.waiting.length + own.situationsWaiting.length);
 });

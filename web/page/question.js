@@ -42,13 +42,16 @@ export class QuestionCard {
   }
 
   #watching = false;
+  #waiting = []; // the algorithms that the card offers
 
   update(view) {
     const { asked, outcome, deciding, outcomes, score } = view;
     this.#watching = Boolean(deciding);
     const told = view.cover?.decided ? outcomes : [];
     const question = asked && { ...asked, picked: null, ready: false, says: "" };
-    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, view.summary && view.tasksDone], as_laid_out);
+    const waiting = view.waiting.length > 0 ? view.waiting : this.#waiting; // while a stage is edited, the card stays as it is
+    const ends = view.summary && [view.tasksDone, waiting, view.situationsWaiting];
+    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, ends], as_laid_out);
     if (now !== this.#shown) {
       this.#shown = now;
       this.#lay_out(view, told);
@@ -64,6 +67,7 @@ export class QuestionCard {
       : deciding ? this.#deciding_card(deciding)
         : outcome ? this.#outcome_card(outcome)
           : summary ? this.#summary_card(view) : null;
+    this.#waiting = view.waiting;
     if (!asked) this.#choices = [];
     box.replaceChildren(...(card ? [card] : []));
     by_id("told").replaceChildren(...told.map((each) => this.#told_card(each)),

@@ -9,6 +9,7 @@
 #include "core/lesson/lesson_files.hpp"
 #include "geometry/convert.hpp"
 #include "lesson/play.hpp"
+#include "lesson/say.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
 using namespace snug;
@@ -165,10 +166,13 @@ TEST_CASE("a task that was done stays done while the next one is built") {
   REQUIRE(set_boxes(session, model(session, 1)).has_value());
   CHECK(session.grade()->done);
   CHECK(session.was_done(1));
+  CHECK(task_says(session, 1) == session.grade(1).says);
   CHECK_FALSE(session.tasks_done());
   session.reset();
   CHECK_FALSE(session.grade(1).done);
   CHECK(session.was_done(1));
+  CHECK(task_says(session, 1) == "Solved before, and changed since. " + session.grade(1).says);
+  CHECK(task_says(session, 0) == session.grade(0).says);
   REQUIRE(set_boxes(session, model(session, 0)).has_value());
   CHECK(session.grade(0).done);
   CHECK(session.tasks_done());
