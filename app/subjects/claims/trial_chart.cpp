@@ -52,7 +52,7 @@ Chart trial_chart(const cost::TrialClaim& claim, std::span<const cost::TrialRow>
   Chart chart{.title = std::string(claim.says),
               .note = std::string(claim.lecture) + ", “" + std::string(claim.slide) + "”. " +
                       std::to_string(cost::kTrialSeeds) + " clouds of each kind, " + std::to_string(claim.points) +
-                      " points each; at the names, on how many of them the claim holds.",
+                      " points each. Beside each name: on how many of them the claim holds.",
               .x = {"clouds of a kind, by rising value", ChartUnit::kPercent},
               .y = {std::string(claim.value), ChartUnit::kRatio, true},
               .limit = claim.limit,

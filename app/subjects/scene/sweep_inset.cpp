@@ -70,6 +70,11 @@ struct SweepPicture {
     line(brush.list, {at, plot.y - 3}, {at, plot.y + plot.height + 3}, Stroke::kDashed, brush.p.ink, 1);
   }
 
+  /// Of the bodies that it is compared with, those that the sweep comes to later.
+  static std::string later_words(std::size_t later) {
+    return std::to_string(later) + (later == 1 ? " begins" : " begin") + " later (dotted)";
+  }
+
   void words() const {
     const Palette& p = brush.p;
     const Look& look = brush.look;
@@ -79,7 +84,7 @@ struct SweepPicture {
     text(brush.list, look, Face::kRegular, kSweepWords,
          {panel.x + kSweepPad, panel.y + panel.height - look.px(kSweepFoot - 2)}, p.examined_text,
          std::to_string(shown.active.size()) + " in the active list, " +
-             std::to_string(shown.others.size() - shown.active.size()) + " begin later (dotted)");
+             later_words(shown.others.size() - shown.active.size()));
   }
 };
 

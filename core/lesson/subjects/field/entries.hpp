@@ -98,9 +98,12 @@ template <>
 struct Entry<FieldCulled> : EntryDefaults {
   static std::string sentence(const FieldCulled& fact, const FieldWhere& where) {
     const std::int64_t seen = fact.inside + fact.intersecting;
-    return "The end: " + (seen == 0 ? "nothing is" : objects_text(seen) + (seen == 1 ? " is" : " are")) + " drawn, " +
-           count_text(fact.inside) + " inside and " + count_text(fact.intersecting) + " intersecting, of " +
-           count_text(where.run.objects()) + ", after " + count_text(fact.planes) + " tests of planes.";
+    if (seen == 0)
+      return "The end: nothing is drawn. All " + objects_text(where.run.objects()) + " are outside, after " +
+             count_text(fact.planes) + " tests of planes.";
+    return "The end: " + objects_are(seen) + " drawn, " + count_text(fact.inside) + " inside and " +
+           count_text(fact.intersecting) + " intersecting, of " + count_text(where.run.objects()) + ", after " +
+           count_text(fact.planes) + " tests of planes.";
   }
   static std::optional<Mark::Kind> mark(const FieldCulled&, const FieldWhere&) { return Mark::Kind::kReplaced; }
 };

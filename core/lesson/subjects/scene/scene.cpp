@@ -136,11 +136,12 @@ std::string refusal_text(const InputError& error) { return "The scene cannot run
 std::string pair_words(const FrameTaken& fact, const SceneRun::Where& where) {
   std::string words = "of " + count_of_pairs(fact.all_pairs) + (fact.all_pairs == 1 ? " pair" : " pairs");
   if (where.hides("after_broad")) return words + ", how many do the AABBs leave?";
-  words += ", the AABBs leave " + count_of_pairs(fact.after_broad);
-  if (where.hides("after_loose")) return words + ".";
-  words += " and the bounding spheres " + count_of_pairs(fact.after_loose);
-  if (where.hides("touching")) return words + ".";
-  return words + "; " + count_of_pairs(fact.touching) + (fact.touching == 1 ? " touches." : " touch.");
+  const auto left = [](auto pairs) { return pairs == 0 ? std::string("none") : count_of_pairs(pairs); };
+  words += ", the AABBs leave " + left(fact.after_broad);
+  if (where.hides("after_loose") || fact.after_broad == 0) return words + ".";
+  words += " and the bounding spheres " + left(fact.after_loose);
+  if (where.hides("touching") || fact.after_loose == 0) return words + ".";
+  return words + "; " + left(fact.touching) + (fact.touching <= 1 ? " touches." : " touch.");
 }
 
 }  // namespace
