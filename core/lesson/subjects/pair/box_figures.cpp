@@ -83,9 +83,11 @@ std::vector<Figure> box_figures(const View& view, const BoxPair& pair) {
       {"Axes tested", "tests", std::to_string(tested) + " of " + std::to_string(axis_names(dim).size()),
        static_cast<double>(tested), "axes"}};
   for (Figure& figure : figures) figure.of_step = is_along_axis(figure.key);
-  if (pair.dim == 3)
-    figures.push_back({"Length of the cross product", "length", at ? number_text(axis.length) : "—", axis.length, "",
-                       at.has_value()});
+  if (pair.dim == 3) {
+    const bool crossed = at && at->axis.kind == query::AxisKind::kEdgeEdge;
+    figures.push_back(
+        {"Length of the cross product", "length", crossed ? number_text(axis.length) : "—", axis.length, "", crossed});
+  }
   add_truths(figures, view);
   return figures;
 }

@@ -10,6 +10,7 @@
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
+#include "lesson/subjects/pair/entries.hpp"
 #include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/subjects/pair/samples.hpp"
 #include "lesson/volume_rows.hpp"
@@ -381,7 +382,12 @@ std::string VolumesSubject::opening(const Method& method) const {
 std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const PairSteps steps = pair_run(view.run()).trace();
   SoFar standing;
-  for (const auto& entry : steps.first(view.step)) std::visit(standing, entry.step.fact);
+  for (int i = 0; i < view.step; ++i) {
+    const auto& fact = steps[static_cast<std::size_t>(i)].step.fact;
+    std::visit(standing, fact);
+    // Such a simplex is at distance 0, whatever rounding makes of it.
+    if (std::holds_alternative<query::NearestFound>(fact) && contains_origin(steps, i)) standing.upper = 0;
+  }
   const auto count = [](std::string_view name, std::string_view key, int number) {
     return Figure{std::string(name), std::string(key), std::to_string(number), static_cast<double>(number), ""};
   };

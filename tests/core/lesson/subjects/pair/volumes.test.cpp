@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "core/lesson/lesson_files.hpp"
 #include "lesson/session.hpp"
 #include "lesson/volume_rows.hpp"
 #include "query/overlaps.hpp"
@@ -307,4 +309,15 @@ TEST_CASE("a lesson's file has its volumes in float, and what float cannot hold 
   REQUIRE(session.move(0, Point3(1e30, 0, 0)));
   CHECK_FALSE(session.set_float(true));
   CHECK_FALSE(session.subject().in_float());
+}
+
+TEST_CASE("a simplex that contains the origin is at distance 0, also where rounding leaves a little") {
+  Session session = snug::test::session_of("overlap-any");
+  REQUIRE(session.show_situation("overlapping").has_value());
+  session.jump(session.steps());
+  const auto figures = session.figures();
+  const auto upper = std::find_if(figures.begin(), figures.end(), [](const Figure& one) { return one.key == "upper"; });
+  REQUIRE(upper != figures.end());
+  CHECK(upper->value == 0);
+  CHECK(upper->text == "0.000 units");
 }
