@@ -15,7 +15,7 @@ namespace snug::app {
 namespace {
 
 lesson::Lesson lesson_of_course(const std::string& id) {
-  std::ifstream file(std::string(SNUG_SOURCE_DIR) + "/lessons/" + id + ".toml", std::ios::binary);
+  std::ifstream file(lessons_folder() + id + ".toml", std::ios::binary);
   const std::string toml{std::istreambuf_iterator<char>(file), {}};
   auto lesson = lesson::read_lesson(toml, id + ".toml", lesson::Checked::kAsWritten);
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));

@@ -16,7 +16,7 @@ namespace {
 constexpr Layout kBesideStage{{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 752}, false, 88};
 
 lesson::Lesson building_lesson() {
-  std::ifstream file(SNUG_SOURCE_DIR "/lessons/bvh-build.toml", std::ios::binary);
+  std::ifstream file(lessons_folder() + "bvh-build.toml", std::ios::binary);
   const std::string toml{std::istreambuf_iterator<char>(file), {}};
   auto lesson = lesson::read_lesson(toml, "bvh-build.toml", lesson::Checked::kAsWritten);
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
