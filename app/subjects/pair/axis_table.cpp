@@ -198,9 +198,9 @@ int lit_row(const lesson::Session& session) {
   return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
 }
 
-float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width, AxisLight* light) {
+float draw_axis_panel(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
+                      AxisLight* light) {
   if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) return 0;
-  const TableUnit unit = table_unit(lesson::boxes_of(session.subject()));
   text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted,
        unit.power == 0 ? "The axes" : "The axes, in " + unit.words());
   const float head = look.px(24);

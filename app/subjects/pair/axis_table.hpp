@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/look.hpp"
+#include "app/subjects/pair/table_unit.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
 
 namespace snug::app {
@@ -21,7 +22,9 @@ struct AxisLight {
 };
 
 /// Draws the table below its heading, if the method tests axes, and returns its height. If a question asks for an axis,
-/// a click on its row answers. light: is told which row is pointed at; null if no row lights anything.
-float draw_axis_panel(const Look& look, lesson::Session& session, ImVec2 at, float width, AxisLight* light = nullptr);
+/// a click on its row answers. unit: of its lengths. light: is told which row is pointed at; null if no row lights
+/// anything.
+float draw_axis_panel(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
+                      AxisLight* light = nullptr);
 
 }  // namespace snug::app

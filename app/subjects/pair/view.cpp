@@ -69,7 +69,8 @@ class PairView final : public SubjectView {
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     const float frames = draw_frame_panel(look, session, light_, at, width);
-    const float axes = frames + draw_axis_panel(look, session, {at.x, at.y + frames}, width, &light_),
+    const TableUnit unit = table_unit(lesson::boxes_of(session.subject()));
+    const float axes = frames + draw_axis_panel(look, session, unit, {at.x, at.y + frames}, width, &light_),
                 gap = look.px(20);
     const float counts = draw_random_panel(look, session, {at.x, at.y + axes + gap}, width);
     return counts > 0 ? axes + gap + counts : axes;
@@ -162,7 +163,7 @@ class VolumesView final : public SubjectView {
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     work(session);
     const float pairs = draw_pair_table(look, session, at, width), gap = pairs > 0 ? look.px(20) : 0;
-    return pairs + gap + draw_axis_panel(look, session, {at.x, at.y + pairs + gap}, width);
+    return pairs + gap + draw_axis_panel(look, session, {}, {at.x, at.y + pairs + gap}, width);
   }
   void work(lesson::Session& session) const override { working_ = work_on_pairs(session); }
   [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {

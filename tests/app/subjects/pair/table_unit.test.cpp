@@ -2,8 +2,10 @@
 // do not run into each other.
 #include "app/subjects/pair/table_unit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "../../bench.hpp"
 #include "../../viewed_lessons.hpp"
@@ -50,6 +52,18 @@ TEST_CASE("no two numbers in a row of the tables overlap, however large or small
       }
     CHECK(numbers > 30);
   }
+}
+
+TEST_CASE("the axes of two volumes have the stage's unit") {
+  const auto box = [](const char* center) {
+    return std::string("{ obb = { center = ") + center + ", half_extents = [1.0, 0.5], turn = 20 } }";
+  };
+  Bench bench(test::viewed("volume = \"volume_pair\"\nalgorithms = [\"separating_axes\"]",
+                           "[volumes]\ndim = 2\na = " + box("[0.0, 0.0]") + "\nb = " + box("[3.0, 0.5]")),
+              {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 280, 900}});
+  bench.session().jump(bench.session().steps());
+  const std::vector<std::string> words = bench.words();
+  CHECK(std::find(words.begin(), words.end(), "The axes") != words.end());
 }
 
 }  // namespace snug::app
