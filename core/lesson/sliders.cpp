@@ -72,20 +72,21 @@ std::string fixed_text(double value, int decimals) {
   return (below ? "−" : "") + std::string(buffer.data());
 }
 
-/// How many decimals a number is written with.
-int decimals_in(std::string_view number) {
-  const std::size_t dot = number.find('.');
-  return dot == std::string_view::npos ? 0 : static_cast<int>(number.size() - dot) - 1;
+/// As many decimals as at the slider's places, and more where a value between them has more.
+int decimals_shown(double value, int at_places) {
+  int decimals = at_places;
+  while (decimals < kMostDecimals && !is_same(rounded_to(value, decimals), value)) ++decimals;
+  return decimals;
 }
 
 std::string text_of(const Slider& slider, const Drive& drive, double value) {
   std::string unit = slider.unit ? *slider.unit : std::string(drive.unit);
   const bool fixed = slider.decimals || (!slider.logarithmic && !drive.whole);
   const double shown = fixed ? rounded_to(value, decimals_of(slider, drive)) : value;
-  std::string text = plain_number(is_same(shown, value) ? shown : rounded_to_digits(value, kDigitsShown));
-  // As many decimals as at the slider's places; between them a value may have more.
+  const double rounded = is_same(shown, value) ? shown : rounded_to_digits(value, kDigitsShown);
+  std::string text = plain_number(rounded);
   if (fixed && std::abs(value) < power_of_ten(4) && text.find_first_not_of("0123456789.−-") == std::string::npos)
-    text = fixed_text(value, std::max(decimals_of(slider, drive), decimals_in(text)));
+    text = fixed_text(rounded, decimals_shown(rounded, decimals_of(slider, drive)));
   if (text == "1" && (unit == "units" || unit == "points")) unit.pop_back();
   return text + (unit == "degrees" ? "°" : unit.empty() ? "" : " " + unit);
 }
