@@ -93,11 +93,9 @@ std::vector<SmallPicture> CriteriaBoard::pictures(const lesson::Session& session
 
 void CriteriaBoard::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  // The buttons are above the pictures, the sentence below.
-  const float above = look.fingers ? 60 : look.px(48);
   const float below = look.foot > 0 ? 4 : room_for_sentence(look, rect, caption(session), with_sentence);
-  const Rect beside = cover_room(look, rect, below).chart;  // on a low stage the page's buttons are at the left
-  const Rect room{beside.x + 12, rect.y + above, beside.width - 24, rect.height - above - below};
+  const Rect free = cover_room(look, rect, below).chart;  // of the page's buttons and the sentence
+  const Rect room{free.x + 12, free.y + 4, free.width - 24, free.height - 4};
   std::vector<ImVec2> places;
   const std::vector<SmallPicture> all = pictures(session);
   const PictureHands hands =
