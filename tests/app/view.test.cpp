@@ -220,7 +220,8 @@ TEST_CASE("nothing is called smallest that is compared with nothing") {
   box.session().jump(box.session().steps());
   box.frames(2);
   CHECK(says(box, "the smallest box"));
-  Bench titled(test::viewed("volume = \"obb\"\nalgorithms = [\"pca\"]\nreference = \"obb/pca\"", test::kEightPoints));
+  Bench titled(test::viewed("volume = \"obb\"\nalgorithms = [\"aabb\"]\nreference = \"obb/pca\"",
+                            "[points]\nlist = [[-2, -1], [2, -1], [2, 1], [-2, 1]]"));
   titled.session().jump(titled.session().steps());
   titled.frames(2);
   CHECK(says(titled, "PCA of the points"));  // a title takes no article

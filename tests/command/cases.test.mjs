@@ -49,6 +49,6 @@ test("what is no case, or one of something else, is refused", () => {
   refused(["fit", "--case", "wide-box"], /is not about points; `snug cases` says which command takes it/);
   refused(["overlap", "--case", "twins"], /is not about two volumes/);
   refused(["cull", "--case", "twins"], /is not about a frustum/);
-  refused(["fit", "--case", "twins", "points.xyz"], /leave out one of them/);
+  refused(["fit", "--case", "twins", "points.xyz"], /either --case or a file, not both/);
   refused(["fit", "--volume", "sphere", "--algorithm", "welzl"], "FILE is required");
 });

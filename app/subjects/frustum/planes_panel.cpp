@@ -18,7 +18,7 @@ std::string with_sign(double number) { return (number > 0 ? "+" : "") + lesson::
 bool tested_by(const lesson::Session& session, int plane) {
   const auto steps = lesson::frustum_run(session.run(0)).trace();
   for (int i = 0; i < session.step(); ++i) {
-    const auto* tested = std::get_if<query::PlaneTested<double, 3>>(&steps[static_cast<std::size_t>(i)].step.fact);
+    const auto* tested = std::get_if<query::PlaneTested<double, 3>>(&steps[i].step.fact);
     if (tested != nullptr && tested->plane == plane) return true;
   }
   return false;

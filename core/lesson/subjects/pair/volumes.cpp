@@ -383,7 +383,7 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   const PairSteps steps = pair_run(view.run()).trace();
   SoFar standing;
   for (int i = 0; i < view.step; ++i) {
-    const auto& fact = steps[static_cast<std::size_t>(i)].step.fact;
+    const auto& fact = steps[i].step.fact;
     std::visit(standing, fact);
     // Such a simplex is at distance 0, whatever rounding makes of it.
     if (std::holds_alternative<query::NearestFound>(fact) && contains_origin(steps, i)) standing.upper = 0;

@@ -23,9 +23,7 @@ class SceneRun final : public FactRun<SceneRun, FrameStep> {
   [[nodiscard]] std::optional<Mark::Kind> mark(int) const override { return std::nullopt; }
   [[nodiscard]] bool counts(int) const override { return true; }
   [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording(steps()).steps; }
-  [[nodiscard]] const Recorder<FrameStep>::Entry& entry(int i) const {
-    return recording(i + 1).steps[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const Recorder<FrameStep>::Entry& entry(int i) const { return recording(i + 1).steps[i]; }
   /// The recording, up to this frame at least.
   [[nodiscard]] const SceneRecording& recording(int frame) const { return recorder_.up_to(frame); }
   [[nodiscard]] const SceneRecording& recording() const { return recording(steps()); }

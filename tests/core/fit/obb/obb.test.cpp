@@ -226,7 +226,7 @@ TEST_CASE("calipers turn around a projection edge by edge, and the smallest rect
       CHECK(turned->area == doctest::Approx(4 * box.half_extents[1] * box.half_extents[2]));
       CHECK(std::abs(box.axes.col(0).dot(turned->along)) == doctest::Approx(1));
       for (const Index i : turned->touching) {  // on one of the sides
-        const Vector<double, 3> at = box.axes.transpose() * (cloud[static_cast<std::size_t>(i)] - box.center);
+        const Vector<double, 3> at = box.axes.transpose() * (cloud[i] - box.center);
         const Vector<double, 3> beyond = at.cwiseAbs() - box.half_extents;
         CHECK(std::max(beyond[1], beyond[2]) == doctest::Approx(0).epsilon(1e-12));
       }

@@ -81,7 +81,7 @@ TEST_CASE("smaller: whether the next edge of the calipers' turn has a smaller re
     const auto turn = calipers_turn(fit_run(session.run(0)).trace(), session.asked()->fact + 1);
     REQUIRE(static_cast<int>(turn.size()) == nth);
     double before = std::numeric_limits<double>::infinity();
-    for (int i = 0; i + 1 < nth; ++i) before = std::min(before, turn[static_cast<std::size_t>(i)]->area);
+    for (int i = 0; i + 1 < nth; ++i) before = std::min(before, turn[i]->area);
     CHECK(right_choices(session) == std::vector<std::string>{turn.back()->area < before ? "yes" : "no"});
   }
 }

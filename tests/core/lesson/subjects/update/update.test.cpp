@@ -223,7 +223,7 @@ TEST_CASE("the looseness over a whole turn is that of the updates at its poses")
     const double radians = (i - 4) * std::acos(-1.0) / 4;
     REQUIRE(session.move(turn, pivot + reach * Point3(std::cos(radians), std::sin(radians), 0)).has_value());
     session.last();
-    CHECK(figure(session, "slack") == doctest::Approx(100 * curve[static_cast<std::size_t>(i)]).epsilon(1e-6));
+    CHECK(figure(session, "slack") == doctest::Approx(100 * curve[i]).epsilon(1e-6));
   }
   for (const double loose : lesson::body_of(session.subject()).slack_over_turn(*session.method(0), 8))
     CHECK(loose >= 0);
