@@ -32,8 +32,9 @@ async function shown(page) {
     const seen = (selector) => [...document.querySelectorAll(selector)];
     const { framesDrawn, ...now } = window.snug.state();
     const effects = now.effects?.map(({ microseconds, ...effect }) => effect); // a time is another one each time
+    const panels = now.panels.map(({ title, head, rows }) => [title, head, rows.map(([name]) => name)]); // with times as well
     return {
-      now: { ...now, effects },
+      now: { ...now, effects, panels },
       search: location.search,
       title: document.title,
       stage: document.getElementById("canvas").getAttribute("aria-label"),
