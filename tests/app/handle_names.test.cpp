@@ -3,25 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bench.hpp"
+#include "course_lessons.hpp"
 
 namespace snug::app {
 namespace {
-
-lesson::Lesson lesson_of_course(const std::string& id) {
-  std::ifstream file(lessons_folder() + id + ".toml", std::ios::binary);
-  const std::string toml{std::istreambuf_iterator<char>(file), {}};
-  auto lesson = lesson::read_lesson(toml, id + ".toml", lesson::Checked::kAsWritten);
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  lesson->questions.clear();
-  return *std::move(lesson);
-}
 
 /// At how many places the name stands, alone or before a colon. A halo and its words are one.
 std::size_t places_named(Bench& bench, const std::string& name) {
@@ -50,7 +40,7 @@ TEST_CASE("what the view writes beside a volume is not written again at its sele
         Named{"frustum-2d", "Frustum"}, Named{"overlap-any", "A"}}) {
     CAPTURE(id);
     CAPTURE(name);
-    Bench bench(lesson_of_course(id));
+    Bench bench(course_lesson(id, false));
     for (const int step : {0, 1, 99}) {
       CAPTURE(step);
       bench.session().go(std::min(step, bench.session().steps()));
@@ -66,7 +56,7 @@ TEST_CASE("what the view writes beside a volume is not written again at its sele
 }
 
 TEST_CASE("the places of a query are named, however crowded the boxes are") {
-  Bench bench(lesson_of_course("bvh-traverse"));
+  Bench bench(course_lesson("bvh-traverse", false));
   for (const char* const situation : {"", "outside", "misled"})
     for (const char* const way : {"point_query", "box_query", "ray_nearest", "ray_by_hand", "frustum_query"}) {
       CAPTURE(situation);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "app/shown.hpp"
 #include "app/subjects/cost/costs.hpp"
 #include "bench.hpp"
+#include "course_lessons.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/certificate_lines.hpp"
 #include "lesson/subjects/scene/scene_set.hpp"
@@ -422,15 +422,6 @@ namespace {
 
 const Layout kWithNumbers{{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 4000}, false, 88};
 
-lesson::Lesson case_named(const std::string& name) {
-  std::ifstream file(lessons_folder() + "cases/" + name + ".toml", std::ios::binary);
-  REQUIRE(file);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  auto lesson = lesson::read_lesson(text, name + ".toml");
-  REQUIRE(lesson.has_value());
-  return *std::move(lesson);
-}
-
 bool wrote(const std::vector<DrawnWords>& drawn, std::string_view words) {
   return std::any_of(drawn.begin(), drawn.end(), [&](const DrawnWords& one) { return one.words == words; });
 }
@@ -447,7 +438,7 @@ std::vector<DrawnWords> drawn_at_end(Bench& bench) {
 }  // namespace
 
 TEST_CASE("at the end the certificate stands beside the stage with its exact numbers, and not before") {
-  Bench bench(case_named("one-ulp-over"), kWithNumbers);
+  Bench bench(course_lesson("cases/one-ulp-over"), kWithNumbers);
   const std::string heading = "The certificate, number by number";
   const auto drawn = drawn_at_end(bench);
   CHECK(wrote(drawn, heading));
@@ -464,7 +455,7 @@ TEST_CASE("at the end the certificate stands beside the stage with its exact num
 }
 
 TEST_CASE("beside a naive method stands the proof of the careful one") {
-  Bench bench(case_named("twins"), kWithNumbers);
+  Bench bench(course_lesson("cases/twins"), kWithNumbers);
   const auto drawn = drawn_at_end(bench);
   CHECK(wrote(drawn, "Proof"));
   CHECK(wrote(drawn, "Proof: Welzl"));

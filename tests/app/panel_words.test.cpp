@@ -4,10 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "bench.hpp"
+#include "course_lessons.hpp"
 
 namespace snug::app {
 namespace {
@@ -19,19 +18,10 @@ struct AtItsEnd {
   Bench bench;
 
   AtItsEnd(const std::string& id, const std::string& situation, const std::string& method)
-      : bench(lesson_of(id), kBesideNumbers) {
+      : bench(course_lesson(id, false), kBesideNumbers) {
     REQUIRE(bench.session().show_situation(situation).has_value());
     REQUIRE(bench.session().choose(0, method).has_value());
     bench.session().jump(bench.session().steps());
-  }
-  static lesson::Lesson lesson_of(const std::string& id) {
-    std::ifstream file(lessons_folder() + id + ".toml", std::ios::binary);
-    REQUIRE(file);
-    auto lesson = lesson::read_lesson(std::string{std::istreambuf_iterator<char>(file), {}}, id + ".toml",
-                                      lesson::Checked::kAsWritten);
-    REQUIRE(lesson.has_value());
-    lesson->questions.clear();
-    return *std::move(lesson);
   }
   /// Whether every cell of the panels' tables was drawn, and the words of their buttons.
   void check_drawn() {

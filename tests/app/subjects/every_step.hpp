@@ -3,23 +3,16 @@
 
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
-#include "../places.hpp"
+#include "../course_lessons.hpp"
 #include "lesson/boxes.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::app {
 
 inline lesson::Session lesson_session(const std::string& id, bool asks) {
-  std::ifstream file(lessons_folder() + id + ".toml", std::ios::binary);
-  const std::string toml{std::istreambuf_iterator<char>(file), {}};
-  auto lesson = lesson::read_lesson(toml, id + ".toml", lesson::Checked::kAsWritten);
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  if (!asks) lesson->questions.clear();
-  return *lesson::Session::open(*std::move(lesson));
+  return *lesson::Session::open(course_lesson(id, asks));
 }
 
 /// "—" where there is none.

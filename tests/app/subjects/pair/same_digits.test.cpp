@@ -1,11 +1,10 @@
 // A length along an axis has the same digits in the table, on the stage and in the sentence, and they show the gap.
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 
 #include "../../bench.hpp"
+#include "../../course_lessons.hpp"
 #include "../../viewed_lessons.hpp"
 #include "app/look.hpp"
 
@@ -39,10 +38,7 @@ TEST_CASE("the table and the stage have the same digits, none of them a minus on
 TEST_CASE("no figures of the table run into each other, however many digits they need") {
   for (const char* name : {"unit-of-length", "edge-touch", "parallel-noise"}) {
     CAPTURE(name);
-    std::ifstream file(lessons_folder() + "cases/" + name + ".toml", std::ios::binary);
-    auto lesson = lesson::read_lesson(std::string(std::istreambuf_iterator<char>(file), {}), name);
-    REQUIRE(lesson.has_value());
-    Bench bench(*std::move(lesson),
+    Bench bench(course_lesson(std::string("cases/") + name),
                 {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 270, 900}});
     std::vector<DrawnWords> drawn;
     bench.app.note_words(&drawn);

@@ -3,31 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "../../bench.hpp"
+#include "../../course_lessons.hpp"
 
 namespace snug::app {
 namespace {
 
 constexpr Layout kBesideStage{{0, 0, 628, 616}, {0, 616, 628, 136}, {628, 0, 280, 752}, false, 88};
 
-lesson::Lesson building_lesson() {
-  std::ifstream file(lessons_folder() + "bvh-build.toml", std::ios::binary);
-  const std::string toml{std::istreambuf_iterator<char>(file), {}};
-  auto lesson = lesson::read_lesson(toml, "bvh-build.toml", lesson::Checked::kAsWritten);
-  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-  lesson->questions.clear();
-  return *std::move(lesson);
-}
-
 }  // namespace
 
 TEST_CASE("no title stands over what its way costs") {
-  Bench bench(building_lesson(), kBesideStage);
+  Bench bench(course_lesson("bvh-build", false), kBesideStage);
   for (const char* const way : {"top_down_median", "top_down_sah", "bottom_up", "insertion"}) {
     CAPTURE(way);
     REQUIRE(bench.session().choose(0, way).has_value());
