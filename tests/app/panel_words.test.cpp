@@ -84,4 +84,20 @@ TEST_CASE("a million spheres are counted where nothing is drawn, and then told a
   sphere.check_drawn();
 }
 
+TEST_CASE("a plane's number that a later step is asked for is not told in words either") {
+  Bench bench(course_lesson("frustum-point"), kBesideNumbers);
+  REQUIRE(bench.session().is_hidden("distance"));
+  while (bench.session().asked() != nullptr) {
+    REQUIRE(bench.session().skip());
+    bench.session().acknowledge();
+  }
+  const std::vector<PanelWords> panels = bench.app.panel_words();
+  REQUIRE(panels.size() == 1);
+  CHECK(bench.session().is_hidden("distance"));
+  const auto& rows = panels[0].table.rows;
+  REQUIRE(rows.size() > 1);
+  CHECK(rows[0][1] != "—");  // the plane whose question was skipped
+  for (std::size_t i = 1; i < rows.size(); ++i) CHECK(rows[i][1] == "—");
+}
+
 }  // namespace snug::app

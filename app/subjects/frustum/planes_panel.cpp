@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/subjects/frustum/panel_rows.hpp"
 #include "lesson/figures.hpp"
@@ -24,46 +25,55 @@ bool tested_by(const lesson::Session& session, int plane) {
   return false;
 }
 
+/// A plane's row, on the canvas and in HTML.
+struct PlaneRow {
+  std::string name, number;  // "Left"; "+0.42", "—" while a later step is asked for it
+  bool told, positive;
+};
+
+/// Empty for a box, and while a prediction is open.
+std::vector<PlaneRow> plane_rows(const lesson::Session& session) {
+  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
+  if (pair.form == lesson::Form::kBox || session.predicting()) return {};
+  const bool hidden = session.is_hidden("distance");
+  std::vector<PlaneRow> rows;
+  for (const double distance : lesson::center_distances(pair)) {
+    const int plane = static_cast<int>(rows.size());
+    std::string name = lesson::plane_name(pair.dim, plane);
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    const bool told = !hidden || tested_by(session, plane);
+    rows.push_back({std::move(name), told ? with_sign(distance) : "—", told, distance > 0});
+  }
+  return rows;
+}
+
+const char* planes_title(const lesson::Session& session) {
+  const bool point = lesson::boxes_of(session.subject()).form == lesson::Form::kPoint;
+  return point ? "n · p + d, for every plane" : "n · c + d, for every plane";
+}
+
 }  // namespace
 
 float draw_planes_panel(const Look& look, const lesson::Session& session, const FrustumShown& shown, ImVec2 at,
                         float width) {
-  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
-  if (pair.form == lesson::Form::kBox || session.predicting()) return 0;
-  const std::vector<double> distances = lesson::center_distances(pair);
-  if (distances.empty()) return 0;
+  const std::vector<PlaneRow> planes = plane_rows(session);
+  if (planes.empty()) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const bool point = pair.form == lesson::Form::kPoint;
-  text(list, look, Face::kSemiBold, kPanelWords, {at.x, at.y + look.px(5)}, look->muted,
-       point ? "n · p + d, for every plane" : "n · c + d, for every plane");
-  const bool hidden = session.is_hidden("distance");  // a later step is asked for its own
+  text(list, look, Face::kSemiBold, kPanelWords, {at.x, at.y + look.px(5)}, look->muted, planes_title(session));
   PanelRows rows{look, list, at.x, at.y + look.px(kPlanesTitle), width};
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    const int plane = static_cast<int>(i);
-    std::string name = lesson::plane_name(pair.dim, plane);
-    name.front() = static_cast<char>(name.front() - 'a' + 'A');
-    const bool told = !hidden || tested_by(session, plane);
-    rows.row(name, told ? with_sign(distances[i]) : "—",
-             !told              ? look->muted
-             : distances[i] > 0 ? look->examined_text
-                                : look->current_text,
-             plane == shown.plane_at);
+  int plane = 0;
+  for (const PlaneRow& one : planes) {
+    const Color color = !one.told ? look->muted : one.positive ? look->examined_text : look->current_text;
+    rows.row(one.name, one.number, color, plane++ == shown.plane_at);
   }
   return rows.y + kPlanesGap - at.y;
 }
 
 std::optional<PanelWords> planes_in_words(const lesson::Session& session) {
-  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
-  if (pair.form == lesson::Form::kBox || session.predicting()) return std::nullopt;
-  const bool point = pair.form == lesson::Form::kPoint;
-  PanelWords words{
-      {.head = {"", "Number"}, .title = point ? "n · p + d, for every plane" : "n · c + d, for every plane"}};
-  for (const double distance : lesson::center_distances(pair)) {
-    const int plane = static_cast<int>(words.table.rows.size());
-    std::string name = lesson::plane_name(pair.dim, plane);
-    name.front() = static_cast<char>(name.front() - 'a' + 'A');
-    words.table.rows.push_back({std::move(name), with_sign(distance)});
-  }
+  std::vector<PlaneRow> planes = plane_rows(session);
+  if (planes.empty()) return std::nullopt;
+  PanelWords words{{.head = {"", "Number"}, .title = planes_title(session)}};
+  for (PlaneRow& one : planes) words.table.rows.push_back({std::move(one.name), std::move(one.number)});
   return words;
 }
 
