@@ -13,8 +13,7 @@ namespace snug {
 /// Whether the item at place a comes before that at place b. given: what the function was handed over with.
 using PlaceBefore = bool (*)(const void* given, std::size_t a, std::size_t b);
 
-/// For each of n items the place that it belongs to; those of which neither comes first stay in their order. O(n log
-/// n).
+/// Returns the place that each of n items belongs to. Equal items keep their order. O(n log n).
 [[nodiscard]] std::vector<std::size_t> places_in_order(std::size_t n, PlaceBefore before, const void* given);
 
 /// items: with size() and a subscript. before(a, b): whether item a comes before item b.

@@ -14,7 +14,7 @@ struct TableUnit {
   [[nodiscard]] std::string words() const;
 };
 
-/// For boxes of at least 10,000 units or of less than a hundredth, the power of ten below their size.
+/// Returns the power of ten below the boxes' size if that is at least 10,000 units or less than a hundredth.
 [[nodiscard]] TableUnit table_unit(const lesson::BoxPair& pair);
 
 }  // namespace snug::app

@@ -125,8 +125,8 @@ class VolumesView final : public SubjectView {
     // The difference is at the left.
     return {both.center - Point3(0.25 * both.radius, 0, 0), 1.25 * kRoomForAxis * both.radius};
   }
-  /// Of a test of intervals with room for the axes beside the volumes, of GJK with room for the difference. Along
-  /// separating axes projections lie in any direction.
+  /// An interval test needs room for the axes beside the volumes, GJK for the difference. Separating axes may have any
+  /// direction: they have no outline.
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     const lesson::VolumePair& pair = pair_of(session);
     const std::string_view test = session.method(0)->name;

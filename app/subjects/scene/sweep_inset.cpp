@@ -70,7 +70,7 @@ struct SweepPicture {
     line(brush.list, {at, plot.y - 3}, {at, plot.y + plot.height + 3}, Stroke::kDashed, brush.p.ink, 1);
   }
 
-  /// Of the bodies that it is compared with, those that the sweep comes to later.
+  /// Counts the bodies that begin after this one: the sweep reaches them later.
   static std::string later_words(std::size_t later) {
     return std::to_string(later) + (later == 1 ? " begins" : " begin") + " later (dotted)";
   }

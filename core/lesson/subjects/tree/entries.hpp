@@ -27,7 +27,7 @@ Truth loses_truth(const Asked& asked, const Run& run);
 /// How much larger a node's merged volume is than the one around the vertices, 0.1 for 10 per cent; 0 where rounding
 /// alone makes the difference.
 [[nodiscard]] double merging_loss(const TreeRun& run, Index node);
-/// Of a loss above 0: "8.3 %", "less than 0.1 %".
+/// Writes a loss above 0: "8.3 %", "less than 0.1 %".
 [[nodiscard]] inline std::string loss_words(double loss) {
   const std::string words = without_plus(percent_text(loss));
   return words == "0.0 %" ? "less than 0.1 %" : words;
