@@ -45,13 +45,13 @@ std::string with(std::string_view from, std::string_view to) {
   return text.replace(at, from.size(), to);
 }
 
-struct Broken {
+struct BrokenCourse {
   std::string_view from, to;
   std::int64_t line;
   std::string_view says;
 };
 
-constexpr Broken kBroken[] = {
+constexpr BrokenCourse kBrokenCourses[] = {
     {"version = 1", "version = = 1", 1, ""},
     {"version = 1", "version = 2", 1, "reads 1"},
     {"\"welzl\"", "\"wezl\"", 7, "no lesson \"wezl\""},
@@ -83,7 +83,7 @@ TEST_CASE("a course has its chapters and lessons in order") {
 }
 
 TEST_CASE("a course that is wrong is refused with its line") {
-  for (const Broken& broken : kBroken) {
+  for (const BrokenCourse& broken : kBrokenCourses) {
     CAPTURE(broken.to);
     const auto course = read_course(with(broken.from, broken.to), "folder/course.toml", kIds);
     REQUIRE_FALSE(course.has_value());

@@ -19,7 +19,7 @@ using snug::test::session_of;
 
 namespace {
 
-constexpr std::array kLessons{"sphere-ritter", "sphere-pca", "sphere-welzl", "sphere-iterative"};
+constexpr std::array kSphereLessons{"sphere-ritter", "sphere-pca", "sphere-welzl", "sphere-iterative"};
 
 int words(const Paragraph& paragraph) {
   int count = 0;
@@ -35,7 +35,7 @@ int words(const Paragraph& paragraph) {
 }  // namespace
 
 TEST_CASE("each lesson reads well: sections, short paragraphs, terms, lectures") {
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     CAPTURE(id);
     const Lesson lesson = lesson_of(id);
     CHECK(lesson.id == id);
@@ -54,7 +54,7 @@ TEST_CASE("each lesson reads well: sections, short paragraphs, terms, lectures")
 }
 
 TEST_CASE("each lesson opens on its result, and the first step shows step 1 or asks the question before it") {
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     CAPTURE(id);
     Session session = session_of(id);
     CHECK(session.previewing());
@@ -68,7 +68,7 @@ TEST_CASE("each lesson opens on its result, and the first step shows step 1 or a
 }
 
 TEST_CASE("each lesson asks at least three questions of its first algorithm, in more than one way") {
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     CAPTURE(id);
     Session session = session_of(id);
     CHECK(session.questions().size() >= 3);
@@ -79,7 +79,7 @@ TEST_CASE("each lesson asks at least three questions of its first algorithm, in 
 }
 
 TEST_CASE("each lesson plays to its end with the model answers, and its task is solved by the model alone") {
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     CAPTURE(id);
     Session session = session_of(id);
     REQUIRE(session.grade().has_value());
@@ -97,7 +97,7 @@ TEST_CASE("each lesson plays to its end with the model answers, and its task is 
 }
 
 TEST_CASE("each algorithm of each lesson can be stepped through, forth and back, with all that is shown") {
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     Session session = session_of(id);
     for (const std::string& algorithm : session.lesson().algorithms) {
       CAPTURE(id);
@@ -120,7 +120,7 @@ TEST_CASE("each algorithm of each lesson can be stepped through, forth and back,
 
 TEST_CASE("a lesson's trace is the same each time, and another for each lesson") {
   std::set<std::uint64_t> hashes;
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     Session first = session_of(id);
     Session second = session_of(id);
     CHECK(first.trace_hash() == second.trace_hash());
@@ -135,7 +135,7 @@ TEST_CASE("a lesson's trace is the same each time, and another for each lesson")
 
 TEST_CASE("scattered anew, each lesson still plays: questions that the points do not raise are left out") {
   int asked = 0, left_out = 0;
-  for (const char* id : kLessons) {
+  for (const char* id : kSphereLessons) {
     Session session = session_of(id);
     for (std::uint64_t seed = 1; seed <= 25; ++seed) {
       session.scatter(seed);

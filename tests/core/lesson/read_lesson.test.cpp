@@ -21,11 +21,11 @@ int line_of(std::string_view text, std::string_view marker) {
 }
 
 /// A stretch of the small lesson, what it becomes, where the error is to point, and words that it must have.
-struct Broken {
+struct BrokenLesson {
   std::string_view from, to, marker, says;
 };
 
-constexpr Broken kBroken[] = {
+constexpr BrokenLesson kBrokenLessons[] = {
     {"minutes = 3", "minutes = = 3", "minutes = =", ""},
     {"version = 2\n", "", "title", "lacks the key \"version\""},
     {"version = 2", "version = 3", "version", "reads 2"},
@@ -145,7 +145,7 @@ TEST_CASE("prose: paragraphs, joined lines and strong words") {
 }
 
 TEST_CASE("each mistake in a lesson file is told with its line") {
-  for (const Broken& broken : kBroken) {
+  for (const BrokenLesson& broken : kBrokenLessons) {
     CAPTURE(broken.to);
     const std::string text = small_lesson_with(broken.from, broken.to);
     const auto lesson = read_lesson(text, "small.toml");

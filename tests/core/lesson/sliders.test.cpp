@@ -45,7 +45,7 @@ to = 360
 steps = 72
 )";
 
-std::string only_mistake(const std::string& text) {
+std::string only_mistake_of(const std::string& text) {
   const auto mistakes = read_draft(text, "small.toml").mistakes;
   REQUIRE_MESSAGE(mistakes.size() == 1, (mistakes.empty() ? "none" : mistakes.back().message()));
   return mistakes.front().message();
@@ -240,24 +240,25 @@ TEST_CASE("a value that an algorithm cannot take is refused, and nothing moves")
 }
 
 TEST_CASE("mistakes in sliders are told with their place") {
-  CHECK(only_mistake(small_with("drives = \"ofset\"\nfrom = 0\nto = 1"))
+  CHECK(only_mistake_of(small_with("drives = \"ofset\"\nfrom = 0\nto = 1"))
             .find("\"drives\" is none of offset, jitter, scale, squeeze or angle: ofset; did you mean offset?") !=
         std::string::npos);
-  CHECK(only_mistake(small_with("drives = \"offset\"\nfrom = 2\nto = 1")).find("\"to\" must be above \"from\"") !=
+  CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 2\nto = 1")).find("\"to\" must be above \"from\"") !=
         std::string::npos);
-  CHECK(only_mistake(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nlogarithmic = true"))
+  CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nlogarithmic = true"))
             .find("of a logarithmic slider must be above 0") != std::string::npos);
-  CHECK(only_mistake(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nstart = 2")).find("\"start\" must lie") !=
+  CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nstart = 2")).find("\"start\" must lie") !=
         std::string::npos);
-  CHECK(only_mistake(small_with("drives = \"scale\"\nfrom = 0\nto = 1"))
+  CHECK(only_mistake_of(small_with("drives = \"scale\"\nfrom = 0\nto = 1"))
             .find("at 0 the slider cannot be drawn: a scale is above 0") != std::string::npos);
-  CHECK(only_mistake(small_with("drives = \"offset\"\nfrom = 0\nto = 1e300")).find("the slider cannot be drawn") !=
+  CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1e300")).find("the slider cannot be drawn") !=
         std::string::npos);
-  CHECK(only_mistake(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nsteps = 0")).find("from 1 to") !=
+  CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nsteps = 0")).find("from 1 to") !=
         std::string::npos);
   std::string narrow(kBoxes);
   narrow += "\n[[slider]]\ntitle = \"Width of A\"\ndrives = \"A half x\"\nfrom = -1\nto = 1\n";
-  CHECK(only_mistake(narrow).find("at −1 the slider cannot be drawn: a half extent is below 0") != std::string::npos);
+  CHECK(only_mistake_of(narrow).find("at −1 the slider cannot be drawn: a half extent is below 0") !=
+        std::string::npos);
 }
 
 TEST_CASE("volumes are driven by their centres and their turns") {

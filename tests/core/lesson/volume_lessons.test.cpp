@@ -11,7 +11,7 @@ using namespace snug::lesson;
 
 namespace {
 
-constexpr std::array kLessons{
+constexpr std::array kVolumeLessons{
     "sphere-ritter",  "sphere-pca",         "sphere-welzl",  "welzl-recursion", "ritter-formula", "sphere-iterative",
     "sphere-overlap", "sphere-brute-force", "aabb",          "aabb-space",      "aabb-updates",   "scene-updates",
     "convex-hull",    "convex-hull-3d",     "obb-stored",    "covariance",      "obb-pca",        "obb-fitting",
@@ -24,7 +24,7 @@ bool is_computed(const Question& question) { return question.asks != "choice" &&
 }  // namespace
 
 TEST_CASE("a lesson on a volume asks 3 to 6 questions, a third of them of the run, and has a task") {
-  for (const char* id : kLessons) {
+  for (const char* id : kVolumeLessons) {
     CAPTURE(id);
     const Lesson lesson = test::lesson_of(id);
     const auto& questions = lesson.questions;

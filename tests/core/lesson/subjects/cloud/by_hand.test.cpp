@@ -31,7 +31,7 @@ const CloudSubject& cloud_of(const Session& session) { return *as<CloudSubject>(
 
 Index handle_of(const Session& session, std::string_view name) { return *handle_named(session.subject(), name); }
 
-double figure(const Session& session, std::string_view key) {
+double value_of(const Session& session, std::string_view key) {
   for (const Figure& one : session.figures())
     if (one.key == key) return one.value;
   FAIL("there is no such figure");
@@ -81,10 +81,10 @@ TEST_CASE("whatever the hand does, the volume contains every point, exactly") {
 TEST_CASE("a box by hand has its handle off the box, and is as tight as its axes allow") {
   Session session = test::open(hand_lesson(kDiamond, kEveryHand));
   session.last();
-  CHECK(figure(session, "measure") == doctest::Approx(8));
+  CHECK(value_of(session, "measure") == doctest::Approx(8));
   const Index turn = handle_of(session, "Box turn");
   REQUIRE(session.move(turn, {1, 0.5, 0}));  // along an edge of the diamond
-  CHECK(figure(session, "measure") == doctest::Approx(2.4 * 8 / 3).epsilon(0.2));
+  CHECK(value_of(session, "measure") == doctest::Approx(2.4 * 8 / 3).epsilon(0.2));
   const auto& box = *std::get_if<Obb<double, 3>>(&recording_of(session, 0)->result.volume);
   CHECK(std::abs(box.axes(1, 0) / box.axes(0, 0)) == doctest::Approx(0.5));
   CHECK((session.point(turn) - box.center).norm() > box.half_extents[0]);
@@ -107,11 +107,11 @@ TEST_CASE("a direction is an eigenvector where its image lies along it") {
   const Index turn = handle_of(session, "Box turn");
   for (const Point3& along : {Point3(3, 0, 0), Point3(0, 3, 0)}) {
     REQUIRE(session.move(turn, along));
-    CHECK(figure(session, "image_angle") == doctest::Approx(0).epsilon(1e-9));
+    CHECK(value_of(session, "image_angle") == doctest::Approx(0).epsilon(1e-9));
   }
-  CHECK(figure(session, "image_variance") == doctest::Approx(0.5));
+  CHECK(value_of(session, "image_variance") == doctest::Approx(0.5));
   REQUIRE(session.move(turn, {3, 3, 0}));  // the covariance is diagonal: 2 and 0.5, so the image is (2, 0.5)
-  CHECK(figure(session, "image_angle") == doctest::Approx(45 - 14.0362).epsilon(1e-4));
+  CHECK(value_of(session, "image_angle") == doctest::Approx(45 - 14.0362).epsilon(1e-4));
 }
 
 TEST_CASE("what the hand set is in the rows and in undo, and begins again with other points") {
@@ -145,7 +145,7 @@ TEST_CASE("a point that moves takes the volume along, and only points can be del
   Session session = test::open(hand_lesson(kDiamond, kEveryHand));
   session.last();
   REQUIRE(session.move(0, {5, 0, 0}));
-  CHECK(figure(session, "measure") == doctest::Approx(14));
+  CHECK(value_of(session, "measure") == doctest::Approx(14));
   CHECK_FALSE(session.remove(handle_of(session, "Box turn")));
   REQUIRE(session.add({0, 3, 0}));
   CHECK(count_of(session.subject()) == 5);
@@ -169,7 +169,7 @@ std::string slabs_lesson(const std::string& points, const std::string& methods) 
 double measure_by(Session& session, const std::string& method) {
   REQUIRE(session.choose(0, method));
   session.last();
-  return figure(session, "measure");
+  return value_of(session, "measure");
 }
 
 void check_same_as(Session& session, double axes, const std::string& method) {
@@ -221,15 +221,15 @@ TEST_CASE("slabs in any directions contain every point, exactly, and are no larg
 TEST_CASE("slabs are never endless, a direction can be deleted, and its row and undo bring it back") {
   Session session = test::open(slabs_lesson(kDiamond, R"("kdop/by_hand")"));
   session.last();
-  CHECK(figure(session, "measure") == doctest::Approx(8));
+  CHECK(value_of(session, "measure") == doctest::Approx(8));
   CHECK_FALSE(session.move(handle_of(session, "Axis 2"), {5, 0.001, 0}));
   CHECK_FALSE(session.remove(handle_of(session, "Axis 2")));
   REQUIRE(session.move(handle_of(session, "Axis 1"), {1, 2, 0}));  // perpendicular to an edge of the diamond
   REQUIRE(session.move(handle_of(session, "Axis 2"), {1, -2, 0}));
   session.last();
-  CHECK(figure(session, "measure") == doctest::Approx(4));
-  CHECK(figure(session, "slabs") == 2);
-  CHECK(figure(session, "bytes") == 16);
+  CHECK(value_of(session, "measure") == doctest::Approx(4));
+  CHECK(value_of(session, "slabs") == 2);
+  CHECK(value_of(session, "bytes") == 16);
   const Rows rows = session.subject().rows();
   CHECK(rows.back().size() == 4);
   REQUIRE(session.slide(0, 5));
@@ -240,7 +240,7 @@ TEST_CASE("slabs are never endless, a direction can be deleted, and its row and 
   REQUIRE(session.set_rows(rows));
   session.last();
   CHECK(session.subject().rows() == rows);
-  CHECK(figure(session, "measure") == doctest::Approx(4));
+  CHECK(value_of(session, "measure") == doctest::Approx(4));
 }
 
 TEST_CASE("a lesson without a method by hand has no more handles than points") {

@@ -78,7 +78,7 @@ Session any_in_space() {
 }
 Session any(int dim) { return dim == 2 ? any() : any_in_space(); }
 
-const VolumePair& pair_of(const Session& session) { return as<VolumesSubject>(session.subject())->pair(); }
+const VolumePair& pair_on_stage(const Session& session) { return as<VolumesSubject>(session.subject())->pair(); }
 
 void choose(Session& session, const Kinds& kinds) {
   auto next = session.subject().clone();
@@ -107,8 +107,8 @@ TEST_CASE("each of the 28 pairs can be chosen, has its own test, and comes back 
         CAPTURE(kVolumeNames[a]);
         CAPTURE(kVolumeNames[b]);
         choose(session, {a, b});
-        CHECK(kinds_of(pair_of(session)) == Kinds{a, b});
-        const auto test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair_of(session)))];
+        CHECK(kinds_of(pair_on_stage(session)) == Kinds{a, b});
+        const auto test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair_on_stage(session)))];
         CHECK(session.choose(0, test).has_value());
         for (const std::string& name : session.lesson().algorithms)
           CHECK((session.subject().suits(*find_method(volume_tests(), name))) == (name == test || name == "gjk"));
@@ -119,9 +119,9 @@ TEST_CASE("each of the 28 pairs can be chosen, has its own test, and comes back 
         Session other = any(dim);
         REQUIRE(other.set_rows(rows).has_value());
         CHECK(other.subject().rows() == rows);
-        CHECK(kinds_of(pair_of(other)) == Kinds{a, b});
+        CHECK(kinds_of(pair_on_stage(other)) == Kinds{a, b});
         session.scatter(17);
-        CHECK(kinds_of(pair_of(session)) == Kinds{a, b});
+        CHECK(kinds_of(pair_on_stage(session)) == Kinds{a, b});
         CHECK(session.subject().rows() != rows);
         session.undo();
         CHECK(session.subject().rows() == rows);
@@ -174,11 +174,11 @@ TEST_CASE("the outline of A - B contains every difference of two vertices, and h
   Session session = any();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     session.scatter(seed);
-    const auto outline = difference_outline(pair_of(session));
+    const auto outline = difference_outline(pair_on_stage(session));
     REQUIRE(outline.size() >= 3);
     CHECK(outline.size() <= 8);
-    for (const Point3& p : core_of(pair_of(session).held[0]))
-      for (const Point3& q : core_of(pair_of(session).held[1]))
+    for (const Point3& p : core_of(pair_on_stage(session).held[0]))
+      for (const Point3& q : core_of(pair_on_stage(session).held[1]))
         for (std::size_t i = 0; i < outline.size(); ++i) {
           const Point3 from = outline[i].at, edge = outline[(i + 1) % outline.size()].at - from, to = p - q - from;
           CHECK(edge[0] * to[1] - edge[1] * to[0] > -1e-12);
@@ -194,8 +194,8 @@ TEST_CASE("which test is cheaper is counted, and only asked of a pair that has a
                "a = { obb = { center = [-1, 0], half_extents = [0.9, 0.4], turn = 20 } }\n"
                "b = { obb = { center = [1, 0.2], half_extents = [0.7, 0.5], turn = -20 } }\n");
   Session session = open(text);
-  const std::int64_t own = operations_in(record("separating_axes", pair_of(session)));
-  const std::int64_t gjk = operations_in(record("gjk", pair_of(session)));
+  const std::int64_t own = operations_in(record("separating_axes", pair_on_stage(session)));
+  const std::int64_t gjk = operations_in(record("gjk", pair_on_stage(session)));
   CHECK(own > 0);
   CHECK(gjk > 0);
   REQUIRE(right(session, "cheaper").size() == 1);

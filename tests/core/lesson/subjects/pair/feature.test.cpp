@@ -10,7 +10,7 @@ using namespace snug::lesson;
 
 namespace {
 
-using Kind = RectangleFeature::Kind;
+using FeatureKind = RectangleFeature::Kind;
 
 const Lozenge<double, 3> kSquare{{-1, -1, 0}, {Point3(2, 0, 0), Point3(0, 2, 0)}, 0.1};
 
@@ -37,12 +37,12 @@ std::string right_answer(const std::string& center, int dim = 3) {
 }  // namespace
 
 TEST_CASE("a point of a rectangle lies on a vertex, on an edge or inside the face") {
-  CHECK(feature_at(kSquare, {0.2, 0.3, 0}).kind == Kind::kFace);
+  CHECK(feature_at(kSquare, {0.2, 0.3, 0}).kind == FeatureKind::kFace);
   const RectangleFeature edge = feature_at(kSquare, {1, 0.3, 0});
-  REQUIRE(edge.kind == Kind::kEdge);
+  REQUIRE(edge.kind == FeatureKind::kEdge);
   CHECK(edge.corners == std::vector<Point3>{{1, -1, 0}, {1, 1, 0}});
   const RectangleFeature vertex = feature_at(kSquare, {-1, 1, 0});
-  REQUIRE(vertex.kind == Kind::kVertex);
+  REQUIRE(vertex.kind == FeatureKind::kVertex);
   CHECK(vertex.corners == std::vector<Point3>{{-1, 1, 0}});
   CHECK(feature_at(kSquare, {0, 0, 0}).corners == std::vector<Point3>{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
 }

@@ -61,7 +61,7 @@ Obb<double, 3> from_vertices(const std::vector<double>& numbers) {
   return box;
 }
 
-Session session_of(const std::string& stored) {
+Session stored_session(const std::string& stored) {
   auto lesson =
       read_lesson("version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
                   "algorithms = [\"min_max\"]\n[volumes]\n" +
@@ -173,9 +173,9 @@ TEST_CASE("what a member is on the stage lies on its volume") {
 }
 
 TEST_CASE("a lesson shows how a volume is stored if it asks for that, and the numbers follow the hand") {
-  CHECK(stored_of(session_of("")).empty());
-  CHECK(stored_of(session_of("stored = [\"a\", \"b\"]\n")).size() == 2);
-  Session session = session_of("stored = [\"a\"]\n");
+  CHECK(stored_of(stored_session("")).empty());
+  CHECK(stored_of(stored_session("stored = [\"a\", \"b\"]\n")).size() == 2);
+  Session session = stored_session("stored = [\"a\"]\n");
   const auto before = stored_of(session);
   REQUIRE(before.size() == 1);
   CHECK(before[0].title == "A: AABB");

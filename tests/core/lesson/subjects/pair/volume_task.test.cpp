@@ -12,7 +12,7 @@ using namespace snug::lesson;
 
 namespace {
 
-Session session_of(const std::string& algorithm, const std::string& volumes, const std::string& more = "") {
+Session task_session(const std::string& algorithm, const std::string& volumes, const std::string& more = "") {
   auto lesson = read_lesson(
       "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\nalgorithms = [\"" +
           algorithm + "\"]\n[volumes]\n" + volumes + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n" + more,
@@ -35,7 +35,7 @@ constexpr const char* kBoxes =
 }  // namespace
 
 TEST_CASE("boxes that only the last axis separates are apart along it by any gap, and along no other") {
-  Session session = session_of("min_max", kBoxes);
+  Session session = task_session("min_max", kBoxes);
   CHECK_FALSE(session.subject().reaches("only_last_axis"));
   CHECK(put(session, 0.5, std::nextafter(1.0, 2.0), 2, 2).reaches("only_last_axis"));
   CHECK_FALSE(put(session, 0.5, 1, 2, 2).reaches("only_last_axis"));    // they touch
@@ -46,7 +46,7 @@ TEST_CASE("boxes that only the last axis separates are apart along it by any gap
 }
 
 TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit") {
-  Session session = session_of("min_max", kBoxes);
+  Session session = task_session("min_max", kBoxes);
   CHECK_FALSE(session.subject().reaches("touch_on_one_axis"));
   CHECK(put(session, 1, 0.5, 2, 2).reaches("touch_on_one_axis"));
   CHECK(put(session, -1, -0.5, 0, 2).reaches("touch_on_one_axis"));
@@ -57,8 +57,8 @@ TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit"
 }
 
 TEST_CASE("spheres mislead a test that adds the squares of their radii where they overlap and it says no") {
-  Session session = session_of("spheres", "a = { sphere = { center = [0, 0], radius = 1 } }\n"
-                                          "b = { sphere = { center = [1, 0], radius = 1 } }\n");
+  Session session = task_session("spheres", "a = { sphere = { center = [0, 0], radius = 1 } }\n"
+                                            "b = { sphere = { center = [1, 0], radius = 1 } }\n");
   const auto at = [&](double x) {
     REQUIRE(session.set_rows({{0, 0, 1}, {x, 0, 1}}).has_value());
     return session.subject().reaches("sum_of_squares");
@@ -79,7 +79,7 @@ TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no 
     return text.replace(text.find("ALGORITHM"), 9, algorithm);
   };
   for (const char* algorithm : {"min_max", "min_widths", "center_radius", "slabs"}) {
-    Session session = session_of(algorithm, kBoxes, asking(algorithm));
+    Session session = task_session(algorithm, kBoxes, asking(algorithm));
     const auto truth = [&] {
       const Asked* asked = session.asked();
       REQUIRE(asked != nullptr);

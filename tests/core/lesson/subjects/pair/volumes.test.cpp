@@ -52,7 +52,7 @@ std::string own_test(std::size_t a, std::size_t b) {
   return std::string(query::kPairTestNames[static_cast<std::size_t>(query::kPairTests[a][b])]);
 }
 
-Session session_of(std::size_t a, std::size_t b, int dim) {
+Session pair_session(std::size_t a, std::size_t b, int dim) {
   const std::string test = own_test(a, b);
   const std::string both = test == "gjk" ? "\"gjk\"" : "\"" + test + "\", \"gjk\"";
   auto lesson = read_lesson(lesson_text(a, b, dim, both), "two.toml");
@@ -119,7 +119,7 @@ void each_pair(Test test) {
         CAPTURE(dim);
         CAPTURE(kVolumeNames[a]);
         CAPTURE(kVolumeNames[b]);
-        Session session = session_of(a, b, dim);
+        Session session = pair_session(a, b, dim);
         test(session, dim);
       }
 }
@@ -177,7 +177,7 @@ TEST_CASE("the centre takes its volume along, and what a handle does not hold st
     for (std::size_t kind = 0; kind < kVolumeNames.size(); ++kind) {
       CAPTURE(dim);
       CAPTURE(kVolumeNames[kind]);
-      Session session = session_of(kind, kind, dim);
+      Session session = pair_session(kind, kind, dim);
       std::vector<Vector<double, 3>> before;
       for (Index i = 0; i < session.size(); ++i) before.push_back(session.point(i));
       const Vector<double, 3> by(0.5, 0.25, dim == 3 ? -0.125 : 0);
@@ -198,10 +198,10 @@ TEST_CASE("the rows of two volumes that hands have changed bring them back, to t
     for (std::size_t kind = 0; kind < kVolumeNames.size(); ++kind) {
       CAPTURE(dim);
       CAPTURE(kVolumeNames[kind]);
-      Session session = session_of(0, kind, dim);
+      Session session = pair_session(0, kind, dim);
       for (Index i = 0; i < session.size(); ++i)
         static_cast<void>(session.move(i, session.point(i) + Point3(0.037, -0.11, dim == 3 ? 0.07 : 0)));
-      Session fresh = session_of(0, kind, dim);
+      Session fresh = pair_session(0, kind, dim);
       CHECK_FALSE(fresh.subject().rows() == session.subject().rows());
       REQUIRE(fresh.set_rows(session.subject().rows()).has_value());
       CHECK(fresh.subject().rows() == session.subject().rows());

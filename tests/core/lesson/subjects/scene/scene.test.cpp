@@ -16,7 +16,7 @@ using namespace snug;
 
 namespace {
 
-lesson::Session opened(const std::string& id, scene::Clock clock = nullptr) {
+lesson::Session opened_lesson(const std::string& id, scene::Clock clock = nullptr) {
   auto session = lesson::Session::open(test::lesson_of(id), {}, clock);
   REQUIRE(session.has_value());
   return *std::move(session);
@@ -57,8 +57,8 @@ double coarse() { return 1e5 * std::floor(fine() / 1e5); }
 }  // namespace
 
 TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
-  const lesson::Session untimed = opened("scene-updates"), timed = opened("scene-updates", fine),
-                        barely = opened("scene-updates", coarse);
+  const lesson::Session untimed = opened_lesson("scene-updates"), timed = opened_lesson("scene-updates", fine),
+                        barely = opened_lesson("scene-updates", coarse);
   CHECK(time_of(untimed, "refit").empty());
   CHECK(time_of(timed, "refit") == "3.0");
   CHECK(time_of(timed, "spin body") == "3.0");
@@ -66,7 +66,7 @@ TEST_CASE("effects are timed by the clock that is passed in, and no trace knows 
   CHECK(time_of(barely, "refit") == "< 20");  // 200 µs / sqrt(120)
   CHECK(timed.trace_hash() == untimed.trace_hash());
   CHECK(barely.trace_hash() == untimed.trace_hash());
-  lesson::Session off = opened("scene-updates", fine);
+  lesson::Session off = opened_lesson("scene-updates", fine);
   off.jump(20);
   REQUIRE(off.turn("spin body", false));
   CHECK(time_of(off, "spin body") == "3.0");
@@ -88,7 +88,7 @@ TEST_CASE("an effect's time is told as finely as its clock can tell it") {
 }
 
 TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
-  lesson::Session session = opened("scene-broad");
+  lesson::Session session = opened_lesson("scene-broad");
   CHECK(session.steps() == 120);
   REQUIRE(recorded_scene(session, 0) != nullptr);
   CHECK(recorded_scene(session, 0)->frames.size() == 121);
@@ -105,13 +105,14 @@ TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
 }
 
 TEST_CASE("each lesson's effects run as often as their inputs change") {
-  CHECK(counts(opened("scene-broad"), 120) == std::vector<std::string>{"spin 1 120 0", "orbit 1 120 0", "refit 1 120 0",
-                                                                       "broad_phase 1 120 0", "narrow_phase 1 120 0"});
-  CHECK(counts(opened("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
+  CHECK(counts(opened_lesson("scene-broad"), 120) == std::vector<std::string>{"spin 1 120 0", "orbit 1 120 0",
+                                                                              "refit 1 120 0", "broad_phase 1 120 0",
+                                                                              "narrow_phase 1 120 0"});
+  CHECK(counts(opened_lesson("scene-updates"), 120) == std::vector<std::string>{"spin body 1 120 0", "refit 1 120 0"});
 }
 
 TEST_CASE("a figure is not told before the first question about it is answered") {
-  lesson::Session session = opened("scene-broad");
+  lesson::Session session = opened_lesson("scene-broad");
   const auto told = [&](std::string_view key) {
     for (const lesson::Figure& figure : session.figures(0))
       if (figure.key == key) return figure.known;
@@ -133,8 +134,8 @@ TEST_CASE("a figure is not told before the first question about it is answered")
 
 TEST_CASE("the result of a method that is not on the stage is what its own run ends with") {
   for (const char* id : {"kdop-update", "scene-broad"}) {
-    const lesson::Session beside = opened(id);
-    lesson::Session session = opened(id);
+    const lesson::Session beside = opened_lesson(id);
+    lesson::Session session = opened_lesson(id);
     for (const std::string& algorithm : session.lesson().algorithms) {
       CAPTURE(algorithm);
       REQUIRE(session.choose(0, algorithm).has_value());
@@ -153,7 +154,7 @@ TEST_CASE("the result of a method that is not on the stage is what its own run e
 TEST_CASE("while a body is dragged, no frame is worked out that is not shown") {
   for (const std::string id : {"scene-broad", "scene-effects", "kdop-update"}) {
     CAPTURE(id);
-    lesson::Session session = opened(id);
+    lesson::Session session = opened_lesson(id);
     session.jump(0);
     const int frames = session.steps();
     const auto recorded = [&] { return lesson::scene_run(session.run(0)).recorded(); };
@@ -177,7 +178,7 @@ TEST_CASE("while a body is dragged, no frame is worked out that is not shown") {
 }
 
 TEST_CASE("a task's grade waits until the hand rests, and is then that of what it left") {
-  lesson::Session session = opened("scene-broad");
+  lesson::Session session = opened_lesson("scene-broad");
   session.start_task(0);
   const std::string before = session.grade(0).says;
   session.begin_drag();
@@ -188,7 +189,7 @@ TEST_CASE("a task's grade waits until the hand rests, and is then that of what i
 }
 
 TEST_CASE("while a body is dragged, the results of methods wait until it rests") {
-  lesson::Session session = opened("kdop-update");
+  lesson::Session session = opened_lesson("kdop-update");
   session.jump(0);
   const lesson::Method& other = *lesson::find_method(session.lesson(), "sphere");
   session.begin_drag();
@@ -202,7 +203,7 @@ TEST_CASE("while a body is dragged, the results of methods wait until it rests")
 
 TEST_CASE("no frame of a scene is marked, but for questions") {
   for (const std::string id : {"scene-broad", "scene-updates"})
-    for (const lesson::Session session = opened(id); const lesson::Mark& mark : session.marks())
+    for (const lesson::Session session = opened_lesson(id); const lesson::Mark& mark : session.marks())
       CHECK(mark.kind == lesson::Mark::Kind::kQuestion);
 }
 
@@ -223,7 +224,7 @@ TEST_CASE("a lesson that declares no scene constructs no effect and draws one fr
 }
 
 TEST_CASE("what the student chooses is what the scene runs") {
-  lesson::Session session = opened("scene-updates");
+  lesson::Session session = opened_lesson("scene-updates");
   const auto at = [&](const char* method) {
     REQUIRE(session.choose(0, method).has_value());
     session.jump(session.steps() / 3);
@@ -242,7 +243,7 @@ TEST_CASE("what the student chooses is what the scene runs") {
 }
 
 TEST_CASE("volumes of different kinds are compared by the hull, which is one yardstick for all of them") {
-  lesson::Session session = opened("scene-updates");
+  lesson::Session session = opened_lesson("scene-updates");
   const auto at = [&](const char* method) {
     REQUIRE(session.choose(0, method).has_value());
     session.jump(40);
@@ -283,7 +284,7 @@ TEST_CASE("a figure's ranges are written as people write them") {
 }
 
 TEST_CASE("moving a body makes the scene anew, and undo brings the old one back") {
-  lesson::Session session = opened("scene-broad");
+  lesson::Session session = opened_lesson("scene-broad");
   const std::uint64_t before = session.trace_hash();
   REQUIRE(session.move(0, {5, 5, 5}).has_value());
   CHECK(session.trace_hash() != before);
@@ -293,7 +294,7 @@ TEST_CASE("moving a body makes the scene anew, and undo brings the old one back"
 
 TEST_CASE("questions on figures have the range that holds them as their answer") {
   for (const char* id : {"scene-broad", "scene-updates"}) {
-    lesson::Session session = opened(id);
+    lesson::Session session = opened_lesson(id);
     const auto played = lesson::play(session);
     REQUIRE(played.has_value());
     CHECK(played->sound());
@@ -301,7 +302,7 @@ TEST_CASE("questions on figures have the range that holds them as their answer")
     REQUIRE(!played->grades.empty());
     for (const lesson::Grade& grade : played->grades) CHECK(grade.done);
   }
-  lesson::Session session = opened("scene-broad");
+  lesson::Session session = opened_lesson("scene-broad");
   session.forward();
   const lesson::Asked* asked = session.asked();
   REQUIRE(asked != nullptr);
@@ -316,7 +317,7 @@ TEST_CASE("questions on figures have the range that holds them as their answer")
 }
 
 TEST_CASE("a question may stand long before its frame, and its figure is not told beside it") {
-  lesson::Session session = opened("scene-updates");
+  lesson::Session session = opened_lesson("scene-updates");
   std::vector<std::pair<int, int>> stood;  // where each stands, and where it is decided
   for (const lesson::Asked& asked : session.questions()) stood.emplace_back(asked.step, asked.until);
   CHECK(stood == std::vector<std::pair<int, int>>{{1, 20}, {39, 40}, {90, 120}});
@@ -404,7 +405,7 @@ TEST_CASE("of a scene on a mesh no mistake hides another") {
 }
 
 TEST_CASE("a requirement may be about a frame before the last one") {
-  const lesson::Session session = opened("scene-broad");
+  const lesson::Session session = opened_lesson("scene-broad");
   const lesson::Method& method = *session.method(0);
   const auto in_frame = [&](int frame) {
     const auto figures = session.subject().results_at(method, frame);
@@ -429,7 +430,7 @@ TEST_CASE("a requirement may be about a frame before the last one") {
 }
 
 TEST_CASE("a task on a scene is graded by its last frame") {
-  lesson::Session session = opened("scene-broad");
+  lesson::Session session = opened_lesson("scene-broad");
   session.start_task(1);
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
