@@ -78,7 +78,7 @@ test("an unknown lesson gets the list of those that there are", async (t) => {
 });
 
 const kWrong = [
-  ["step=abc", "step “abc”"], ["step=99999", "step 99999"], ["seed=-4", "seed “-4”"], ["rows=1,2;x,4", "numbers that the address has as rows"],
+  ["step=abc", "step “abc”"], ["step=99999", "step 99999"], ["seed=-4", "seed “-4”"], ["rows=1,2;x,4", "numbers that the address gives as rows"],
   ["points=1,2;3", "Part of the address"], ["a=nonsense", "Part of the address"], ["from=nonsense:5", "Part of the address"],
   ["moved=100000,1,2", "Part of the address"], ["from=%3Cb%3E", "points that do not exist"],
 ];

@@ -36,7 +36,7 @@ export function read_address(search) {
     if (!name) return null;
     const read = given.get(name).split(";").map((row) => row.split(",").map((field) => (field.trim() === "" ? NaN : Number(field))));
     if (read.every((row) => row.every(Number.isFinite))) return read;
-    problems.push(`The numbers that the address has as ${name} cannot be read.`);
+    problems.push(`The numbers that the address gives as ${name} cannot be read.`);
     return null;
   };
   asked.rows = rows("rows", "points", "boxes"); // the last two in links of old

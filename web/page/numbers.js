@@ -19,7 +19,7 @@ function row_of_fields(row, of, set) {
 /** A field for how far it turns, about which axis. */
 function row_of_turns(row, of, set) {
   const amount = number_field({ value: row.turn, "aria-label": `${row.words} of ${of} in ${row.unit}` });
-  const which = element("select", { "aria-label": `Axis that ${of} is turned about` }, ...row.names.map((name, i) => element("option", { value: i }, name)));
+  const which = element("select", { "aria-label": `Axis that ${of} rotates about` }, ...row.names.map((name, i) => element("option", { value: i }, name)));
   const add = button(row.words, () => set(row.names.map((_, i) => (i === Number(which.value) ? amount.valueAsNumber : 0))));
   return { show: () => {}, element: element("div", { class: "row" }, element("label", { class: "turn" }, element("span", {}, label_of(row)), amount),
     element("span", { class: "row" }, element("span", {}, "about"), which, add)) };
