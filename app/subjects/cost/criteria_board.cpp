@@ -94,8 +94,8 @@ std::vector<SmallPicture> CriteriaBoard::pictures(const lesson::Session& session
 void CriteriaBoard::draw(const Look& look, lesson::Session& session, const Rect& rect, bool with_sentence) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float below = look.foot > 0 ? 4 : room_for_sentence(look, rect, caption(session), with_sentence);
-  const Rect free = cover_room(look, rect, below).chart;  // of the page's buttons and the sentence
-  const Rect room{free.x + 12, free.y + 4, free.width - 24, free.height - 4};
+  const auto [free, taken] = cover_room(look, rect, below);  // of the page's buttons and the sentence
+  const Rect room{free.x + 12, free.y + 4, free.width - 24 - taken, free.height - 4};
   std::vector<ImVec2> places;
   const std::vector<SmallPicture> all = pictures(session);
   const PictureHands hands =
