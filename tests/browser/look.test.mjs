@@ -276,3 +276,15 @@ test("in the step's sentence and in the pseudocode r_A has its subscript, as in 
   assert.deepEqual(await page.locator(".lines [aria-current] sub").allTextContents(), ["A", "B"]);
   assert.equal(await page.locator("#caption").textContent(), caption.replace(/r_(?=[AB])/g, "r"));
 });
+
+test("an index stands in the line of its letter, not in one of its own", async (t) => {
+  const page = await visit(t, "?lesson=obb-axes&step=6");
+  assert.ok(await page.locator("#caption").isVisible());
+  const lines = await page.locator("#caption").evaluate((caption) => {
+    const range = document.createRange();
+    range.selectNodeContents(caption);
+    const middles = [...range.getClientRects()].map(({ y, height }) => y + height / 2).sort((a, b) => a - b);
+    return 1 + middles.filter((y, i) => i > 0 && y - middles[i - 1] > 10).length;
+  });
+  assert.ok(lines <= 2, `the sentence takes ${lines} lines`);
+});
