@@ -10,15 +10,24 @@ bool is_of_name(char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '
 
 constexpr std::size_t kLongestSubscript = 3;  // "max"
 
-/// How many letters are lowered after that one, if it is the underscore of a name that is a letter and its subscript.
+/// The name that ends before `at`.
+std::string_view name_before(std::string_view words, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && is_of_name(words[begin - 1])) --begin;
+  return words.substr(begin, at - begin);
+}
+
+/// How many letters are lowered after that one, if it is the underscore of a letter and its subscript, or of "min_p".
 std::size_t lowered_after(std::string_view words, std::size_t at) {
   if (words[at] != '_' || at == 0) return 0;
   const bool is_sign = (words[at - 1] & 0x80) != 0;  // "∑_i"
-  if (!is_sign && (!is_letter(words[at - 1]) || (at > 1 && is_of_name(words[at - 2])))) return 0;
+  const std::string_view name = name_before(words, at);
+  const bool is_operator = name == "min" || name == "max";
+  if (!is_sign && !is_operator && (name.size() != 1 || !is_letter(name.front()))) return 0;
   std::size_t end = at + 1;
   while (end < words.size() && words[end] != '_' && is_of_name(words[end])) ++end;
   const std::size_t letters = end - at - 1;
-  return letters <= kLongestSubscript && (end == words.size() || words[end] != '_') ? letters : 0;
+  return letters <= (is_operator ? 1 : kLongestSubscript) && (end == words.size() || words[end] != '_') ? letters : 0;
 }
 
 float advance(ImFont* font, float size, std::string_view words) {
