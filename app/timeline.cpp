@@ -65,11 +65,13 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
   const std::vector<lesson::Mark> marks = marks_with_room(marks_to_show(session), map, kMarksApart);
   const std::vector<float> flags = flag_places(marks, map, kFlagWidth + 2);
+  auto asked = std::find_if(session.questions().begin(), session.questions().end(),
+                            [](const lesson::Asked& one) { return one.step != lesson::Asked::kAnytime; });
   std::size_t gate = 0;
   for (const lesson::Mark& mark : marks) {
-    const bool asks = mark.kind == Kind::kQuestion;
-    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, asks && is_open(session, mark.step),
-              asks ? flags[gate++] : 0);
+    const bool asks = mark.kind == Kind::kQuestion;  // in the order of the questions
+    const bool open = asks && is_open(session, *asked++);
+    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, open, asks ? flags[gate++] : 0);
   }
   const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
   disc(list, {thumb, y}, radius + 3, p.panel);

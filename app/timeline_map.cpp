@@ -14,21 +14,18 @@ int TimelineMap::step_at(float x) const {
   return static_cast<int>(std::lround(share * static_cast<float>(steps)));
 }
 
-bool is_open(const lesson::Session& session, int step) {
-  for (const lesson::Asked& asked : session.questions()) {
-    if (asked.step != step) continue;
-    for (const lesson::Outcome& outcome : session.outcomes())
-      if (outcome.question == asked.question->id) return outcome.passed;
-    return true;
-  }
-  return false;
+bool is_open(const lesson::Session& session, const lesson::Asked& asked) {
+  const auto& outcomes = session.outcomes();
+  const auto own = std::find_if(outcomes.begin(), outcomes.end(),
+                                [&](const lesson::Outcome& outcome) { return outcome.question == asked.question->id; });
+  return own == outcomes.end() || own->passed;
 }
 
 std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
   int known = session.previewing() ? 0 : session.step();  // up to here the trace was shown to the student
   int gate = session.steps();
   for (const lesson::Asked& asked : session.questions())
-    if (is_open(session, asked.step)) gate = std::min(gate, asked.step);
+    if (is_open(session, asked)) gate = std::min(gate, asked.step);
   known = std::max(known, gate);
   std::vector<lesson::Mark> shown = session.marks();
   std::erase_if(

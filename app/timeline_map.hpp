@@ -18,8 +18,8 @@ struct TimelineMap {
   [[nodiscard]] int step_at(float x) const;
 };
 
-/// Whether the question at that step has no answer yet; a question that a jump passed has none.
-[[nodiscard]] bool is_open(const lesson::Session& session, int step);
+/// Whether that question has no answer yet; a question that a jump passed has none.
+[[nodiscard]] bool is_open(const lesson::Session& session, const lesson::Asked& asked);
 
 /// The marks that give no answer away: every question, and other marks up to the shown step or the first unanswered
 /// question.

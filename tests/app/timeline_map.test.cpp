@@ -73,6 +73,28 @@ TEST_CASE("marks beyond the first question without an answer would tell it: they
   CHECK(hidden() > 0);
 }
 
+TEST_CASE("of two questions at one step, the second waits when the first has its answer, and marks stay away") {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.points = {.dim = 2, .generate = "clusters", .count = 14};
+  lesson.algorithms = {"welzl"};
+  lesson::Question question;
+  question.id = "first";
+  question.gate = {.algorithm = "welzl", .fact = "boundary_forced", .occurrence = 3, .after = ""};
+  question.asks = "point";
+  question.prompt = "Which?";
+  lesson.questions = {question, question};
+  lesson.questions[1].id = "second";
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  REQUIRE(session.questions().size() == 2);
+  REQUIRE(session.questions()[0].step == session.questions()[1].step);
+  session.go(session.questions()[0].step);
+  REQUIRE(session.answer({}));
+  CHECK_FALSE(is_open(session, session.questions()[0]));
+  CHECK(is_open(session, session.questions()[1]));
+  CHECK(marks_to_show(session).size() < session.marks().size());
+}
+
 TEST_CASE("gates of steps that lie close together stand side by side, within the track") {
   using Kind = lesson::Mark::Kind;
   const std::vector<lesson::Mark> marks{{0, Kind::kQuestion},  {1, Kind::kGrew},       {2, Kind::kQuestion},
