@@ -192,6 +192,17 @@ test("on a phone the summary's way on is in sight, and the task is found from an
   assert.ok(y >= 44 && y + height <= 844, `the task stands from ${y} to ${y + height}`);
 });
 
+test("the summary lowers the letters of a name, as its question does", async (t) => {
+  const page = await visit(t, "?lesson=swept-overlap&a=swept_spheres&step=0");
+  for (let now = await state(page), i = 0; i < 20 && !now.summary; ++i) {
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
+    now = await until(page, (it, from) => it.summary || JSON.stringify([it.step, it.asked?.id, it.outcome?.question]) !== from,
+      JSON.stringify([now.step, now.asked?.id, now.outcome?.question]));
+  }
+  assert.deepEqual(await page.locator(".summary .what sub").allTextContents(), ["A", "B"]);
+});
+
 test("a lesson ends with what was predicted, each line leads back, and the next lesson follows", async (t) => {
   const page = await visit(t, "?lesson=frustum-2d&step=0");
   let now = await state(page);

@@ -1,6 +1,6 @@
 // The questions, at the bottom of the stage: each question, its outcome, and at the end a summary of all of them.
 // Every sentence comes from the program, so that the window has the same ones.
-import { by_id, button, element, followed_here, set_text, spelled, whole_names } from "./dom.js";
+import { by_id, button, element, followed_here, set_text, spelled } from "./dom.js";
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 
@@ -143,7 +143,7 @@ export class QuestionCard {
   }
 
   #said({ skipped, predicted }) {
-    return skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, whole_names(predicted)))];
+    return skipped ? [] : [element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, ...spelled(predicted)))];
   }
 
   /** The right order, line by line, each with the place that it had in the prediction. */
@@ -204,7 +204,7 @@ export class QuestionCard {
       ...situationsWaiting.map((name) => button(this.#door.lesson().situations.find((one) => one.name === name).title, () => this.#act(() => this.#door.show_situation(name))))];
     const lines = predictions.map(({ id, short, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
-        element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, whole_names(short)), element("b", {}, standing))));
+        element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, ...spelled(short)), element("b", {}, standing))));
     const next = this.#after.next(lesson);
     return element("div", { class: "card summary", tabindex: "-1" },
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
