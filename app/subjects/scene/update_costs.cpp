@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kLeastLooseness = 1;  // %, the smallest end of the scale: less is mostly rounding
 
-/// A figure of a slot after a step, as its text is written: looseness in per cent. 0 where there is none.
+/// A figure of a slot after a step. 0 where there is none.
 double figure_after(const lesson::Session& session, int slot, int step, std::string_view key) {
   const auto& fact = lesson::scene_run(session.run(slot)).entry(step - 1).step.fact;
-  const double value = lesson::figure_of(*std::get_if<lesson::FrameTaken>(&fact), key) * (key == "slack" ? 100 : 1);
+  const double value = lesson::figure_of(*std::get_if<lesson::FrameTaken>(&fact), key);
   return std::isfinite(value) ? value : 0;
 }
 

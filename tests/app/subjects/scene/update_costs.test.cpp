@@ -8,15 +8,19 @@
 #include "../../bench.hpp"
 #include "../../viewed_lessons.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/subjects/scene/scene.hpp"
+#include "lesson/subjects/scene/scene_figures.hpp"
 
 namespace snug::app {
 namespace {
 
 constexpr Layout kNumbersBeside{{0, 0, 800, 440}, {0, 440, 800, 160}, {800, 0, 300, 1600}};
 
-lesson::Lesson scene_of_updates(std::string_view question = "") {
+constexpr const char* kThreeUpdates = "algorithms = [\"k14\", \"k14_rebuild\", \"obb\"]\ncompare = \"obb\"";
+
+lesson::Lesson scene_of_updates(std::string_view question = "", const char* updates = kThreeUpdates) {
   return test::viewed(
-      "volume = \"scene\"\nalgorithms = [\"k14\", \"k14_rebuild\", \"obb\"]\ncompare = \"obb\"",
+      std::string("volume = \"scene\"\n") + updates,
       "[points]\ndim = 3\ngenerate = \"gaussian\"\ncount = 30\n[scene]\nframes = 12\n"
       "[[scene.body]]\nname = \"body\"\nshape = \"points\"\n[[scene.effect]]\neffect = \"spin\"\nbody = \"body\"\n"
       "turns_per_second = 0.5\n[[scene.effect]]\neffect = \"refit\"\n" +
@@ -45,6 +49,18 @@ TEST_CASE("the panel of an updated volume shows its cost frame by frame, and wha
     CHECK_MESSAGE(is_drawn(words, due), due);
   for (const char* update : {"k14", "k14_rebuild", "obb"})
     CHECK_MESSAGE(is_drawn(words, last_cost_text(bench.session(), update)), update);
+}
+
+TEST_CASE("the scale of the looseness ends at the greatest one, in the words of the figure beside it") {
+  Bench bench(scene_of_updates("", "algorithms = [\"k14_loose\"]"), kNumbersBeside);
+  bench.session().jump(6);
+  double most = 0;
+  for (int step = 0; step < 6; ++step) {
+    const auto& fact = lesson::scene_run(bench.session().run(0)).entry(step).step.fact;
+    most = std::max(most, lesson::figure_of(*std::get_if<lesson::FrameTaken>(&fact), "slack"));
+  }
+  REQUIRE(most > 100);
+  CHECK(is_drawn(bench.words(), lesson::scene_figure_text("slack", most)));
 }
 
 TEST_CASE("while its cost is to be predicted, neither the curve nor any bar tells it") {
