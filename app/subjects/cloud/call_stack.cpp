@@ -37,7 +37,7 @@ void draw_block(const Look& look, const lesson::Session& session, const TreeCall
   const std::string right = runs ? (call->decided ? "calls again" : "runs") : call->decided ? "2nd call" : "1st call";
   text_right(list, look, Face::kRegular, kSize, {high.x - 8, baseline}, look->muted, right);
   const float room = rect.width - 16 - measure(look, Face::kRegular, kSize, right).x - 8;
-  std::string words = "u = " + session.name_of(call->point);
+  std::string words = call->point == kNoIndex ? "stopped" : "u = " + session.name_of(call->point);
   for (const Index i : call->boundary) words += (i == call->boundary[0] ? " · " : " ") + session.name_of(i);
   text(list, look, Face::kMono, kSize, {low.x + 8, baseline}, look->ink,
        shortened(look, Face::kMono, kSize, words, room));

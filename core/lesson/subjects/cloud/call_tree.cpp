@@ -13,11 +13,7 @@ struct TreeFollower {
   std::int64_t bytes_per_call = 0;
 
   void operator()(const CallEntered& fact) {
-    const int parent = tree.open.empty() ? -1 : tree.open.back();
-    const bool again = parent >= 0 && tree.calls[parent].decided;
-    tree.calls.push_back({parent, fact.depth, fact.point, fact.left, fact.boundary, again});
-    tree.open.push_back(static_cast<int>(tree.calls.size()) - 1);
-    tree.deepest = std::max(tree.deepest, fact.depth);
+    enter({.depth = fact.depth, .point = fact.point, .left = fact.left, .boundary = fact.boundary});
     bytes_per_call = fact.bytes / fact.depth;
     if (fact.point == kNoIndex) give_back();
   }
@@ -26,13 +22,21 @@ struct TreeFollower {
     if (!fact.outside) give_back();
   }
   void operator()(const RecursionStopped& fact) {
+    enter({.depth = fact.depth, .left = fact.left});
     tree.stopped_at = fact.depth;
-    tree.deepest = std::max(tree.deepest, fact.depth);
   }
   void operator()(const AllChecked&) { end(); }
   void operator()(const SupportReplaced&) { end(); }
   void operator()(const Finished&) { end(); }
   void operator()(const auto&) {}
+
+  void enter(TreeCall call) {
+    call.parent = tree.open.empty() ? -1 : tree.open.back();
+    call.again = call.parent >= 0 && tree.calls[call.parent].decided;
+    tree.deepest = std::max(tree.deepest, call.depth);
+    tree.open.push_back(static_cast<int>(tree.calls.size()));
+    tree.calls.push_back(call);
+  }
 
   TreeCall& running() { return tree.calls[tree.open.back()]; }
 

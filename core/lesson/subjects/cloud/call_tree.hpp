@@ -12,9 +12,9 @@ namespace snug::lesson {
 struct TreeCall {
   int parent = -1;         // the call that made it; -1 for the first
   int depth = 1;           // how many calls are open while it runs
-  Index point = kNoIndex;  // the point that it removed; kNoIndex if it had none to remove
+  Index point = kNoIndex;  // the point that it removed; kNoIndex if it had none to remove, or was stopped
   Index left = 0;          // how many points it was made for
-  fit::Support boundary;
+  fit::Support boundary = {};
   bool again = false;    // whether its caller made it as the second of its two calls
   bool decided = false;  // whether its first call has returned, and its point was tested
   bool open = true;      // false: it has returned

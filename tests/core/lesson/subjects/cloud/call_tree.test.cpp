@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
@@ -75,6 +76,15 @@ TEST_CASE("the recursion is as deep as there are points, and is stopped at its l
     CHECK(tree.stopped_at == (n + 1 > limit ? limit : 0));
     CHECK(run.certificate.contains);
     CHECK(run.certificate.optimal == true);
+    if (tree.stopped_at == 0) continue;
+    const auto is_stop = [](const auto& entry) {
+      return std::holds_alternative<fit::RecursionStopped>(entry.step.fact);
+    };
+    const auto stop = std::find_if(run.steps.begin(), run.steps.end(), is_stop);
+    const CallTree full = call_tree(run.steps, static_cast<int>(stop - run.steps.begin()) + 1);
+    CHECK(static_cast<int>(full.open.size()) == limit);  // the call that found no room is open, and was made
+    CHECK(static_cast<int>(full.calls.size()) == limit);
+    CHECK(full.bytes == std::get<fit::RecursionStopped>(stop->step.fact).bytes);
   }
 }
 
