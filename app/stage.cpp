@@ -143,8 +143,11 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   }
   const bool first = scene_.points.empty();
   points_moved_ = false;
-  if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum) return;
+  if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum &&
+      seen_in_frame_ == view_->in_frame())
+    return;
   seen_ = session.revision();
+  seen_in_frame_ = view_->in_frame();
   seen_optimum_ = settings.show_optimum;
   view_->refresh(session, settings.show_optimum && !session.predicting());
   if (!view_->can_move(session)) hands_.arrows = false;

@@ -117,6 +117,7 @@ class Stage {
 
   std::uint64_t seen_ = 0;  // the session's revision at the last refresh
   bool seen_optimum_ = false;
+  bool seen_in_frame_ = false;
   bool points_moved_ = false;
   int seen_step_ = -1;
   const void* seen_run_ = nullptr;

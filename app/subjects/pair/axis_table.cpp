@@ -200,7 +200,10 @@ int lit_row(const lesson::Session& session) {
 
 float draw_axis_panel(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
                       AxisLight* light) {
-  if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) return 0;
+  if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) {
+    if (light != nullptr) light->pointed = light->tapped = -1;  // no row is there to be left or tapped again
+    return 0;
+  }
   text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted,
        unit.power == 0 ? "The axes" : "The axes, in " + unit.words());
   const float head = look.px(24);

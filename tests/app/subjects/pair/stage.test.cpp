@@ -1,0 +1,45 @@
+// Two boxes on the stage: its points follow A's frame, and no row stays lit when its table has gone.
+#include "../../bench.hpp"
+#include "../every_step.hpp"
+#include "app/stage.hpp"
+#include "app/subjects/pair/axis_table.hpp"
+#include "app/subjects/pair/view.hpp"
+
+namespace snug::app {
+
+TEST_CASE("the points on the stage follow A's frame, there and back") {
+  for (const char* const id : {"obb-sat", "obb-axes"}) {
+    Bench bench(course_lesson(id, false));
+    lesson::Session session = lesson_session(id, false);
+    const auto view = pair_view();
+    Stage stage;
+    stage.open(session, *view);
+    double now = 0;
+    const auto points = [&] {
+      ImGui::NewFrame();
+      stage.draw(bench.app.look(), bench.app.settings(), session, {0, 0, 800, 440}, now += 0.02);
+      ImGui::EndFrame();
+      return stage.scene().points;
+    };
+    const auto of_world = points();
+    REQUIRE_FALSE(of_world.empty());
+    view->show_frame(true);
+    CHECK(points() != of_world);
+    view->show_frame(false);
+    CHECK(points() == of_world);
+  }
+}
+
+TEST_CASE("a row that was pointed at is not lit any more when a test without axes is chosen") {
+  Bench bench(course_lesson("obb-sat", false));
+  lesson::Session session = lesson_session("obb-sat", false);
+  AxisLight light;
+  light.pointed = 1, light.tapped = 2;
+  REQUIRE(session.choose(0, "extents_only").has_value());
+  ImGui::NewFrame();
+  CHECK(draw_axis_panel(bench.app.look(), session, {}, {0, 0}, 240, &light) == 0);
+  ImGui::EndFrame();
+  CHECK(light.row(session.dim()) == -1);
+}
+
+}  // namespace snug::app
