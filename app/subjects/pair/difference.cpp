@@ -23,6 +23,15 @@ struct ShownSimplex {
   void operator()(const auto&) {}
   void operator()(const query::NearestFound& fact) { kept = fact.corners, support = nullptr; }
   void operator()(const query::SupportFound& fact) { support = &fact; }
+  /// Whether it is the vertex that was just found.
+  [[nodiscard]] bool is_found(Index a, Index b) const {
+    return support != nullptr && support->a == a && support->b == b;
+  }
+  [[nodiscard]] bool has(Index a, Index b) const {
+    bool found = is_found(a, b);
+    for (std::size_t i = 0; i + 1 < kept.size(); i += 2) found = found || (kept[i] == a && kept[i + 1] == b);
+    return found;
+  }
 };
 
 /// The panel, and the plane of A - B in it.
@@ -157,7 +166,8 @@ void draw_simplex(DifferenceInset& inset, const ShownSimplex& simplex, std::span
   if (places.size() > 1) path(brush.list, places, places.size() > 2, Stroke::kSolid, p.examined, brush.stroke(1.2f));
   for (const ImVec2 place : places) disc(brush.list, place, 4, p.examined);
   for (std::size_t i = 0; i < kept.size(); ++i)
-    inset.name(kept[i], inset.name_of(simplex.kept[2 * i], simplex.kept[2 * i + 1]), p.examined_text);
+    if (const Index a = simplex.kept[2 * i], b = simplex.kept[2 * i + 1]; !simplex.is_found(a, b))
+      inset.name(kept[i], inset.name_of(a, b), p.examined_text);
   inset.arrow_to(v);
 }
 
@@ -183,7 +193,8 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at) {
   inset.difference();
   if (asks_for_vertex(brush.session))
     for (const DifferenceVertex& vertex : inset.outline)
-      inset.name(vertex.at, inset.name_of(vertex.a, vertex.b), brush.p.current_text);
+      if (!simplex.has(vertex.a, vertex.b))
+        inset.name(vertex.at, inset.name_of(vertex.a, vertex.b), brush.p.current_text);
   inset.origin();
   draw_simplex(inset, simplex, kept, lesson::nearest_of(kept));
   return panel;

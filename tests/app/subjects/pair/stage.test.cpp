@@ -1,7 +1,7 @@
 // Two boxes on the stage: its points follow A's frame, and no row stays lit when its table has gone.
+#include "app/stage.hpp"
 #include "../../bench.hpp"
 #include "../every_step.hpp"
-#include "app/stage.hpp"
 #include "app/subjects/pair/axis_table.hpp"
 #include "app/subjects/pair/view.hpp"
 
