@@ -48,7 +48,7 @@ void Session::enter_situation() {
   const auto is_here = [&](const Situated& place) { return place.own.subject->origin().situation == situation(); };
   shown_ = static_cast<std::size_t>(std::find_if(places_.begin(), places_.end(), is_here) - places_.begin());
   const Situated& place = places_[shown_];
-  rivals_.reset();
+  rivals_.reset(), results_.clear();
   forget_grades();
   run_again(0);
   run_again(1);

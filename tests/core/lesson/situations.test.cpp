@@ -105,6 +105,22 @@ TEST_CASE("points that were moved in a situation are kept while another is shown
   CHECK(session.point(4) == Point3(0, 0, 0));
 }
 
+TEST_CASE("a figure of a method's result is that of the situation that is shown") {
+  Session session = open(two_situations());
+  const auto radius = [&] {
+    std::string text;
+    for (const Figure& figure : session.result(*session.method(0)))
+      if (figure.key == "radius") text = figure.text;
+    return text;
+  };
+  const std::string own = radius();
+  REQUIRE(!own.empty());
+  REQUIRE(session.show_situation("square"));
+  CHECK(radius() != own);
+  REQUIRE(session.show_situation("own"));
+  CHECK(radius() == own);
+}
+
 TEST_CASE("a switch is one entry of undo, and the player stands where it stood in each situation") {
   Session session = open(two_situations());
   session.jump(4);
