@@ -161,7 +161,9 @@ class FitBoard {
     number("Still outside", "still_outside", done ? 0 : grown->still_outside(), "points");
     number("Dropped", "dropped", grown->dropped.size(), "points");
     number("Farthest points chosen", "rounds", grown->rounds, "points");
-    if (run_.dim() == 3) number("Facets that the eye sees", "seen_facets", grown->seen.size(), "facets");
+    if (run_.dim() == 2) return;
+    number("Facets that the eye sees", "seen_facets", grown->seen.size(), "facets");
+    if (grown->seen.empty()) figures_.back().text = "—", figures_.back().known = false;  // an eye sees one at least
   }
 
   /// The slabs that were found so far in directions set by hand, and what it takes to store them.

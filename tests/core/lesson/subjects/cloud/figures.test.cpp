@@ -221,6 +221,34 @@ text = "A **term**."
   CHECK(session.caption().find("along x−y.") != std::string::npos);
 }
 
+TEST_CASE("how many facets an eye sees is known where its horizon is found, and never none") {
+  Session session = test::open(R"(version = 2
+title = "Hull"
+summary = "A hull."
+minutes = 1
+volume = "hull"
+algorithms = ["quickhull"]
+[points]
+dim = 3
+generate = "cube"
+count = 14
+[[section]]
+title = "One"
+text = "Words."
+)");
+  int found = 0;
+  for (int step = 1; step <= session.steps(); ++step) {
+    session.jump(step);
+    const bool known = session.run(0).fact(step - 1) == "horizon_found";
+    found += known ? 1 : 0;
+    const auto figures = session.figures();
+    const Figure* seen = find(figures, "seen_facets");
+    if (seen != nullptr) CHECK_MESSAGE(seen->known == known, step);
+    if (known) CHECK(seen->value > 0);
+  }
+  CHECK(found > 0);
+}
+
 TEST_CASE("a support set of no points is not counted") {
   Session session = open_small();
   session.jump(1);
