@@ -77,7 +77,7 @@ constexpr std::array kSphereRows{
                                 .max_points = kWelzlRecursiveLimit}),
     row<kBruteForceSlide>({.volume = "sphere",
                            .name = "brute_force_slide",
-                           .title = "4-subsets only",
+                           .title = "Largest subsets only",
                            .source = kRomanick,
                            .theory = kAllSubsets,
                            .pseudocode = kBruteForceSlidePseudocode,
