@@ -1,5 +1,4 @@
 // The open calls as blocks that lie on one another, beside the stage.
-#include <algorithm>
 #include <string>
 
 #include "app/marks.hpp"
@@ -12,16 +11,16 @@ using lesson::CallTree;
 using lesson::TreeCall;
 
 constexpr float kRow = 26, kCorner = 4, kSize = 12;
-constexpr int kMostRows = 8, kGap = -1;
+constexpr int kRows = 8, kGap = -1;  // as many for every run: how deep a run goes is asked
 
 /// Which open calls have a row, the outermost first: all, or the first and the last ones about a gap.
-std::vector<int> rows_shown(int open, int rows) {
+std::vector<int> rows_shown(int open) {
   std::vector<int> shown;
-  const int first = open <= rows ? open : rows / 2;
+  const int first = open <= kRows ? open : kRows / 2;
   for (int i = 0; i < first; ++i) shown.push_back(i);
-  if (open <= rows) return shown;
+  if (open <= kRows) return shown;
   shown.push_back(kGap);
-  for (int i = open - (rows - first - 1); i < open; ++i) shown.push_back(i);
+  for (int i = open - (kRows - first - 1); i < open; ++i) shown.push_back(i);
   return shown;
 }
 
@@ -51,14 +50,13 @@ float draw_call_stack(const Look& look, const lesson::Session& session, ImVec2 a
   if (!shows_calls(session)) return 0;
   const lesson::FitTrace trace = lesson::fit_run(session.run(0)).trace();
   const CallTree now = lesson::call_tree(trace, session.step());
-  const int deepest = lesson::call_tree(trace, static_cast<int>(trace.size())).deepest;
   float y = at.y;
   text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, y + look.px(5)}, look->muted,
        "The stack, the first call at the bottom");
   y += look.px(28);
-  const int rows = std::min(kMostRows, deepest), open = static_cast<int>(now.open.size());
-  const std::vector<int> shown = rows_shown(open, rows);
-  for (int row = rows; row-- > 0; y += look.px(kRow)) {
+  const int open = static_cast<int>(now.open.size());
+  const std::vector<int> shown = rows_shown(open);
+  for (int row = kRows; row-- > 0; y += look.px(kRow)) {
     const Rect rect{at.x, y, width, look.px(kRow) - 3};
     if (row >= static_cast<int>(shown.size())) {
       ImGui::GetWindowDrawList()->AddRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->line,
