@@ -43,7 +43,8 @@ std::vector<Session::Visited> Session::visited() const {
   return visited;
 }
 
-/// The player stands where it stood, or if another method was chosen since then, where a lesson begins.
+/// The player stands where it stood, or if another method was chosen since then, where a lesson begins: before the
+/// first step, where something is asked there that the end would tell.
 void Session::enter_situation() {
   const auto is_here = [&](const Situated& place) { return place.own.subject->origin().situation == situation(); };
   shown_ = static_cast<std::size_t>(std::find_if(places_.begin(), places_.end(), is_here) - places_.begin());
@@ -57,6 +58,8 @@ void Session::enter_situation() {
   previewing_ = again ? place.previewing : shows_end;
   step_ = again ? place.step : shows_end ? steps() : 0;
   run_changed(previewing_);
+  const auto waits = [&](const Asked& asked) { return asked.step == 0 && is_open(*asked.question); };
+  if (!again && std::any_of(asked_.begin(), asked_.end(), waits)) previewing_ = false, step_ = 0;
   ++revision_;
 }
 

@@ -121,6 +121,34 @@ TEST_CASE("a figure of a method's result is that of the situation that is shown"
   CHECK(radius() == own);
 }
 
+TEST_CASE("a lesson that opens at its end begins a situation before the first step, where something is asked there") {
+  const auto from_end = [](std::string text) {
+    const std::string_view seed = "seed = 5\n";
+    return text.insert(text.find(seed) + seed.size(), "start = \"end\"\n");
+  };
+  Session told = open(from_end(two_situations()));
+  CHECK(told.previewing());
+  REQUIRE(told.show_situation("square"));
+  CHECK((told.previewing() && told.step() == told.steps()));
+
+  Session asking = open(from_end(two_situations() + R"(
+[[question]]
+id = "first"
+algorithm = "ritter"
+situation = "square"
+before = "pair_chosen"
+after = "start"
+asks = "axis"
+prompt = "Which pair?"
+because = "Both are as far apart."
+)"));
+  CHECK(asking.previewing());
+  REQUIRE(asking.show_situation("square"));
+  CHECK((!asking.previewing() && asking.step() == 0));
+  REQUIRE(asking.asked() != nullptr);
+  CHECK(asking.asked()->question->id == "first");
+}
+
 TEST_CASE("a switch is one entry of undo, and the player stands where it stood in each situation") {
   Session session = open(two_situations());
   session.jump(4);
