@@ -96,6 +96,17 @@ TEST_CASE("a gap of 0.003 is seen in the close-up, which says how many times lar
   CHECK_FALSE(Bench(boxes_apart("0.997")).app.close_up());
 }
 
+TEST_CASE("on a phone the knobs of two volumes stand on the stage, though the difference takes its left half") {
+  const Bench bench(
+      test::viewed("volume = \"volume_pair\"\nalgorithms = [\"gjk\"]",
+                   "[volumes]\ndim = 2\na = { capsule = { a = [-1.9, -0.7], b = [-0.7, 0.9], radius = 0.4 } }\n"
+                   "b = { lozenge = { origin = [0.55, -0.95], edges = [[1.5, 0.4], [-0.24, 0.9]], radius = 0.3 } }"),
+      kPhone);
+  REQUIRE(bench.app.handles().size() == 11);
+  for (const Handle& handle : bench.app.handles())
+    CHECK_MESSAGE((handle.x > 16 && handle.x < kPhone.stage.width - 16), handle.id);
+}
+
 TEST_CASE("boxes that touch, and such as overlap a little, have a close-up of where") {
   Bench touching(boxes_apart("1", "inset = { at = \"gap\" }"));
   REQUIRE(touching.app.close_up());

@@ -133,7 +133,12 @@ class VolumesView final : public SubjectView {
     if (pair.any || test == "separating_axes") return std::nullopt;
     const auto range = [&](const Point3& way) {
       const auto reach = [&](const Point3& along) {
-        return std::max(lesson::reach_along(pair.held[0], along), lesson::reach_along(pair.held[1], along));
+        double most = std::max(lesson::reach_along(pair.held[0], along), lesson::reach_along(pair.held[1], along));
+        if (pair.dim == 2)  // in space the knobs leave the outline as the view turns
+          for (const lesson::HeldVolume& held : pair.held)
+            for (const lesson::Handle& handle : lesson::handles_of(held))
+              most = std::max(most, along.dot(lesson::at_handle(held, handle)));
+        return most;
       };
       return std::array{-reach(-way), reach(way)};
     };
