@@ -10,6 +10,12 @@ bool is_of_name(char c) { return is_letter(c) || c == '_' || (c >= '0' && c <= '
 
 constexpr std::size_t kLongestSubscript = 3;  // "max"
 
+/// Whether that is the comma before a second index: in "p_k,i".
+bool is_index_after(std::string_view words, std::size_t at) {
+  return words[at] == ',' && at + 1 < words.size() && is_letter(words[at + 1]) &&
+         (at + 2 == words.size() || !is_of_name(words[at + 2]));
+}
+
 /// The name that ends before `at`.
 std::string_view name_before(std::string_view words, std::size_t at) {
   std::size_t begin = at;
@@ -25,7 +31,7 @@ std::size_t lowered_after(std::string_view words, std::size_t at) {
   const bool is_operator = name == "min" || name == "max";
   if (!is_sign && !is_operator && (name.size() != 1 || !is_letter(name.front()))) return 0;
   std::size_t end = at + 1;
-  while (end < words.size() && words[end] != '_' && is_of_name(words[end])) ++end;
+  while (end < words.size() && words[end] != '_' && (is_of_name(words[end]) || is_index_after(words, end))) ++end;
   const std::size_t letters = end - at - 1;
   return letters <= (is_operator ? 1 : kLongestSubscript) && (end == words.size() || words[end] != '_') ? letters : 0;
 }

@@ -12,6 +12,8 @@ TEST_CASE("a letter and up to three after an underscore are a name with a subscr
   CHECK(with_subscripts("a_max < b_min") == std::vector<Letters>{{"a"}, {"max", true}, {" < b"}, {"min", true}});
   CHECK(with_subscripts("min_i = min_p n_i · p") ==
         std::vector<Letters>{{"min"}, {"i", true}, {" = min"}, {"p", true}, {" n"}, {"i", true}, {" · p"}});
+  CHECK(with_subscripts("(p_k,i − μ_i)") == std::vector<Letters>{{"(p"}, {"k,i", true}, {" − μ"}, {"i", true}, {")"}});
+  CHECK(with_subscripts("max(r_A, r_B)") == std::vector<Letters>{{"max(r"}, {"A", true}, {", r"}, {"B", true}, {")"}});
   CHECK(with_subscripts("r = ∑_i e_i") == std::vector<Letters>{{"r = ∑"}, {"i", true}, {" e"}, {"i", true}});
   for (const char* plain : {"distance", "min_max", "FILE_A", "x_axis", "_A", "r_", "a_b_c"})
     CHECK(with_subscripts(plain) == std::vector<Letters>{{plain}});
