@@ -45,7 +45,7 @@ class Session {
   /// Shows a situation as it was left, as one entry of undo. Errors: there is none of that name.
   Done show_situation(std::string_view name);
   /// The sliders of the situation that is on the stage.
-  [[nodiscard]] std::vector<ShownSlider> sliders() const { return shown_sliders(*lesson_, slid_, *now_); }
+  [[nodiscard]] std::vector<ShownSlider> sliders() const;
   /// Moves a slider, by its number among the lesson's. It is an edit like move: between begin_drag and end_drag, all of
   /// its moves are one entry of undo. Errors: there is no such slider here; those of Subject::drive.
   Done slide(std::size_t slider, double value);

@@ -63,6 +63,12 @@ void Session::enter_situation() {
   ++revision_;
 }
 
+std::vector<ShownSlider> Session::sliders() const {
+  const bool by_hand =
+      std::any_of(slots_.begin(), slots_.end(), [](const auto& slot) { return slot.method && slot.method->by_hand; });
+  return shown_sliders(*lesson_, slid_, *now_, by_hand);
+}
+
 Done Session::slide(std::size_t slider, double value) {
   if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_))
     return tl::unexpected(InputError{.what = "there is no such slider"});

@@ -166,12 +166,13 @@ tl::expected<Snapshot, InputError> slid_to(const Lesson& lesson, const Snapshot&
   return next;
 }
 
-std::vector<ShownSlider> shown_sliders(const Lesson& lesson, const Slid& slid, const Subject& subject) {
+std::vector<ShownSlider> shown_sliders(const Lesson& lesson, const Slid& slid, const Subject& subject, bool by_hand) {
   std::vector<ShownSlider> shown;
   for (std::size_t i = 0; i < lesson.sliders.size(); ++i) {
     const Slider& slider = lesson.sliders[i];
     if (!is_there(slider, subject)) continue;
     const Drive drive = *drive_of(slider, subject);
+    if (drive.by_hand && !by_hand) continue;
     const double value = slid.values[i];
     shown.push_back(
         {&slider, i, value, knob_at(slider, drive, value), places_of(slider, drive), text_of(slider, drive, value)});

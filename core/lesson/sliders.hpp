@@ -49,8 +49,10 @@ void follow_edit(const Lesson& lesson, Slid& slid, const Subject& subject);
 [[nodiscard]] tl::expected<Snapshot, InputError> slid_to(const Lesson& lesson, const Snapshot& from,
                                                          std::vector<double> values);
 
-/// The sliders that are there.
-[[nodiscard]] std::vector<ShownSlider> shown_sliders(const Lesson& lesson, const Slid& slid, const Subject& subject);
+/// The sliders that are there. by_hand: whether a method by hand is shown; without one, those that move only what it
+/// starts from are left out.
+[[nodiscard]] std::vector<ShownSlider> shown_sliders(const Lesson& lesson, const Slid& slid, const Subject& subject,
+                                                     bool by_hand);
 /// The value at a place of the knob.
 [[nodiscard]] double value_at(const Slider& slider, const Drive& drive, int place);
 

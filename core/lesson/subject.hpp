@@ -84,6 +84,7 @@ struct Drive {
   std::optional<double> now;  // none if it cannot be told from what stands on the stage
   double rest = 0;            // if it cannot be told: the value at which it changes nothing
   bool whole = false;         // whether it takes whole numbers only
+  bool by_hand = false;       // whether it moves nothing but what a method by hand starts from
 };
 
 /// The state of a subject as numbers: a row for each point, box or volume.

@@ -160,7 +160,11 @@ Done CloudSubject::remove(Index i) {
 std::vector<Drive> CloudSubject::drives() const {
   std::vector<Drive> all = PointSubject::drives();
   if (hand_.axes() != nullptr)
-    all.push_back({.name = "axes", .unit = "slabs", .now = static_cast<double>(hand_.axes()->size()), .whole = true});
+    all.push_back({.name = "axes",
+                   .unit = "slabs",
+                   .now = static_cast<double>(hand_.axes()->size()),
+                   .whole = true,
+                   .by_hand = true});
   return all;
 }
 

@@ -248,3 +248,13 @@ TEST_CASE("a lesson without a method by hand has no more handles than points") {
   CHECK(cloud_of(session).hand().size() == 0);
   CHECK(session.size() == count_of(session.subject()));
 }
+
+TEST_CASE("a slider that moves only what a method by hand starts from is there beside one") {
+  Session session = test::open(slabs_lesson(kDiamond, R"("kdop/k8", "kdop/by_hand")"));
+  CHECK(session.sliders().empty());
+  REQUIRE(session.choose(1, "kdop/by_hand").has_value());
+  CHECK(session.sliders().size() == 1);
+  REQUIRE(session.choose(1, "").has_value());
+  REQUIRE(session.choose(0, "kdop/by_hand").has_value());
+  CHECK(session.sliders().size() == 1);
+}
