@@ -45,12 +45,11 @@ Matrix<Scalar, Dim> sum_of_products(const Vector<Scalar, Dim>& mean, Scalar scal
     const Vector<Scalar, Dim> d = scale * (p - mean);
     for (int row = 0; row < Dim; ++row)
       for (int column = 0; column <= row; ++column) sum(row, column) += d[row] * d[column];
+    observe.count(Operation::kPointsTouched, 1);
+    observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2);
     see(at++, d, sum);
   }
-  sum = mirrored<Scalar, Dim>(sum);
-  observe.count(Operation::kPointsTouched, points.size());
-  observe.count(Operation::kDotProducts, Dim * (Dim + 1) / 2 * std::int64_t{points.size()});
-  return sum;
+  return mirrored<Scalar, Dim>(sum);
 }
 
 /// The mean of (p - mean)(p - mean)^T. One pass; a second if the sum of the points overflows, though their mean does

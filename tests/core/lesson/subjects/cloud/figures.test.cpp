@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "trace/observer.hpp"
 
@@ -112,6 +113,20 @@ TEST_CASE("operations: those that the algorithm spends, the same rows at every s
     CHECK(before > 0);
   }
   CHECK(find(session.figures(), "dot_products") == nullptr);
+}
+
+TEST_CASE("the points that a sum of products has touched are counted as it grows") {
+  for (const char* const way : {"pca_sums", "pca_one_pass"}) {
+    CAPTURE(way);
+    Session session = test::session_of("covariance");
+    REQUIRE(session.choose(0, way).has_value());
+    session.jump(2);
+    for (int step = 3; step < 8; ++step) {
+      const double before = figure(session, "points_touched").value;
+      session.jump(step);
+      CHECK(figure(session, "points_touched").value == before + 1);
+    }
+  }
 }
 
 TEST_CASE("the statistics have their figures where they are found") {
