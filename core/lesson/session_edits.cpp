@@ -40,9 +40,24 @@ Done Session::become(std::unique_ptr<Subject> next) {
 Done Session::become(Snapshot next) {
   if (Done made = make_room_for(*next.subject); !made) return made;
   end_drag();
+  const bool keeps = keeps_to_task(*next.subject);
   remember(exchange(std::move(next)));
-  task_started_ = false;
+  task_started_ = keeps;
   return {};
+}
+
+bool Session::keeps_to_task(const Subject& next) const {
+  if (!task_started_ || next.origin().situation != situation() || next.size() != size()) return false;
+  const std::vector<std::string>& only = lesson_->tasks[task_].only;
+  if (only.empty()) return false;
+  for (Index i = 0; i < size(); ++i)
+    if (!is_among(only, name_of(i)) && next.at(i) != point(i)) return false;
+  // What has no handle, such as a half extent, is among the numbers.
+  const std::vector<NumberGroup> here = now_->numbers(), there = next.numbers();
+  const auto same_row = [](const NumberRow& a, const NumberRow& b) { return a.values == b.values; };
+  return std::equal(here.begin(), here.end(), there.begin(), there.end(), [&](const auto& a, const auto& b) {
+    return is_among(only, a.drive) || std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), same_row);
+  });
 }
 
 /// Replaces what stands on the stage, and returns it.

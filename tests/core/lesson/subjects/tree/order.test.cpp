@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 
+#include "core/lesson/lesson_files.hpp"
 #include "core/lesson/subjects/tree/stages.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/tree/tree_figures.hpp"
@@ -94,4 +96,27 @@ TEST_CASE("the order is kept in the rows, undone, and refused where it is none")
     CHECK_FALSE(session->set_rows(rows).has_value());
   }
   CHECK(session->subject().rows() == own);
+}
+
+TEST_CASE("a task that leaves a point alone to be moved is passed by an order, and by the point's typed place") {
+  Session session = session_of("bvh-traverse");
+  constexpr std::size_t kOrderTask = 2, kPointTask = 0;
+  session.start_task(kOrderTask);
+  Rows steered = session.subject().rows();
+  steered.back() = {2, 0, 0};
+  REQUIRE(session.set_rows(steered).has_value());
+  CHECK(session.grade(kOrderTask).done);
+
+  const auto type = [&](std::string_view drive, std::size_t row, const std::array<double, 2>& values) {
+    const std::vector<NumberGroup> groups = session.subject().numbers();
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (groups[i].drive == drive) REQUIRE(session.set_numbers(i, row, values).has_value());
+  };
+  session.start_task(kPointTask);
+  type("Q", 0, {-0.6, 0.9});
+  CHECK(session.grade(kPointTask).done);
+  session.start_task(kPointTask);
+  type("A", 1, {0.01, 0.01});  // a half extent, which has no handle
+  type("Q", 0, {-0.6, 0.9});
+  CHECK_FALSE(session.grade(kPointTask).done);
 }
