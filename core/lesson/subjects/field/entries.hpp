@@ -20,11 +20,11 @@ int after_sweeps(const Run& run, int fact);
 [[nodiscard]] inline std::string are_text(std::int64_t n) {
   return n == 0 ? "none is" : count_text(n) + (n == 1 ? " is" : " are");
 }
-[[nodiscard]] inline std::string objects_are(std::int64_t n) { return objects_text(n) + (n == 1 ? " is" : " are"); }
-/// How many objects have no answer yet.
-[[nodiscard]] inline std::string left_text(std::int64_t n) {
-  return n == 0 ? "no object is left" : objects_are(n) + " left";
+[[nodiscard]] inline std::string objects_are(std::int64_t n) {
+  return n == 0 ? "no object is" : objects_text(n) + (n == 1 ? " is" : " are");
 }
+/// How many objects have no answer yet.
+[[nodiscard]] inline std::string left_text(std::int64_t n) { return objects_are(n) + " left"; }
 
 template <>
 struct Entry<PlaneSwept> : EntryDefaults {

@@ -36,6 +36,15 @@ TEST_CASE("the lessons on a field play to their ends, with their tasks solved by
   }
 }
 
+TEST_CASE("a step of a field says that no object is left out, and not that 0 objects are") {
+  Session session = test::session_of("frustum-field");
+  REQUIRE(session.choose(0, "tree_masking").has_value());
+  for (int step = 0; step <= session.steps(); ++step) {
+    session.jump(step);
+    CHECK_MESSAGE(session.caption().find(" 0 objects are") == std::string::npos, session.caption());
+  }
+}
+
 TEST_CASE("each mistake about a field is told with its line") {
   struct Broken {
     std::string_view from, to, marker, says;
