@@ -1,6 +1,7 @@
 #include "app/look.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace snug::app {
 namespace {
@@ -36,11 +37,19 @@ std::size_t lowered_after(std::string_view words, std::size_t at) {
   return letters <= (is_operator ? 1 : kLongestSubscript) && (end == words.size() || words[end] != '_') ? letters : 0;
 }
 
+/// How many letters are raised after that one, if it is the caret of "p^T" or "u_i^A".
+std::size_t raised_after(std::string_view words, std::size_t at) {
+  if (words[at] != '^' || at == 0 || at + 1 == words.size()) return 0;
+  const bool has_base = is_of_name(words[at - 1]) || words[at - 1] == ')';
+  const bool is_capital = words[at + 1] >= 'A' && words[at + 1] <= 'Z';
+  return has_base && is_capital && (at + 2 == words.size() || !is_of_name(words[at + 2])) ? 1 : 0;
+}
+
 float advance(ImFont* font, float size, std::string_view words) {
   float width = 0;
-  for (const Letters& letters : with_subscripts(words))
-    width += font->CalcTextSizeA(letters.lowered ? size * kScriptSize : size, FLT_MAX, 0, letters.text.data(),
-                                 letters.text.data() + letters.text.size())
+  for (const Letters& letters : with_scripts(words))
+    width += font->CalcTextSizeA(letters.script == Script::kNone ? size : size * kScriptSize, FLT_MAX, 0,
+                                 letters.text.data(), letters.text.data() + letters.text.size())
                  .x;
   return width;
 }
@@ -53,14 +62,16 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; 
 
 }  // namespace
 
-std::vector<Letters> with_subscripts(std::string_view words) {
+std::vector<Letters> with_scripts(std::string_view words) {
+  constexpr std::string_view kSigns = "_^";
   std::vector<Letters> pieces;
   std::size_t begin = 0;
-  for (std::size_t at = words.find('_'); at != std::string_view::npos; at = words.find('_', at + 1)) {
-    const std::size_t letters = lowered_after(words, at);
+  for (std::size_t at = words.find_first_of(kSigns); at != std::string_view::npos;
+       at = words.find_first_of(kSigns, at + 1)) {
+    const std::size_t lowered = lowered_after(words, at), letters = lowered + raised_after(words, at);
     if (letters == 0) continue;
-    pieces.push_back({words.substr(begin, at - begin)});
-    pieces.push_back({words.substr(at + 1, letters), true});
+    if (at > begin) pieces.push_back({words.substr(begin, at - begin)});
+    pieces.push_back({words.substr(at + 1, letters), lowered > 0 ? Script::kLowered : Script::kRaised});
     begin = at + 1 + letters;
   }
   if (begin < words.size()) pieces.push_back({words.substr(begin)});
@@ -85,11 +96,12 @@ void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, 
                            {at.x + measure(look, face, size, words).x, at.y + look.px(size)},
                            list->GetClipRectMin(),
                            list->GetClipRectMax()});
-  const float down = look.px(size) * (kBaseline * (1 - kScriptSize) + kLowered);
-  for (const Letters& letters : with_subscripts(words)) {
-    const float scale = letters.lowered ? kScriptSize : 1;
-    list->AddText(look.font(face), box * scale,
-                  {at.x, at.y - (box - look.px(size)) * scale / 2 + (letters.lowered ? down : 0)}, color,
+  const float same_baseline = kBaseline * (1 - kScriptSize);
+  const std::array down{0.0f, same_baseline + kLowered, same_baseline - kRaised};
+  for (const Letters& letters : with_scripts(words)) {
+    const float scale = letters.script == Script::kNone ? 1 : kScriptSize;
+    const float below = look.px(size) * down[static_cast<std::size_t>(letters.script)];
+    list->AddText(look.font(face), box * scale, {at.x, at.y - (box - look.px(size)) * scale / 2 + below}, color,
                   letters.text.data(), letters.text.data() + letters.text.size());
     at.x += advance(look.font(face), box * scale, letters.text);
   }

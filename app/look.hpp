@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,20 +39,22 @@ struct Look {
   const Palette* operator->() const { return palette; }
 };
 
-// Parts of the em. A line's baseline is kBaseline below the top of its box, in both typefaces; a subscript is
-// kScriptSize as large, and its baseline is kLowered lower.
-inline constexpr float kBaseline = 0.864f, kScriptSize = 0.75f, kLowered = 0.14f;
+// Parts of the em. A line's baseline is kBaseline below the top of its box, in both typefaces; a subscript or a
+// superscript is kScriptSize as large, and its baseline is kLowered lower or kRaised higher.
+inline constexpr float kBaseline = 0.864f, kScriptSize = 0.75f, kLowered = 0.14f, kRaised = 0.33f;
+
+enum class Script : std::uint8_t { kNone, kLowered, kRaised };
 
 /// Letters that stand at one height.
 struct Letters {
   std::string_view text;
-  bool lowered = false;
+  Script script = Script::kNone;
   bool operator==(const Letters&) const = default;
 };
 /// "r_A = 2" has three pieces: r, a lowered A, and the rest. All that measures or draws words goes by them. A single
 /// letter or sign and at most three lowered ones are such a name, "a_min" and "∑_i", and nothing else: "min_max" and
-/// "x_axis" are words as they stand.
-[[nodiscard]] std::vector<Letters> with_subscripts(std::string_view words);
+/// "x_axis" are words as they stand. One capital letter is raised after a caret: "p^T".
+[[nodiscard]] std::vector<Letters> with_scripts(std::string_view words);
 
 /// What ImGui calls the size of a font whose em is of this size at text scale 1.
 [[nodiscard]] float font_size(const Look& look, Face face, float size);

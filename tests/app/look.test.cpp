@@ -5,19 +5,24 @@
 
 namespace snug::app {
 
-TEST_CASE("a letter and up to three after an underscore are a name with a subscript, and no other underscore is") {
-  CHECK(with_subscripts("r_A = 0.97") == std::vector<Letters>{{"r"}, {"A", true}, {" = 0.97"}});
-  CHECK(with_subscripts("> r_A + r_B") == std::vector<Letters>{{"> r"}, {"A", true}, {" + r"}, {"B", true}});
-  CHECK(with_subscripts("\u00a0r_B") == std::vector<Letters>{{"\u00a0r"}, {"B", true}});
-  CHECK(with_subscripts("a_max < b_min") == std::vector<Letters>{{"a"}, {"max", true}, {" < b"}, {"min", true}});
-  CHECK(with_subscripts("min_i = min_p n_i · p") ==
-        std::vector<Letters>{{"min"}, {"i", true}, {" = min"}, {"p", true}, {" n"}, {"i", true}, {" · p"}});
-  CHECK(with_subscripts("(p_k,i − μ_i)") == std::vector<Letters>{{"(p"}, {"k,i", true}, {" − μ"}, {"i", true}, {")"}});
-  CHECK(with_subscripts("max(r_A, r_B)") == std::vector<Letters>{{"max(r"}, {"A", true}, {", r"}, {"B", true}, {")"}});
-  CHECK(with_subscripts("r = ∑_i e_i") == std::vector<Letters>{{"r = ∑"}, {"i", true}, {" e"}, {"i", true}});
-  for (const char* plain : {"distance", "min_max", "FILE_A", "x_axis", "_A", "r_", "a_b_c"})
-    CHECK(with_subscripts(plain) == std::vector<Letters>{{plain}});
-  CHECK(with_subscripts("").empty());
+TEST_CASE("a letter and up to three after an underscore are a name with a subscript, a capital after a caret is "
+          "raised, and no other sign is") {
+  constexpr Script kLow = Script::kLowered, kHigh = Script::kRaised;
+  CHECK(with_scripts("r_A = 0.97") == std::vector<Letters>{{"r"}, {"A", kLow}, {" = 0.97"}});
+  CHECK(with_scripts("> r_A + r_B") == std::vector<Letters>{{"> r"}, {"A", kLow}, {" + r"}, {"B", kLow}});
+  CHECK(with_scripts("\u00a0r_B") == std::vector<Letters>{{"\u00a0r"}, {"B", kLow}});
+  CHECK(with_scripts("a_max < b_min") == std::vector<Letters>{{"a"}, {"max", kLow}, {" < b"}, {"min", kLow}});
+  CHECK(with_scripts("min_i = min_p n_i · p") ==
+        std::vector<Letters>{{"min"}, {"i", kLow}, {" = min"}, {"p", kLow}, {" n"}, {"i", kLow}, {" · p"}});
+  CHECK(with_scripts("(p_k,i − μ_i)") == std::vector<Letters>{{"(p"}, {"k,i", kLow}, {" − μ"}, {"i", kLow}, {")"}});
+  CHECK(with_scripts("max(r_A, r_B)") == std::vector<Letters>{{"max(r"}, {"A", kLow}, {", r"}, {"B", kLow}, {")"}});
+  CHECK(with_scripts("r = ∑_i e_i") == std::vector<Letters>{{"r = ∑"}, {"i", kLow}, {" e"}, {"i", kLow}});
+  CHECK(with_scripts("u_i^A · u_j^B") ==
+        std::vector<Letters>{{"u"}, {"i", kLow}, {"A", kHigh}, {" · u"}, {"j", kLow}, {"B", kHigh}});
+  CHECK(with_scripts("add (p − m)(p − m)^T to") == std::vector<Letters>{{"add (p − m)(p − m)"}, {"T", kHigh}, {" to"}});
+  for (const char* plain : {"distance", "min_max", "FILE_A", "x_axis", "_A", "r_", "a_b_c", "2^n", "^T", "p^", "x^AB"})
+    CHECK(with_scripts(plain) == std::vector<Letters>{{plain}});
+  CHECK(with_scripts("").empty());
 }
 
 TEST_CASE("on the stage, a name with a subscript is as wide as its letters, without the underscore") {

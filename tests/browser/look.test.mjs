@@ -277,6 +277,11 @@ test("in the step's sentence and in the pseudocode r_A has its subscript, as in 
   assert.equal(await page.locator("#caption").textContent(), caption.replace(/r_(?=[AB])/g, "r"));
 });
 
+test("in the pseudocode p^T has its superscript", async (t) => {
+  const page = await visit(t, "?lesson=covariance&step=2");
+  assert.deepEqual(await page.locator(".lines sup").allTextContents(), ["T"]);
+});
+
 test("an index stands in the line of its letter, not in one of its own", async (t) => {
   const page = await visit(t, "?lesson=obb-axes&step=6");
   assert.ok(await page.locator("#caption").isVisible());

@@ -30,11 +30,12 @@ export const followed_here = (follow) => (event) => {
   follow(event);
 };
 
-/** Words as they are read: their names whole, and r_A with a subscript, as on the canvas. */
+/** Words as they are read: their names whole, and r_A with a subscript, p^T with a superscript, as on the canvas. */
 export const spelled = (text) =>
-  whole_names(text).split(/(?<!\w)([A-Za-z]_[A-Za-z0-9]{1,3})(?!\w)/).filter(Boolean).flatMap((piece) => {
+  whole_names(text).split(/((?<!\w)[A-Za-z]_[A-Za-z0-9]{1,3}(?!\w)|(?<=[\w)])\^[A-Z](?!\w))/).filter(Boolean).flatMap((piece) => {
     const name = /^([A-Za-z])_([A-Za-z0-9]{1,3})$/.exec(piece);
-    return name ? [name[1], element("sub", {}, name[2])] : [piece];
+    if (name) return [name[1], element("sub", {}, name[2])];
+    return /^\^[A-Z]$/.test(piece) ? [element("sup", {}, piece[1])] : [piece];
   });
 
 /** Writes only what differs, so that a live region does not speak twice and nothing is laid out for naught. */
