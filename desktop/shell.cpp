@@ -55,7 +55,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
     hint_of = -1, typed = {};
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
-      stored_tab = true, stored_before.clear(), stored_lit.clear();
+      side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear();
       waited_for_.clear();
       if (drafts_) opened_version_ = drafts_->find(id)->version, drafts_->play(file.lesson.id);
       if (open_ == 0) app_.invite(kept_.invited);

@@ -100,9 +100,11 @@ class Shell {
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question
   enum class Tab : std::uint8_t { kLesson, kPoints, kFile } tab = Tab::kLesson;  // of the left column
-  bool file_typing = false;                                    // whether the scene's file has the keys
-  std::string file_text;                                       // what is typed as the scene's file
-  bool stored_tab = true;                                      // whether the right column shows how volumes are stored
+  bool file_typing = false;  // whether the scene's file has the keys
+  std::string file_text;     // what is typed as the scene's file
+  enum class SideTab : std::uint8_t { kStored, kNumbers, kCode } side_tab = SideTab::kStored;  // of the right column
+  std::vector<SideTab> side_tabs;                              // those that there are; none where one thing is enough
+  float figures_most = 0;                                      // pixels that the lesson's numbers have wanted at most
   std::vector<std::pair<std::string, app::Rect>> stored_rows;  // the members there: their marks and places
   std::string stored_lit;                                      // the mark of the member that is pointed at there
   std::map<std::string, std::pair<std::string, double>> stored_before;  // each member's numbers, and since when

@@ -1,6 +1,7 @@
 #include "desktop/stored_panel.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/marks.hpp"
 #include "desktop/column.hpp"
@@ -83,13 +84,15 @@ void draw_side_tabs(Shell& shell, const app::Rect& rect) {
   const app::Look& look = shell.app().look();
   const app::Pane pane("##side tabs", rect);
   pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
+  using Tab = Shell::SideTab;
   float x = rect.x + 24;
-  for (const bool stored : {true, false}) {
-    const std::string_view words = stored ? lesson::kStoredWord : std::string_view("Numbers");
-    const bool on = shell.stored_tab == stored;
+  for (const Tab tab : shell.side_tabs) {
+    const auto [id, words] = tab == Tab::kStored ? std::pair("tab stored", lesson::kStoredWord)
+                             : tab == Tab::kCode ? std::pair("tab code", std::string_view("Code"))
+                                                 : std::pair("tab numbers", std::string_view("Numbers"));
+    const bool on = shell.side_tab == tab;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
-    if (app::touch_area(stored ? "tab stored" : "tab numbers", {x - 8, rect.y, width + 16, rect.height}, words).clicked)
-      shell.stored_tab = stored;
+    if (app::touch_area(id, {x - 8, rect.y, width + 16, rect.height}, words).clicked) shell.side_tab = tab;
     app::text(pane.list(), look, on ? Face::kSemiBold : Face::kRegular, 14,
               {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
     if (on)

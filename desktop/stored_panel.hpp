@@ -5,7 +5,7 @@
 
 namespace snug::desktop {
 
-/// The tabs over the right column's upper part: "Stored as" and "Numbers".
+/// The tabs over the right column: "Stored as", "Numbers" and "Code".
 void draw_side_tabs(Shell& shell, const app::Rect& rect);
 void draw_stored_panel(Shell& shell, const app::Rect& rect);
 

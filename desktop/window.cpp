@@ -61,18 +61,31 @@ struct Parts {
   app::Layout app;
 };
 
-/// Where a lesson shows how volumes are stored, tabs over the numbers, and that in their place.
-void place_stored(Parts& parts, const app::Look& look, Shell& shell) {
-  if (shell.course_shown || shell.app().session() == nullptr || lesson::stored_of(shell.session()).empty()) {
-    shell.stored_lit.clear(), shell.stored_rows.clear();
-    return;
-  }
+/// Whether the numbers want so much of the right column that the pseudocode is a tab beside them.
+bool numbers_fill(const Shell& shell, const app::Look& look, float height) {
+  constexpr float kLeastCode = 272;  // the choice of algorithms, and enough lines to follow
+  return shell.app().figures_fill() && shell.figures_most > height - look.px(kLeastCode);
+}
+
+/// Tabs over the right column, and what is chosen there in place of the numbers.
+void place_side(Parts& parts, const app::Look& look, Shell& shell, bool code_tab) {
+  using Tab = Shell::SideTab;
+  const bool stores =
+      !shell.course_shown && shell.app().session() != nullptr && !lesson::stored_of(shell.session()).empty();
+  shell.side_tabs.clear();
+  if (stores) shell.side_tabs.push_back(Tab::kStored);
+  if (stores || code_tab) shell.side_tabs.push_back(Tab::kNumbers);
+  if (code_tab) shell.side_tabs.push_back(Tab::kCode);
+  const bool there = std::find(shell.side_tabs.begin(), shell.side_tabs.end(), shell.side_tab) != shell.side_tabs.end();
+  if (!there && !shell.side_tabs.empty()) shell.side_tab = Tab::kNumbers;
+  if (!stores || shell.side_tab != Tab::kStored) shell.stored_lit.clear(), shell.stored_rows.clear();
+  if (shell.side_tabs.empty()) return;
   app::Rect& numbers = parts.app.inspector;
   const float tabs = std::min(look.px(40), numbers.height);
   parts.side_tabs = {numbers.x, numbers.y, numbers.width, tabs};
   numbers.y += tabs, numbers.height -= tabs;
-  if (!shell.stored_tab) return shell.stored_lit.clear(), shell.stored_rows.clear();
-  parts.stored = numbers;
+  if (shell.side_tab == Tab::kNumbers) return;
+  (shell.side_tab == Tab::kStored ? parts.stored : parts.code) = numbers;
   numbers.height = 0;
 }
 
@@ -107,13 +120,14 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
   const float title = lecture ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
-  // Where the numbers may need the whole column, as the graph of effects does, they have the most of it.
-  const float code = std::min(shell.code_height, height * (shell.app().figures_fill() ? 0.38f : 0.52f));
+  const bool code_tab = !lecture && !cover && numbers_fill(shell, look, height);
+  // A presentation has no tabs: where the numbers may need the whole column, they have the most of it.
+  const float code = code_tab ? 0 : std::min(shell.code_height, height * (shell.app().figures_fill() ? 0.38f : 0.52f));
   const float below = lecture && cover ? std::min(shell.pinned_height, height * 0.52f) : code;
   parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
   parts.app.inspector = {right, header + title, inspector, height - title - below};
-  place_stored(parts, look, shell);
+  place_side(parts, look, shell, code_tab);
   parts.app.tools = lecture ? presentation_reach(look) : 0;
   parts.app.foot = shell.foot;
   return parts;
@@ -155,6 +169,8 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   if (shown(parts.code)) draw_code_panel(shell, parts.code);
   if (shown(parts.controls)) draw_controls(shell, parts.controls);
   app.frame(parts.app, now);
+  if (const float wanted = app.figures_height(); wanted > shell.figures_most)
+    shell.figures_most = wanted, shell.measured_anew = true;
   draw_question_card(shell, parts.app.stage);
   if (shell.presenting) draw_presentation(shell, parts.app.stage);
   else draw_invitation(app, parts.app.stage);
