@@ -57,8 +57,8 @@ struct App::State {
   std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them on demand
   Look look;
   std::optional<lesson::Session> session;
-  std::map<std::string, std::vector<lesson::Outcome>> answers;  // those of lessons that were left, by id
-  const SubjectRow* subject = nullptr;                          // the session's subject, and its view
+  std::map<std::string, lesson::KeptAnswers> answers;  // those of lessons that were left, by id
+  const SubjectRow* subject = nullptr;                 // the session's subject, and its view
   std::unique_ptr<SubjectView> view;
   std::unique_ptr<Cover> cover;
   Stage stage;
@@ -375,9 +375,11 @@ const std::string& App::graphics_error() const { return state_->gl.error(); }
 tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh, bool anew) {
   auto session = lesson::Session::open(std::move(lesson), std::move(mesh), state_->platform.clock);
   if (!session) return tl::unexpected(std::move(session.error()));
-  if (const auto& left = state_->session) state_->answers[left->lesson().id] = left->outcomes();
+  if (const auto& left = state_->session) state_->answers[left->lesson().id] = {left->outcomes(), left->done_tasks()};
   state_->session.emplace(std::move(*session));
-  state_->session->take_up_answers(state_->answers[state_->session->lesson().id]);
+  const lesson::KeptAnswers& answers = state_->answers[state_->session->lesson().id];
+  state_->session->take_up_answers(answers.outcomes);
+  state_->session->take_up_tasks(answers.tasks);
   state_->subject = &subject_of(state_->session->lesson());
   state_->view = state_->subject->view();
   state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;
@@ -391,8 +393,8 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   return {};
 }
 
-void App::keep_answers(const std::string& lesson, std::vector<lesson::Outcome> outcomes) {
-  state_->answers[lesson] = std::move(outcomes);
+void App::keep_answers(const std::string& lesson, lesson::KeptAnswers answers) {
+  state_->answers[lesson] = std::move(answers);
 }
 void App::forget_answers() {
   state_->answers.clear();

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "lesson/kept_answers.hpp"
 #include "lesson/session.hpp"
 #include "measure/rows.hpp"
 
@@ -99,7 +100,7 @@ class App {
   /// lesson that was open then stays. anew: it is the one that is open, read anew; the view of the stage stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {}, bool anew = false);
   /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.
-  void keep_answers(const std::string& lesson, std::vector<lesson::Outcome> outcomes);
+  void keep_answers(const std::string& lesson, lesson::KeptAnswers answers);
   void forget_answers();
   /// Loads a file's points into the open lesson. Errors: those of Session::load and of the cover.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);

@@ -111,7 +111,7 @@ void Kept::keep(const lesson::Session& session) {
   // A lesson once done stays done, even if it is opened again.
   now.done = through || (before != nullptr && before->done);
   now.task = session.tasks_done() || (before != nullptr && before->task);
-  now.answers = lesson::kept_text(outcomes);
+  now.answers = lesson::kept_text({outcomes, session.done_tasks()});
   const auto file = session.subject().file(), own = session.own().file();
   if (file && own && (file->runs != own->runs || file->typed != file->runs))
     now.file = {own->runs, file->runs, file->typed};

@@ -102,7 +102,7 @@ void Shell::open_at_place(std::size_t lesson) {
   const std::string id = lessons_[lesson].lesson.id;
   if (waits_for(id)) return;
   const KeptLesson* const kept = kept_.lesson(id);
-  if (kept != nullptr) app_.keep_answers(id, lesson::outcomes_of(kept->answers));
+  if (kept != nullptr) app_.keep_answers(id, lesson::kept_answers_of(kept->answers));
   if (!open(id)) return;
   if (kept != nullptr) go_to_kept_place();
   else session().go(0);

@@ -378,7 +378,7 @@ int open_first(Shell& shell, const WindowOptions& options) {
   const bool bare = options.at.empty() && !options.seed && options.points_file.empty() && !picture;
   const std::string id = first_lesson(shell, options);
   if (const KeptLesson* kept = shell.kept().lesson(id))
-    shell.app().keep_answers(id, lesson::outcomes_of(kept->answers));
+    shell.app().keep_answers(id, lesson::kept_answers_of(kept->answers));
   if (shell.waits_for(id)) return 0;
   if (const auto opened = shell.open(id); !opened)
     return shell.writing() && !picture ? 0 : stop(opened.error().message());

@@ -58,9 +58,11 @@ void jump(int step) {
   if (session()) session()->jump(step);
 }
 
-std::string kept_answers() { return session() ? lesson::kept_text(session()->outcomes()) : ""; }
+std::string kept_answers() {
+  return session() ? lesson::kept_text({session()->outcomes(), session()->done_tasks()}) : "";
+}
 void keep_answers(const std::string& lesson, const std::string& kept) {
-  door().app->keep_answers(lesson, lesson::outcomes_of(kept));
+  door().app->keep_answers(lesson, lesson::kept_answers_of(kept));
 }
 void erase_answers() {
   if (door().app) door().app->forget_answers();

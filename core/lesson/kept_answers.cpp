@@ -34,9 +34,9 @@ void add_number(std::string& out, std::string_view key, int number) {
   ((out += key) += " = ") += std::to_string(number) + '\n';
 }
 
-void add_list(std::string& out, const std::vector<int>& list) {
+void add_list(std::string& out, std::string_view key, const std::vector<int>& list) {
   if (list.empty()) return;
-  out += "list = [";
+  (out += key) += " = [";
   for (const int entry : list) (out += std::to_string(entry)) += ", ";
   out += "]\n";
 }
@@ -79,14 +79,15 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
 
 }  // namespace
 
-std::string kept_text(std::span<const Outcome> outcomes) {
+std::string kept_text(const KeptAnswers& answers) {
   std::string out;
-  for (const Outcome& outcome : outcomes) {
+  add_list(out, "tasks", answers.tasks);
+  for (const Outcome& outcome : answers.outcomes) {
     out += "[[answer]]\n";
     add_text(out, "question", outcome.question);
     add_text(out, "kind", kKinds[static_cast<std::size_t>(outcome.given.kind)]);
     add_number(out, "value", outcome.given.value);
-    add_list(out, outcome.given.list);
+    add_list(out, "list", outcome.given.list);
     if (outcome.given.kind == Answer::Kind::kNumber)
       ((out += "number = ") += plain_double(outcome.given.number)) += '\n';
     add_number(out, "from_step", outcome.from_step);
@@ -104,15 +105,19 @@ std::string kept_text(std::span<const Outcome> outcomes) {
   return out;
 }
 
-std::vector<Outcome> outcomes_of(std::string_view kept) {
+KeptAnswers kept_answers_of(std::string_view kept) {
   Complaints complaints("");
   const auto parsed = parse_file(kept, "the answers", complaints);
   if (!parsed) return {};
   TomlTable table(*parsed, "the answers", complaints);
-  std::vector<Outcome> outcomes;
-  for (const toml::table* answer : table.tables("answer")) outcomes.push_back(read_outcome(*answer, complaints));
+  KeptAnswers answers;
+  if (table.has("tasks"))
+    for (const double task : table.numbers("tasks"))
+      if (task >= 0 && task <= kMost) answers.tasks.push_back(static_cast<int>(task));
+  for (const toml::table* answer : table.tables("answer"))
+    answers.outcomes.push_back(read_outcome(*answer, complaints));
   if (complaints.first()) return {};
-  return outcomes;
+  return answers;
 }
 
 }  // namespace snug::lesson

@@ -1,7 +1,6 @@
 // Answers as a text that a device keeps until the next visit, in the page's storage or in the window's state file.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,10 +9,16 @@
 
 namespace snug::lesson {
 
+/// What was answered in a lesson, and which of its tasks were done, by their numbers.
+struct KeptAnswers {
+  std::vector<Outcome> outcomes;
+  std::vector<int> tasks;
+};
+
 /// The answers as TOML. Pending ones stay pending: the next measurement decides them.
-[[nodiscard]] std::string kept_text(std::span<const Outcome> outcomes);
+[[nodiscard]] std::string kept_text(const KeptAnswers& answers);
 
 /// Reads what kept_text wrote. Returns none if the text is damaged.
-[[nodiscard]] std::vector<Outcome> outcomes_of(std::string_view kept);
+[[nodiscard]] KeptAnswers kept_answers_of(std::string_view kept);
 
 }  // namespace snug::lesson

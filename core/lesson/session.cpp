@@ -152,6 +152,18 @@ bool Session::was_done(std::size_t task) const {
   return done_[task];
 }
 
+std::vector<int> Session::done_tasks() const {
+  std::vector<int> done;
+  for (std::size_t i = 0; i < lesson_->tasks.size(); ++i)
+    if (was_done(i)) done.push_back(static_cast<int>(i));
+  return done;
+}
+
+void Session::take_up_tasks(const std::vector<int>& done) {
+  for (const int task : done)
+    if (task >= 0 && task < std::ssize(done_)) done_[task] = true;
+}
+
 bool Session::tasks_done() const {
   for (std::size_t i = 0; i < lesson_->tasks.size(); ++i)
     if (!was_done(i)) return false;

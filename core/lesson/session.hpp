@@ -267,10 +267,14 @@ class Session {
   [[nodiscard]] bool was_done(std::size_t task) const;
   /// Whether every task of the lesson was; false if it has none.
   [[nodiscard]] bool tasks_done() const;
+  /// The numbers of those that were.
+  [[nodiscard]] std::vector<int> done_tasks() const;
   /// Forgets all answers.
   void forget_answers();
   /// Takes over the outcomes of an earlier session of this lesson, without those of unknown questions.
   void take_up_answers(std::vector<Outcome> outcomes);
+  /// The tasks that were done in it, by number; those that the lesson does not have are left out.
+  void take_up_tasks(const std::vector<int>& done);
 
   // ---- figures ----------------------------------------------------------------------------------------------
   using Figure = lesson::Figure;

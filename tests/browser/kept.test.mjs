@@ -38,6 +38,15 @@ test("answers, step and edits survive a reload, and the course tells of them", a
   assert.match(await page.locator(".progress").first().textContent(), /^1 of \d+ predictions$/);
 });
 
+test("a task that was done is so in later visits, without what solved it", async (t) => {
+  const page = await load(t, "?lesson=frustum-2d&a=corners_outside&boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0&step=99");
+  await until(page, (now) => now.grade.done);
+  await page.keyboard.press("ArrowLeft");
+  const back = await reload(page, "?lesson=frustum-2d&step=0");
+  assert.equal(back.grade.done, false);
+  await page.locator("#task .done").waitFor();
+});
+
 test("a conversation goes on where it stood: before the second try, on the way, at what is told, at the summary", async (t) => {
   const page = await load(t, `${kFirst}&step=2`); // with motion: the way to an outcome is played
   const field = page.getByLabel("Name", { exact: true });

@@ -35,8 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   fuzz::require(kept.invited >= 0);
   if (const desktop::KeptLesson* lesson = kept.lesson(kept.last())) {
     fuzz::require(lesson->step >= 0 && lesson->steps >= 0 && lesson->answered >= 0);
-    const auto outcomes = lesson::outcomes_of(lesson->answers);
-    fuzz::require(lesson::outcomes_of(lesson::kept_text(outcomes)).size() == outcomes.size());
+    const lesson::KeptAnswers answers = lesson::kept_answers_of(lesson->answers);
+    const lesson::KeptAnswers again = lesson::kept_answers_of(lesson::kept_text(answers));
+    fuzz::require(again.outcomes.size() == answers.outcomes.size() && again.tasks == answers.tasks);
   }
   return 0;
 }

@@ -39,6 +39,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   if (draft.lesson && draft.mistakes.empty()) play(*std::move(draft.lesson));
   const std::vector<std::string> ids{"a", "b"};
   static_cast<void>(lesson::read_course(text, "course.toml", ids));
-  static_cast<void>(lesson::outcomes_of(text));
+  static_cast<void>(lesson::kept_answers_of(text));
   return 0;
 }

@@ -74,7 +74,7 @@ TEST_CASE("several points: all are tapped or typed, and only all of them are rig
   CHECK(outcome_of_own(session).right);
   CHECK(outcome_of_own(session).tries == 2);
   CHECK(outcome_of_own(session).predicted == "P0, P1 and P4");
-  CHECK(outcomes_of(kept_text(session.outcomes())).front().given == outcome_of_own(session).given);
+  CHECK(kept_answers_of(kept_text({session.outcomes(), {}})).outcomes.front().given == outcome_of_own(session).given);
 }
 
 TEST_CASE("a number is right within its tolerance, with its unit or without") {
@@ -94,7 +94,7 @@ TEST_CASE("a number is right within its tolerance, with its unit or without") {
   REQUIRE(session.commit());
   CHECK(outcome_of_own(session).right);
   CHECK(outcome_of_own(session).says == "Radius so far: 2.250 units.");
-  const Answer kept = outcomes_of(kept_text(session.outcomes())).back().given;
+  const Answer kept = kept_answers_of(kept_text({session.outcomes(), {}})).outcomes.back().given;
   CHECK(kept == outcome_of_own(session).given);
 
   Session other = at_own(keys);

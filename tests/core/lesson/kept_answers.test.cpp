@@ -23,7 +23,9 @@ TEST_CASE("answers are kept as they were given") {
   pending.pending = true;
   auto given = some();
   given.push_back(pending);
-  const auto back = outcomes_of(kept_text(given));
+  const KeptAnswers kept = kept_answers_of(kept_text({given, {0, 2}}));
+  const std::vector<Outcome>& back = kept.outcomes;
+  CHECK(kept.tasks == std::vector<int>{0, 2});
   REQUIRE(back.size() == 3);
   CHECK(back[2].question == "front");
   CHECK(back[2].pending);
@@ -41,16 +43,17 @@ TEST_CASE("answers are kept as they were given") {
   CHECK(back[1].given.kind == Answer::Kind::kSkipped);
   CHECK(back[1].skipped);
   CHECK(back[1].passed);
-  CHECK(outcomes_of(kept_text({})).empty());
+  CHECK(kept_text({}).empty());
+  CHECK(kept_answers_of("").outcomes.empty());
 }
 
 TEST_CASE("of damaged answers none are taken up") {
-  const std::string whole = kept_text(some());
+  const std::string whole = kept_text({some(), {1}});
   for (std::size_t length = 1; length < whole.size(); ++length)
-    CHECK(outcomes_of(std::string_view(whole).substr(0, length)).size() <= 2);
-  CHECK(outcomes_of("[[answer]]\nquestion = 7\n").empty());
-  CHECK(outcomes_of("answer = 3").empty());
-  CHECK(outcomes_of("{\"version\": 2}").empty());
-  CHECK(outcomes_of(std::string(1000, '[')).empty());
-  CHECK(outcomes_of(std::string(1 << 20, 'a')).empty());
+    CHECK(kept_answers_of(std::string_view(whole).substr(0, length)).outcomes.size() <= 2);
+  CHECK(kept_answers_of("[[answer]]\nquestion = 7\n").outcomes.empty());
+  CHECK(kept_answers_of("answer = 3").outcomes.empty());
+  CHECK(kept_answers_of("{\"version\": 2}").outcomes.empty());
+  CHECK(kept_answers_of(std::string(1000, '[')).outcomes.empty());
+  CHECK(kept_answers_of(std::string(1 << 20, 'a')).outcomes.empty());
 }
