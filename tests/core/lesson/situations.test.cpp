@@ -5,6 +5,7 @@
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/play.hpp"
 #include "lesson/speaking.hpp"
+#include "lesson/subjects.hpp"
 #include "lesson/trace_hash.hpp"
 
 using namespace snug;

@@ -149,6 +149,18 @@ const char* offer_first_wrong(Asked& asked, const Run& run) {
   return nullptr;
 }
 
+/// A tap on the stage cannot tell points in the same place apart, so all of them are right.
+void add_points_in_same_places(Truth& truth, const FitRun& run) {
+  const std::vector<Index> found = truth.points;
+  for (Index i = 0; i < fit::size_of(run.points()); ++i) {
+    const auto same = [&](Index one) { return fit::point_of(run.points(), one) == fit::point_of(run.points(), i); };
+    if (std::find(found.begin(), found.end(), i) != found.end() || std::none_of(found.begin(), found.end(), same))
+      continue;
+    truth.points.push_back(i);
+    truth.choices.push_back(static_cast<int>(i) + 1);
+  }
+}
+
 /// Several points are right where one step is wrong about several.
 Truth first_wrong_truth(const Asked&, const Run& run) {
   const FitRun& own = fit_run(run);
@@ -163,6 +175,7 @@ Truth first_wrong_truth(const Asked&, const Run& run) {
   truth.happened = where.names(truth.points);
   truth.sentence = "In step " + count_text(step + 1) + " the test of " + truth.happened + " is the first to be wrong." +
                    where.contradiction();
+  add_points_in_same_places(truth, own);
   return truth;
 }
 

@@ -144,4 +144,11 @@ TEST_CASE("which point is the first is asked before the run, and its model answe
   REQUIRE_FALSE(truth.points.empty());
   CHECK(truth.points.front() == fit_run(session.run(0)).wrong()->front().point);
   CHECK(truth.sentence.find("is the first to be wrong") != std::string::npos);
+  // A tap cannot tell points in the same place apart.
+  std::vector<Index> same;
+  for (Index i = 0; i < session.size(); ++i)
+    if (session.point(i) == session.point(truth.points.front())) same.push_back(i);
+  CHECK(same.size() == 4);
+  CHECK(std::is_permutation(truth.points.begin(), truth.points.end(), same.begin(), same.end()));
+  CHECK(truth.choices.size() == same.size());
 }
