@@ -121,8 +121,14 @@ std::string plain_number(double value) {
   if (value == std::floor(value) && std::abs(value) < 1e12)
     return (value < 0 ? "−" : "") + count_text(std::llround(std::abs(value)));
   std::string text = number_text(value);
-  if (text.find("×") != std::string::npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
+  const std::size_t end = std::min(text.find(" ×"), text.size());  // of the digits, before a power of ten
+  if (text.find('.') >= end) return text;
+  std::size_t last = text.find_last_not_of('0', end - 1);
+  if (text[last] == '.') --last;
+  text.erase(last + 1, end - last - 1);
+  constexpr std::string_view kOneTimes = "1 × ";
+  const std::size_t sign = value < 0 ? std::string_view("−").size() : 0;
+  if (std::string_view(text).substr(sign).starts_with(kOneTimes)) text.erase(sign, kOneTimes.size());
   return text;
 }
 

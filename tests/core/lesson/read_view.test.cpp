@@ -139,6 +139,17 @@ TEST_CASE("lengths have the decimals that the file asks for, and none is written
   CHECK(number_text(0.25) == "0.25");
 }
 
+TEST_CASE(
+    "a plain number has no zeros behind its digits, before a power of ten either, and keeps those of a whole part") {
+  CHECK(plain_number(0.25) == "0.25");
+  CHECK(plain_number(2.00001) == "2");
+  CHECK(plain_number(1200.3) == "1200");
+  CHECK(plain_number(1e-6) == "10⁻⁶");
+  CHECK(plain_number(-1e-6) == "−10⁻⁶");
+  CHECK(plain_number(-2.5e-12) == "−2.5 × 10⁻¹²");
+  CHECK(plain_number(3.16e-5) == "3.16 × 10⁻⁵");
+}
+
 TEST_CASE("a gap is written with two digits, and the lengths around it with decimals that show it") {
   CHECK(gap_text(0.1234) == "0.123");
   CHECK(gap_text(0.0034) == "0.0034");
