@@ -514,6 +514,8 @@ void App::frame(const Layout& layout, double now) {
   if (shows(layout.inspector)) {
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     s.figures_height = draw_inspector(s.look, *s.session, *s.view, layout.inspector);
+    const bool changed = s.session->revision() != s.drawn_revision;
+    if (changed && ImGui::GetScrollMaxY() > 0) s.settle = std::max(s.settle, 1);  // it may scroll to the step's row
   }
   if (shows(layout.stage)) s.invite(layout.stage);
   if (!any(io.MouseDown)) s.press_ends = false;

@@ -159,6 +159,16 @@ Touch touch_row(const AxisTable& table, const lesson::AxisName& name, float y) {
   return touch_area(("axis " + name.text).c_str(), rect, name.text);
 }
 
+/// Scrolls the panel to the row of the step where that is out of sight, once for each step that moves to another row.
+void follow_row(const Look& look, int row, float y) {
+  int& before = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("row followed"), -1);
+  if (row == before) return;
+  before = row;
+  if (row < 0) return;
+  const float height = look.px(kRow), top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
+  if (y < top || y + 2 * height > bottom) ImGui::SetScrollFromPosY(y + height / 2 - top);
+}
+
 /// Draws the table and returns its height.
 float draw_table(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
                  AxisLight* light) {
@@ -187,6 +197,7 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
     if (light != nullptr && touch.clicked) light->tapped = light->tapped == i ? -1 : i;
     table.row(y, names[i], rows[i], i == (lit >= 0 ? lit : at_hand));
     if (wrong[i]) draw_wrong_row(table, y);
+    if (i == at_hand) follow_row(look, i, y);
   }
   return y - at.y;
 }
