@@ -339,6 +339,9 @@ struct Entry<fit::Finished> : FitEntry {
       return done + "; the hull has " +
              (fact.support.size() == 1 ? "1 vertex."
                                        : count_text(static_cast<std::int64_t>(fact.support.size())) + " vertices.");
+    // A naive algorithm's rounded sphere may miss the points that it names.
+    if (where.run.wrong() != nullptr && std::holds_alternative<fit::Sphere3>(where.step().volume))
+      return done + ", computed from " + names + ".";
     return where.run.exact() ? done + ", supported by " + names + "." : done + "; it touches " + names + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }

@@ -133,6 +133,14 @@ TEST_CASE("the sentence, the figures and the timeline tell the first wrong test"
   }
 }
 
+TEST_CASE("a naive sphere does not claim to touch the points that it is computed from, which it may leave outside") {
+  Session session = session_of("cases/twins");
+  REQUIRE(session.method(0)->naive);
+  session.go(session.steps());
+  CHECK(session.caption().find("Done: radius ") == 0);
+  CHECK(session.caption().find(", computed from P") != std::string::npos);
+}
+
 TEST_CASE("which point is the first is asked before the run, and its model answer is right") {
   Session session = session_of("rounding-sphere");
   REQUIRE(session.show_situation("twins"));
