@@ -61,10 +61,13 @@ std::string scale_text(double length) {
   return decimals > 0 && decimals < 7 ? lesson::decimal_text(length, decimals) : lesson::plain_number(length);
 }
 
-/// "40", "2.5", "1,200": two digits.
+/// "40", "2.5", "1,200", "15 billion": two digits.
 std::string times_text(double times) {
+  constexpr double kBillion = 1e9, kMostBillions = 1e12;
   const double unit = std::pow(10, std::floor(std::log10(times)) - 1);
-  return lesson::plain_number(std::round(times / unit) * unit);
+  const double rounded = std::round(times / unit) * unit;
+  if (rounded < kBillion || rounded >= kMostBillions) return lesson::plain_number(rounded);
+  return lesson::plain_number(rounded / kBillion) + " billion";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "app/look.hpp"
 #include "bench.hpp"
+#include "course_lessons.hpp"
 #include "viewed_lessons.hpp"
 
 namespace snug::app {
@@ -105,6 +106,15 @@ TEST_CASE("on a phone the knobs of two volumes stand on the stage, though the di
   REQUIRE(bench.app.handles().size() == 11);
   for (const Handle& handle : bench.app.handles())
     CHECK_MESSAGE((handle.x > 16 && handle.x < kPhone.stage.width - 16), handle.id);
+}
+
+TEST_CASE("a close-up says billions, whose zeros would be wider than it") {
+  Bench bench(course_lesson("cases/shared-coordinate", false));
+  bench.session().jump(bench.session().steps());
+  bench.frames(2);
+  const auto words = bench.words();
+  CHECK(std::any_of(words.begin(), words.end(),
+                    [](const std::string& one) { return one.ends_with(" billion times larger"); }));
 }
 
 TEST_CASE("boxes that touch, and such as overlap a little, have a close-up of where") {
