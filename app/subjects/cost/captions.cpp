@@ -57,14 +57,14 @@ std::string measuring_caption(int done, int all) {
                  : phrase("Measuring: %d updates are done.", done);
 }
 
-std::string accuracy_caption(const cost::CostRow& row) {
+std::string accuracy_caption(const cost::Table<cost::CostRow>& table, const cost::CostRow& row) {
+  const AccuracyWords words = accuracy_words(table.rows, row);
   std::string size, part;
-  if (row.tightness) size = phrase(", %s times the smallest", figure(ChartUnit::kRatio, *row.tightness).c_str());
-  else if (row.over_hull) size = phrase(", %s times the hull", figure(ChartUnit::kRatio, *row.over_hull).c_str());
+  if (words.size) size = ", " + figure(ChartUnit::kRatio, *words.size) + " times " + std::string(words.against);
   if (row.points < row.of)
     part = phrase(", on %d of %d points", static_cast<int>(row.points), static_cast<int>(row.of));
-  return phrase("%s: %s%s%s; %son the front.", algorithm_title(row.volume, row.algorithm).c_str(),
-                time(row.time.median).c_str(), size.c_str(), part.c_str(), row.on_front ? "" : "not ");
+  return phrase("%s: %s%s%s; %son the front.", words.title.c_str(), time(row.time.median).c_str(), size.c_str(),
+                part.c_str(), row.on_front ? "" : "not ");
 }
 
 std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
@@ -86,7 +86,7 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, 
   const bool last = point + 1 >= own.size() && !row.stopped.empty();
   const bool too_few = !row.exponent && is_fitted(own);
   const std::string theory = too_few ? std::string(cost::kTooFewToTell) : theory_words(row);
-  return phrase("%s: %s points, %s.%s%s%s%s%s%s", algorithm_title(row.volume, row.algorithm).c_str(),
+  return phrase("%s: %s points, %s.%s%s%s%s%s%s", growth_title(table.rows, row).c_str(),
                 figure(ChartUnit::kCount, static_cast<double>(row.points)).c_str(), time(row.time.median).c_str(),
                 theory.empty() ? "" : " ", theory.empty() ? "" : row.theory.c_str(), theory.empty() ? "" : ", ",
                 theory.c_str(), theory.empty() ? "" : ".",

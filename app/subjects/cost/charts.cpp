@@ -216,6 +216,20 @@ bool always_tight(std::span<const cost::TurnRow> line) {
                      [](const cost::TurnRow& row) { return row.slack && *row.slack < kRounding; });
 }
 
+std::string_view accuracy_against(const std::vector<cost::CostRow>& rows) {
+  constexpr std::array<std::string_view, 3> kAgainst{"the smallest", "the hull", "the smallest found"};
+  return kAgainst[static_cast<std::size_t>(look_of(rows).against)];
+}
+
+AccuracyWords accuracy_words(const std::vector<cost::CostRow>& rows, const cost::CostRow& row) {
+  const CostLook look = look_of(rows);
+  return {series_name(look.one, row), look.y(row), accuracy_against(rows)};
+}
+
+std::string growth_title(const std::vector<cost::GrowthRow>& rows, const cost::GrowthRow& row) {
+  return series_name(of_one_volume(rows), row);
+}
+
 std::string algorithm_title(std::string_view volume, std::string_view algorithm) {
   const fit::Algorithm* found = fit::find_algorithm(volume, algorithm);
   return std::string(found != nullptr ? found->title : algorithm);

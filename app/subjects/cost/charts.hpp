@@ -1,6 +1,7 @@
 // Turns the tables of core/measure into charts of what accuracy costs.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +31,18 @@ namespace snug::app {
 [[nodiscard]] bool is_fitted(std::span<const cost::GrowthRow> line);
 /// Whether the update's volume is the tightest of its kind at every angle.
 [[nodiscard]] bool always_tight(std::span<const cost::TurnRow> line);
+
+/// What the chart of accuracy says about one of its rows, for words beside the chart.
+struct AccuracyWords {
+  std::string title;           // with its volume, where the chart has several
+  std::optional<double> size;  // its height on the chart
+  std::string_view against;    // what that is a multiple of: "the smallest", "the hull", "the smallest found"
+};
+[[nodiscard]] AccuracyWords accuracy_words(const std::vector<cost::CostRow>& rows, const cost::CostRow& row);
+/// The title of a line of the chart of growth, in the same way.
+[[nodiscard]] std::string growth_title(const std::vector<cost::GrowthRow>& rows, const cost::GrowthRow& row);
+/// What the sizes of a whole table are multiples of.
+[[nodiscard]] std::string_view accuracy_against(const std::vector<cost::CostRow>& rows);
 
 /// Titles for people: "PCA of the points", "AABB by hill climbing". An unknown name is returned as it is.
 [[nodiscard]] std::string algorithm_title(std::string_view volume, std::string_view algorithm);

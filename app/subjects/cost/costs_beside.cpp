@@ -31,22 +31,6 @@ std::string percent_of(const std::optional<cost::SlackRange>& range, double cost
   return range ? chart_figure(ChartUnit::kPercent, (*range).*end) : "not known";
 }
 
-std::vector<std::string> words_of(const cost::CostRow& row) {
-  const std::string on = row.points < row.of ? ", on " + count(row.points) + " of " + count(row.of) + " points" : "";
-  return {algorithm_title(row.volume, row.algorithm), time_of(row.time) + on,
-          row.tightness ? chart_figure(ChartUnit::kRatio, *row.tightness) : "not known", row.on_front ? "yes" : "no"};
-}
-
-/// A line in words: its last point and its power.
-std::vector<std::string> words_of(std::span<const cost::GrowthRow> line) {
-  const cost::GrowthRow& last = line.back();
-  const std::string theory = theory_words(last);
-  return {algorithm_title(last.volume, last.algorithm),
-          count(last.points) + (last.stopped.empty() ? "" : ": ") + last.stopped, time_of(last.time),
-          last.exponent ? two_digits(*last.exponent) : std::string(cost::kTooFewToTell),
-          last.theory + (theory.empty() ? "" : ", ") + theory};
-}
-
 /// A line in words: its least and greatest looseness.
 std::vector<std::string> words_of(std::span<const cost::TurnRow> line) {
   const auto range = cost::slack_range(line);
@@ -58,6 +42,32 @@ std::vector<std::string> words_of(std::span<const cost::TurnRow> line) {
 WordTable table_of(std::vector<std::string> head, const auto& rows) {
   WordTable table{std::move(head), {}};
   for (const auto& row : rows) table.rows.push_back(words_of(row));
+  return table;
+}
+
+/// Each line in words: its last point and its power.
+WordTable growth_table(const std::vector<cost::GrowthRow>& rows) {
+  WordTable table{{"Algorithm", "Most points", "Time for these", "Power of n", "In theory"}, {}};
+  for (const std::span<const cost::GrowthRow> line : lines_of(rows)) {
+    const cost::GrowthRow& last = line.back();
+    const std::string theory = theory_words(last);
+    table.rows.push_back({growth_title(rows, last),
+                          count(last.points) + (last.stopped.empty() ? "" : ": ") + last.stopped, time_of(last.time),
+                          last.exponent ? two_digits(*last.exponent) : std::string(cost::kTooFewToTell),
+                          last.theory + (theory.empty() ? "" : ", ") + theory});
+  }
+  return table;
+}
+
+WordTable accuracy_table(const std::vector<cost::CostRow>& rows) {
+  WordTable table{{"Algorithm", "Time", "Times " + std::string(accuracy_against(rows)), "On the front"}, {}};
+  for (const cost::CostRow& row : rows) {
+    const AccuracyWords words = accuracy_words(rows, row);
+    const std::string on = row.points < row.of ? ", on " + count(row.points) + " of " + count(row.of) + " points" : "";
+    table.rows.push_back({words.title, time_of(row.time) + on,
+                          words.size ? chart_figure(ChartUnit::kRatio, *words.size) : "not known",
+                          row.on_front ? "yes" : "no"});
+  }
   return table;
 }
 
@@ -89,11 +99,10 @@ std::array<CoverButton, 2> Costs::work_buttons(const lesson::Session& session) c
 }
 
 WordTable Costs::table(const lesson::Session&) const {
-  if (view_ == CostView::kGrowth)
-    return table_of({"Algorithm", "Most points", "Time for these", "Power of n", "In theory"}, lines_of(growth().rows));
+  if (view_ == CostView::kGrowth) return growth_table(growth().rows);
   if (view_ == CostView::kTurn)
     return table_of({"Update", "Least looseness", "Most looseness", "Time of one"}, lines_of(turn().rows));
-  return table_of({"Algorithm", "Time", "Times the smallest", "On the front"}, accuracy().rows);
+  return accuracy_table(accuracy().rows);
 }
 
 bool Costs::decided(const lesson::Session& session) const { return lesson::costs_of(session) != nullptr; }

@@ -124,7 +124,7 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (focus_row_ >= 0 && any) {
     if (view_ == CostView::kGrowth) return growth_caption(growth(), focus_row_, focus_point_);
     if (view_ == CostView::kTurn) return turn_caption(turn(), focus_row_, focus_point_);
-    return accuracy_caption(accuracy().rows[focus_row_]);
+    return accuracy_caption(accuracy(), accuracy().rows[focus_row_]);
   }
   if (session.asked() != nullptr) return "Predict first, then measure.";
   if (!any && view_ == CostView::kAccuracy && awaits_measuring(session))

@@ -140,6 +140,22 @@ TEST_CASE("an earlier result lies over the present one, with marks of no row") {
   CHECK_FALSE(costs.command(session, "chart_load"));  // it is no algorithm of this measurement
 }
 
+TEST_CASE("beside a chart of several volumes, words name each with its volume, and say its size over the hull's as the "
+          "chart does") {
+  cost::CostRow sphere, capsule;
+  sphere.volume = "sphere", sphere.algorithm = "ritter", sphere.tightness = 1, sphere.over_hull = 250;
+  capsule.volume = "capsule", capsule.algorithm = "pca", capsule.over_hull = 4;
+  const std::vector<cost::CostRow> both{sphere, capsule}, one{sphere};
+  CHECK(accuracy_words(both, sphere).title == "Sphere: Ritter");
+  CHECK(accuracy_words(both, sphere).size == 250.0);
+  CHECK(accuracy_words(both, capsule).title == "Capsule: PCA");
+  CHECK(accuracy_words(both, capsule).size == 4.0);
+  CHECK(accuracy_against(both) == "the hull");
+  CHECK(accuracy_words(one, sphere).title == "Ritter");
+  CHECK(accuracy_words(one, sphere).size == 1.0);
+  CHECK(accuracy_against(one) == "the smallest");
+}
+
 TEST_CASE("the other charts are not to be had before the predictions, whose answers they would give away") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
