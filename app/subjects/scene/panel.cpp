@@ -111,7 +111,7 @@ class ScenePanel {
     for (const lesson::Switch& one : switches) {
       ImGui::PushID(row++);
       const std::string name = lesson::effect_words(one.name);
-      const auto lines = lines_of(look_, Face::kRegular, kSmall, name, right(0) - x_ - kIndent - look_.px(11));
+      const auto lines = lines_of(look_, Face::kRegular, kSmall, name, room_for_name(one.run));
       const float reason = one.says.empty() ? 0 : look_.fingers ? kReasonToFinger : kReason;
       const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1) + reason);
       const bool enabled = session.can_toggle(one);
@@ -142,9 +142,15 @@ class ScenePanel {
                  "body to make it hop.";
   }
 
+  /// How wide an effect's name may be: up to the number of its runs.
+  [[nodiscard]] float room_for_name(std::int64_t run) const {
+    const float figure = measure(look_, Face::kMono, kTiny, std::to_string(run)).x;
+    return right(0) - x_ - kIndent - figure - look_.px(6);
+  }
+
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 3> kShares{0.55f, 0.76f, 1};
+    constexpr std::array<float, 3> kShares{0.58f, 0.78f, 1};
     return x_ + width_ * kShares[column];
   }
 
