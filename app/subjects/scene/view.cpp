@@ -1,6 +1,8 @@
 #include "app/subjects/scene/view.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include "app/brush.hpp"
 #include "app/subjects/scene/draw.hpp"
@@ -106,9 +108,21 @@ fit::Sphere3 SceneView::extent(const lesson::Session& session) {
   return extent_->ball;
 }
 
+/// How deep the view reaches: below the lowest fixed body half as far as the scene rises above it. A body that misses
+/// the floor falls for as long as there are frames, and a view of all of its way would show the others as dots.
+double depth_shown(const lesson::Session& session, double least, double greatest) {
+  const std::span<const scene::Member> members = members_of(session);
+  const SceneFrame* frame = frame_of(session);
+  double floor = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; frame != nullptr && i < members.size(); ++i)
+    if (members[i].fixed) floor = std::min(floor, frame->bodies[i].position.y());
+  return floor <= greatest ? std::max(least, floor - (greatest - floor) / 2) : least;
+}
+
 /// A ball around the scene in all of its frames.
 fit::Sphere3 SceneView::whole_run(const lesson::Session& session) const {
   auto [least, greatest] = lesson::recorded_scene(session, 0)->bodies;
+  least.y() = depth_shown(session, least.y(), greatest.y());
   if (shows_points(session)) {  // the volumes are what students look at
     for (const int slot : {0, 1})
       if (const auto* run = lesson::recorded_scene(session, slot))

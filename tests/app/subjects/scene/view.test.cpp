@@ -51,4 +51,24 @@ TEST_CASE("where a body stands at each point, it is drawn in the point's place, 
   }
 }
 
+TEST_CASE("the view does not follow bodies that miss the floor and fall for the rest of the run") {
+  lesson::Lesson lesson;
+  lesson.id = "test";
+  lesson.volume = "scene";
+  lesson.points = {.dim = 3, .list = {{0, 1, 0}, {1, 1, 0}}};
+  auto set = std::make_shared<lesson::SceneSet>();
+  set->frames = 240;
+  set->bodies.resize(2);
+  set->bodies[0].at_points = true;
+  set->bodies[1].body.fixed = true;
+  set->bodies[1].body.position = {0, -1, 5};  // beside their way
+  set->effects = {{.name = "fall"}, {.name = "refit"}};
+  lesson.tables = std::move(set);
+  lesson.algorithms = {"rebuild"};
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  session.jump(240);
+  CHECK(frame_of(session)->bodies[0].position.y() < -50);
+  CHECK(scene_view()->extent(session).radius < 5);
+}
+
 }  // namespace snug::app
