@@ -105,7 +105,7 @@ TEST_CASE("on a phone the knobs of two volumes stand on the stage, though the di
       kPhone);
   REQUIRE(bench.app.handles().size() == 11);
   for (const Handle& handle : bench.app.handles())
-    CHECK_MESSAGE((handle.x > 16 && handle.x < kPhone.stage.width - 16), handle.id, " at ", handle.x);
+    CHECK_MESSAGE((handle.x > 10 && handle.x < kPhone.stage.width - 10), handle.id, " at ", handle.x);
 }
 
 TEST_CASE("a close-up says billions, whose zeros would be wider than it") {
