@@ -32,12 +32,12 @@ until_state 's.focus === "" && s.lit === ""'
 tab_to "Welzl's algorithm and the support set"
 xdotool key Return
 until_state 's.focus === "Welzl'"'"'s algorithm and the support set"'
-sleep 0.3
+sleep 1 # the menu is open
 xdotool key Down
 until_state 's.focus === "Welzl'"'"'s recursion, as printed"'
 xdotool key Escape
 until_state 's.focus === "Welzl'"'"'s algorithm and the support set"'
-xdotool key Return sleep 0.3 key Down sleep 0.3 key Return
+xdotool key Return sleep 1 key Down sleep 1 key Return
 until_state 's.lesson === "welzl-recursion"'
 kill "$pid" && wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"

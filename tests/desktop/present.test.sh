@@ -13,11 +13,7 @@ xdotool key t
 until_state '!s.textShown'
 xdotool key n
 until_state 's.lesson === "sphere-pca" && s.step === 0 && s.presenting'
-for i in $(seq 30); do
-    [[ $(state 's.focus') == "Next lesson (N)" ]] && break
-    xdotool key Tab
-    sleep 0.15
-done
+tab_to "Next lesson (N)"
 xdotool key Return
 until_state 's.lesson === "sphere-welzl" && s.presenting'
 xdotool key p

@@ -32,7 +32,11 @@ until_state 's.step === 1 && s.section === 1'
 
 # A link acts. The pointer is over the prose: it does not scroll away.
 xdotool mousemove --window "$window" 150 400
-for i in $(seq 40); do xdotool click 5; done
+for i in $(seq 60); do # until it is well on the stage's height
+    [[ $(link pivot | cut -d ' ' -f 2) -lt 600 ]] && break
+    xdotool click 5
+    sleep 0.1
+done
 last=
 until [[ $(link pivot) == "$last" ]]; do last=$(link pivot) && sleep 0.3; done
 point_at $last

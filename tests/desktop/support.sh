@@ -39,11 +39,15 @@ close_window() {
 
 # Presses Tab, or another key, until the control of that name has the keyboard.
 tab_to() { # name [key]
-    local i
+    local i j focus
     for i in $(seq 70); do
-        [[ $(state 's.focus') == "$1" ]] && return
+        focus=$(state 's.focus')
+        [[ $focus == "$1" ]] && return
         xdotool key "${2:-Tab}"
-        sleep 0.15
+        for j in $(seq 8); do # a slow frame must not make it go one too far
+            sleep 0.1
+            [[ $(state 's.focus') == "$focus" ]] || break
+        done
     done
     fail "the keyboard never came to $1, it is on $(state 's.focus')"
 }

@@ -132,7 +132,8 @@ TEST_CASE("a lesson that opens at its end begins a situation before the first st
   REQUIRE(told.show_situation("square"));
   CHECK((told.previewing() && told.step() == told.steps()));
 
-  Session asking = open(from_end(two_situations() + R"(
+  const std::string_view without_question = kSquare.substr(0, kSquare.find("[[question]]"));
+  Session asking = open(from_end(std::string(kSmallLesson) + std::string(without_question) + R"(
 [[question]]
 id = "first"
 algorithm = "ritter"
