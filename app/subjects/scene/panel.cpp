@@ -150,7 +150,7 @@ class ScenePanel {
 
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const {
-    constexpr std::array<float, 3> kShares{0.58f, 0.78f, 1};
+    constexpr std::array<float, 3> kShares{0.55f, 0.77f, 1};
     return x_ + width_ * kShares[column];
   }
 
