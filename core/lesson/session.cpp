@@ -164,11 +164,7 @@ void Session::take_up_tasks(const std::vector<int>& done) {
     if (task >= 0 && task < std::ssize(done_)) done_[task] = true;
 }
 
-bool Session::tasks_done() const {
-  for (std::size_t i = 0; i < lesson_->tasks.size(); ++i)
-    if (!was_done(i)) return false;
-  return !lesson_->tasks.empty();
-}
+bool Session::tasks_done() const { return !done_.empty() && done_tasks().size() == done_.size(); }
 
 std::uint64_t Session::trace_hash() const {
   if (!hash_) hash_ = run(0).hash();

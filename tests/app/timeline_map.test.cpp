@@ -42,18 +42,28 @@ TEST_CASE("a best is never left out for want of room: what stands too near gives
   CHECK(kept[2].step == 60);
 }
 
-TEST_CASE("marks beyond the first question without an answer would tell it: they come with the answer") {
+namespace {
+
+/// Welzl's run of a lesson that asks these questions where a point is forced onto the boundary for the third time.
+lesson::Session asking_at_third(const std::vector<std::string>& ids) {
   lesson::Lesson lesson;
   lesson.id = "test";
   lesson.points = {.dim = 2, .generate = "clusters", .count = 14};
   lesson.algorithms = {"welzl"};
-  lesson::Question question;
-  question.id = "third";
-  question.gate = {.algorithm = "welzl", .fact = "boundary_forced", .occurrence = 3, .after = ""};
-  question.asks = "point";
-  question.prompt = "Which?";
-  lesson.questions = {question};
-  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  for (const std::string& id : ids) {
+    lesson::Question& question = lesson.questions.emplace_back();
+    question.id = id;
+    question.gate = {.algorithm = "welzl", .fact = "boundary_forced", .occurrence = 3, .after = ""};
+    question.asks = "point";
+    question.prompt = "Which?";
+  }
+  return *lesson::Session::open(std::move(lesson));
+}
+
+}  // namespace
+
+TEST_CASE("marks beyond the first question without an answer would tell it: they come with the answer") {
+  lesson::Session session = asking_at_third({"third"});
   REQUIRE(session.questions().size() == 1);
   const int gate = session.questions()[0].step;
   const auto hidden = [&] { return session.marks().size() - marks_to_show(session).size(); };
@@ -74,18 +84,7 @@ TEST_CASE("marks beyond the first question without an answer would tell it: they
 }
 
 TEST_CASE("of two questions at one step, the second waits when the first has its answer, and marks stay away") {
-  lesson::Lesson lesson;
-  lesson.id = "test";
-  lesson.points = {.dim = 2, .generate = "clusters", .count = 14};
-  lesson.algorithms = {"welzl"};
-  lesson::Question question;
-  question.id = "first";
-  question.gate = {.algorithm = "welzl", .fact = "boundary_forced", .occurrence = 3, .after = ""};
-  question.asks = "point";
-  question.prompt = "Which?";
-  lesson.questions = {question, question};
-  lesson.questions[1].id = "second";
-  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  lesson::Session session = asking_at_third({"first", "second"});
   REQUIRE(session.questions().size() == 2);
   REQUIRE(session.questions()[0].step == session.questions()[1].step);
   session.go(session.questions()[0].step);
