@@ -14,8 +14,6 @@ using snug::test::small_lesson_with;
 
 namespace {
 
-constexpr std::string_view kText = "A **term** stands here\nover two lines.";
-
 /// The stretches of a text without mistakes, a mark before each that has one.
 std::string marked(std::string_view text) {
   std::vector<ProseFault> faults;
@@ -191,7 +189,7 @@ TEST_CASE("a mistake is told with its line and column, in prompts and hints too"
 
 TEST_CASE("a figure without an algorithm is that of the inspector; with one, its final result; both follow a drag") {
   Session session =
-      open(small_lesson_with(kText, "Now {radius}, in the end {radius welzl} and {count radius ritter}."));
+      open(small_lesson_with(test::kSmallText, "Now {radius}, in the end {radius welzl} and {count radius ritter}."));
   CHECK(session.lesson().figures.size() == 3);
   CHECK(now(session, "radius") == "… not known yet");
   while (session.asked() != nullptr || session.step() < session.steps()) {
@@ -241,7 +239,7 @@ because = "So large."
 }
 
 TEST_CASE("an algorithm that cannot take the points has no figures") {
-  Session session = open(small_lesson_with(kText, "{radius brute_force}"));
+  Session session = open(small_lesson_with(test::kSmallText, "{radius brute_force}"));
   CHECK(now(session, "radius brute_force") == "2.050\u00a0units");
   REQUIRE(session.set_generator("cube", 60, 2, 1));
   CHECK(now(session, "radius brute_force") == "… not for these points");
@@ -251,6 +249,6 @@ TEST_CASE("prompts are plain words where there is no markup, and a search finds 
   Session session = open(small_lesson_with("\"Which pair?\"", "\"Which *pair* of {count radius welzl}?\""));
   ProseFigures figures(session);
   CHECK(plain_now(session.questions().front().prompt, figures) == "Which pair of 2.050?");
-  const Session strong = open(small_lesson_with(kText, "**Bounds** and **{radius}**"));
+  const Session strong = open(small_lesson_with(test::kSmallText, "**Bounds** and **{radius}**"));
   CHECK(search_text(strong.lesson(), 1, "", {}).find("…") == std::string::npos);
 }

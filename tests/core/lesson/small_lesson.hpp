@@ -83,6 +83,9 @@ figure = "excess"
 at_least = 5
 )";
 
+/// Its first paragraph.
+inline constexpr std::string_view kSmallText = "A **term** stands here\nover two lines.";
+
 /// The small lesson with one stretch of it replaced.
 inline std::string small_lesson_with(std::string_view from, std::string_view to) {
   std::string text(kSmallLesson);

@@ -10,12 +10,10 @@ using snug::test::small_lesson_with;
 
 namespace {
 
-constexpr std::string_view kSpokenText = "A **term** stands here\nover two lines.";
-
 /// The small lesson, whose prose speaks.
 std::string speaking_lesson() {
   std::string text = small_lesson_with(
-      kSpokenText,
+      test::kSmallText,
       "The [pair](mark:pair_chosen) is [the support](mark:support), [P4](mark:P4) is outside; "
       "[Welzl](algorithm:welzl),\n"
       "[the bunny](mesh:bunny), [step 2](step:2), [spheres](lesson:sphere-ritter), $a \\\\le b$ and [brackets].");
@@ -79,7 +77,7 @@ TEST_CASE("a mistake in the prose is told with its own line") {
            {"$\\\\foo$", "has a formula that cannot be set, $\\foo$: \\foo is not known here"},
        })) {
     CAPTURE(one.text);
-    const std::string text = small_lesson_with(kSpokenText, one.text);
+    const std::string text = small_lesson_with(test::kSmallText, one.text);
     const auto lesson = read_lesson(text, "small.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK_MESSAGE(lesson.error().what.find(one.says) != std::string::npos, lesson.error().what);
@@ -103,9 +101,10 @@ TEST_CASE("in a long text the line is that of the mistake, whatever the quotes")
 }
 
 TEST_CASE("brackets before a link are brackets, and TeX stays as it was written") {
-  const auto lesson = read_lesson(
-      small_lesson_with(kSpokenText, "In [0, 1] the [pair](mark:pair_chosen).\n\n$$ r_A + r_B $$\n\nThe $r_A + r_B$."),
-      "a.toml");
+  const auto lesson =
+      read_lesson(small_lesson_with(test::kSmallText,
+                                    "In [0, 1] the [pair](mark:pair_chosen).\n\n$$ r_A + r_B $$\n\nThe $r_A + r_B$."),
+                  "a.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   const auto paragraphs = paragraphs_of(lesson->sections.at(0));
   CHECK(paragraphs.at(0)->at(0).text == "In [0, 1] the ");
