@@ -32,14 +32,14 @@ digest() { # preset
     } 2>&1 | sha256sum | cut -d ' ' -f 1
 }
 
-suites() { # preset: CTest writes a line for each as it ends
+suites() { # preset, options of CTest: it writes a line for each suite as it ends
     local results=$PWD/build/logs/ctest-$1.xml suite kept
     rm -f "$results"
     unset SNUG_DIGEST
     if [[ -z ${CI:-}${again:-} ]] && git rev-parse --git-dir &>/dev/null; then export SNUG_DIGEST=$(digest "$1"); fi
     kept=$(grep -lsFx "${SNUG_DIGEST:-run all}" build/logs/"$1"-*.passed | wc -l) || true
     ((kept == 0)) || say "$kept suites have not changed since they passed: their counts stand (--again runs all)."
-    ctest --test-dir "build/$1" -j3 --output-junit "$results" 2>&1 | grep -aE '^ *[0-9]+/[0-9]+ Test' || true
+    ctest --test-dir "build/$1" "${@:2}" -j3 --output-junit "$results" 2>&1 | grep -aE '^ *[0-9]+/[0-9]+ Test' || true
     [[ -s $results ]] || { failed=$((failed + 1)); return; }
     while read -r suite; do add_suite "$1-${suite% *}" "${suite##* }"; done < <(
         grep -oP '<testcase name="\K[^"]+"[^>]* status="[a-z]+' "$results" | sed 's/".*"/ /')
@@ -58,9 +58,14 @@ if [[ tests/browser/package-lock.json -nt tests/browser/node_modules/.package-lo
         stop "npm could not fetch the test packages: connect to a network, then run this again."
     touch tests/browser/node_modules/.package-lock.json
 fi
-if built release snug_tests snug_app_tests snug_desktop; then suites release; fi
+# The core's tests are compiled once for this machine: with the sanitizers where those are asked for.
+if [[ ${sanitize:-} ]]; then
+    if built release snug_app_tests snug_desktop; then suites release -E '^core[.]'; fi
+    if built sanitize snug_tests snug_fuzz; then suites sanitize; fi
+elif built release snug_tests snug_app_tests snug_desktop; then
+    suites release
+fi
 if built wasm all; then suites wasm; fi
-if [[ ${sanitize:-} ]] && built sanitize snug_tests snug_fuzz; then suites sanitize; fi
 
 say "$passed passed, $failed failed"
 ((failed == 0))

@@ -112,9 +112,9 @@ test("a click on a mark puts its cloud on the stage, and so does Enter on the wo
 });
 
 test("on a phone every claim can be chosen, and nothing is cut off", async (t) => {
-  const page = await visit(t, kLesson, kPhone);
-  await skip_all(page);
-  await measure(page);
+  const page = await measured(t);
+  await page.setViewportSize(kPhone.viewport);
+  if (!(await state(page)).cover.shown) await button(page, "Chart").click();
   await page.locator(".segments label", { hasText: "14-DOP" }).click();
   const { cover } = await until(page, (now) => now.cover.choices.find(({ chosen }) => chosen).words === "14-DOP");
   assert.ok(cover.shown);

@@ -75,8 +75,8 @@ test("a lesson of every kind opens in place of another as it would by itself, fo
     window.context = document.getElementById("canvas").getContext("webgl2");
   });
   const asked = watch_requests(page);
-  // There and, in steps of three, back: those are come to from two sides, and the second time nothing is fetched.
-  for (const id of [...all.slice(1), ...all.slice(0, -1).filter((_, i) => i % 3 === 0).reverse()]) {
+  // There and, in steps of six, back: those are come to from two sides, and the second time nothing is fetched.
+  for (const id of [...all.slice(1), ...all.slice(0, -1).filter((_, i) => i % 6 === 0).reverse()]) {
     await use(page);
     const fresh = id !== all[0] && !asked.includes(`lessons/${id}.toml`);
     if (!fresh) await erase_answers(page); // it would open where it was left
