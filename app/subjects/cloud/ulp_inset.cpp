@@ -79,10 +79,11 @@ class UlpPicture {
     line(brush_.list, {at.x, y_of(0)}, at, Stroke::kDotted, p_.examined, brush_.stroke());
     disc(brush_.list, at, 4, p_.examined);
     ring(brush_.list, at, 8, p_.examined, brush_.stroke(0.8f));
-    // Beside the point where there is room, else above it.
+    // Beside the point, clear of the boundary, where there is room; else above it.
     const std::string name = brush_.session.name_of(left_.worst);
     const float size = brush_.look.px(12), room = right() - 4 - measure(brush_.look, Face::kSemiBold, 12, name).x;
-    const ImVec2 beside{at.x + 13, middle_of(at.y, size)}, above{std::min(at.x - 4, room), at.y - 12 - size};
+    const float clear = y_of(0) - size - 3;
+    const ImVec2 beside{at.x + 13, std::min(middle_of(at.y, size), clear)}, above{std::min(at.x - 4, room), at.y - 12 - size};
     text(brush_.list, brush_.look, Face::kSemiBold, 12, beside.x <= room ? beside : above, p_.examined_text, name);
   }
 
