@@ -15,8 +15,8 @@ constexpr Index kNameAll = 30;           // up to this many points have room for
 constexpr std::size_t kInviteAll = 250;  // more rings than this hide the points
 
 std::string coordinates(const Point3& p, int dim) {
-  std::string text = "(" + lesson::number_text(p[0]) + ", " + lesson::number_text(p[1]);
-  if (dim == 3) text += ", " + lesson::number_text(p[2]);
+  std::string text = "(" + lesson::coordinate_text(p[0]) + ", " + lesson::coordinate_text(p[1]);
+  if (dim == 3) text += ", " + lesson::coordinate_text(p[2]);
   return text + ")";
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace snug::lesson {
 namespace {
@@ -24,6 +25,12 @@ std::string power_of_ten(const std::string& printed) {
   return printed.substr(0, e) + " × 10" + raised(std::atoi(printed.c_str() + e + 1));
 }
 
+/// With commas between the thousands of the whole part: "12,345.6".
+std::string with_commas(std::string digits) {
+  for (std::size_t at = std::min(digits.find('.'), digits.size()); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
 std::optional<int> wished_decimals;  // by the innermost WithDecimals
 
 /// The size with the decimals that are wished for; empty if that is no way to write it.
@@ -31,14 +38,15 @@ std::string with_wished_decimals(double size) {
   if (!wished_decimals || size >= 1e6) return {};
   std::string text = printed("%.*f", *wished_decimals, size);
   const bool zero = text.find_first_not_of("0.") == std::string::npos;
-  return zero && size > 0 ? std::string() : text;
+  return zero && size > 0 ? std::string() : with_commas(std::move(text));
 }
 
 std::string with_digits(double size, int digits) {
   if (size == 0) return "0.000";
   if (size < 1e-3 || size >= 1e6) return power_of_ten(printed("%.*e", digits - 1, size));
   const int before = static_cast<int>(std::floor(std::log10(size)));  // below 0 for numbers below 1
-  return printed("%.*f", std::max(0, before >= 0 ? digits - 1 - before : std::max(digits - 1, 1 - before)), size);
+  const int decimals = std::max(0, before >= 0 ? digits - 1 - before : std::max(digits - 1, 1 - before));
+  return with_commas(printed("%.*f", decimals, size));
 }
 
 }  // namespace
@@ -60,11 +68,13 @@ std::string number_text(double value, int digits) {
   return value < 0 ? std::string("−").append(text) : text;
 }
 
-std::string count_text(std::int64_t n) {
-  std::string text = std::to_string(n);
-  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+std::string coordinate_text(double value) {
+  std::string text = number_text(value);
+  std::erase(text, ',');
   return text;
 }
+
+std::string count_text(std::int64_t n) { return with_commas(std::to_string(n)); }
 
 int digits_apart(double a, double b) {
   constexpr int kMostDigits = 9;
@@ -79,7 +89,7 @@ std::pair<std::string, std::string> number_texts_apart(double a, double b) {
 }
 
 std::string decimal_text(double value, int decimals) {
-  const std::string text = printed("%.*f", decimals, std::abs(value));
+  const std::string text = with_commas(printed("%.*f", decimals, std::abs(value)));
   return (value < 0 && text.find_first_not_of("0.") != std::string::npos ? "−" : "") + text;
 }
 
@@ -108,7 +118,7 @@ std::optional<double> excess_of(double size, std::optional<double> smallest) {
 }
 
 std::string percent_text(double ratio) {
-  const std::string text = printed("%.*f", 1, std::abs(100 * ratio));
+  const std::string text = with_commas(printed("%.*f", 1, std::abs(100 * ratio)));
   return (text == "0.0" ? "" : ratio < 0 ? "−" : "+") + text + " %";
 }
 

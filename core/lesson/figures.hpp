@@ -31,9 +31,12 @@ struct Proof {
 };
 
 /// Four significant digits and at most three decimals, or more if a small number would have fewer than two digits left:
-/// "2.118", "21.18", "0.042", "0.0042", "1.234 × 10¹⁰". The minus sign is U+2212.
+/// "2.118", "21.18", "0.042", "0.0042", "2,118", "1.234 × 10¹⁰". The minus sign is U+2212.
 inline constexpr int kUsualDigits = 4;
 [[nodiscard]] std::string number_text(double value, int digits = kUsualDigits);
+
+/// The same without commas between thousands, for coordinates, between which commas stand: "2118".
+[[nodiscard]] std::string coordinate_text(double value);
 
 /// A whole number as superscripts: "⁻⁴⁸".
 [[nodiscard]] std::string raised(int n);
@@ -68,7 +71,7 @@ class WithDecimals {
 /// rounding, the texts are equal.
 [[nodiscard]] std::pair<std::string, std::string> number_texts_apart(double a, double b);
 
-/// A number with so many decimals: "0.30", "−1.0". Zero has no minus sign.
+/// A number with so many decimals: "0.30", "−1.0", "1,234.5". Zero has no minus sign.
 [[nodiscard]] std::string decimal_text(double value, int decimals);
 
 /// How many decimals show a gap with two digits; 0 if that are more than fit beside each other.

@@ -1,9 +1,7 @@
 #include "lesson/sliders.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "lesson/figures.hpp"
 
@@ -65,13 +63,6 @@ int knob_at(const Slider& slider, const Drive& drive, double value) {
   return static_cast<int>(std::lround(share * places_of(slider, drive)));
 }
 
-std::string fixed_text(double value, int decimals) {
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, std::abs(value));
-  const bool below = value < 0 && std::string_view(buffer.data()).find_first_of("123456789") != std::string::npos;
-  return (below ? "−" : "") + std::string(buffer.data());
-}
-
 /// As many decimals as at the slider's places, and more where a value between them has more.
 int decimals_shown(double value, int at_places) {
   int decimals = at_places;
@@ -85,8 +76,8 @@ std::string text_of(const Slider& slider, const Drive& drive, double value) {
   const double shown = fixed ? rounded_to(value, decimals_of(slider, drive)) : value;
   const double rounded = is_same(shown, value) ? shown : rounded_to_digits(value, kDigitsShown);
   std::string text = plain_number(rounded);
-  if (fixed && std::abs(value) < power_of_ten(4) && text.find_first_not_of("0123456789.−-") == std::string::npos)
-    text = fixed_text(rounded, decimals_shown(rounded, decimals_of(slider, drive)));
+  if (fixed && std::abs(value) < power_of_ten(4) && text.find_first_not_of("0123456789,.−-") == std::string::npos)
+    text = decimal_text(rounded, decimals_shown(rounded, decimals_of(slider, drive)));
   if (text == "1" && (unit == "units" || unit == "points")) unit.pop_back();
   return text + (unit == "degrees" ? "°" : unit.empty() ? "" : " " + unit);
 }

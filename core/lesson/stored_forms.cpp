@@ -28,7 +28,7 @@ Point3 lifted(const Vector<double, Dim>& p) {
 /// "1.200, 0.400"
 std::string text_of(const std::vector<double>& numbers) {
   std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : ", ") + number_text(number);
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + coordinate_text(number);
   return text;
 }
 

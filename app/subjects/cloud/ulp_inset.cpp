@@ -83,7 +83,8 @@ class UlpPicture {
     const std::string name = brush_.session.name_of(left_.worst);
     const float size = brush_.look.px(12), room = right() - 4 - measure(brush_.look, Face::kSemiBold, 12, name).x;
     const float clear = y_of(0) - size - 3;
-    const ImVec2 beside{at.x + 13, std::min(middle_of(at.y, size), clear)}, above{std::min(at.x - 4, room), at.y - 12 - size};
+    const ImVec2 beside{at.x + 13, std::min(middle_of(at.y, size), clear)},
+        above{std::min(at.x - 4, room), at.y - 12 - size};
     text(brush_.list, brush_.look, Face::kSemiBold, 12, beside.x <= room ? beside : above, p_.examined_text, name);
   }
 

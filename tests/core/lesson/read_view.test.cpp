@@ -143,7 +143,7 @@ TEST_CASE(
     "a plain number has no zeros behind its digits, before a power of ten either, and keeps those of a whole part") {
   CHECK(plain_number(0.25) == "0.25");
   CHECK(plain_number(2.00001) == "2");
-  CHECK(plain_number(1200.3) == "1200");
+  CHECK(plain_number(1200.3) == "1,200");
   CHECK(plain_number(1e-6) == "10⁻⁶");
   CHECK(plain_number(-1e-6) == "−10⁻⁶");
   CHECK(plain_number(-2.5e-12) == "−2.5 × 10⁻¹²");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "fit/catalogue.hpp"
@@ -12,12 +11,6 @@
 
 namespace snug::lesson {
 namespace {
-
-std::string fixed_text(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kTitles{
     {{"all_pairs", "All pairs"},
@@ -69,7 +62,7 @@ std::string looser_words(double slack, std::string_view than) {
   constexpr double kFew = 1, kMany = 99;  // above, a factor is clearer than per cent; and its tenths mean nothing
   const std::string loose = looseness_text(slack), tightest(than);
   if (slack < kFew) return without_plus(loose) + " larger than " + tightest;
-  return fixed_text(1 + slack, slack < kMany ? 1 : 0) + " times " + tightest + " (" + loose + ")";
+  return decimal_text(1 + slack, slack < kMany ? 1 : 0) + " times " + tightest + " (" + loose + ")";
 }
 
 std::string_view scene_figure_title(std::string_view figure) {
@@ -86,9 +79,9 @@ std::string effect_time_text(const scene::Tally& tally, double clock_step) {
   if (tally.run == 0) return {};
   const auto runs = static_cast<double>(tally.run);
   const double mean = tally.nanoseconds / runs / 1000, doubt = 2 * clock_step / std::sqrt(runs) / 1000;
-  if (mean >= doubt) return fixed_text(mean, mean < 1 ? 2 : mean < 10 ? 1 : 0);
+  if (mean >= doubt) return decimal_text(mean, mean < 1 ? 2 : mean < 10 ? 1 : 0);
   const double places = std::floor(std::log10(doubt)), unit = std::pow(10, places);
-  return "< " + fixed_text(std::ceil(doubt / unit) * unit, std::max(0, static_cast<int>(-places)));
+  return "< " + decimal_text(std::ceil(doubt / unit) * unit, std::max(0, static_cast<int>(-places)));
 }
 
 Figure scene_figure(std::string_view key, double value) {

@@ -28,7 +28,13 @@ TEST_CASE("numbers have four digits that count") {
   CHECK(number_text(0) == "0.000");
   CHECK(number_text(2.1184) == "2.118");
   CHECK(number_text(21.184) == "21.18");
-  CHECK(number_text(1839) == "1839");
+  CHECK(number_text(1839) == "1,839");
+  CHECK(number_text(660000) == "660,000");
+  CHECK(number_text(-481287, 3) == "−481,287");
+  CHECK(coordinate_text(-1839) == "−1839");
+  CHECK(decimal_text(2815, 0) == "2,815");
+  CHECK(decimal_text(-12345.6, 1) == "−12,345.6");
+  CHECK(decimal_text(999.9, 1) == "999.9");
   CHECK(number_text(-2.5) == "−2.500");
   CHECK(number_text(0.0123456) == "0.012");
   CHECK(number_text(-0.0042345) == "−0.0042");
@@ -59,7 +65,7 @@ TEST_CASE("two numbers have the digits that tell them apart") {
   using Texts = std::pair<std::string, std::string>;
   CHECK(number_texts_apart(2.25, 2.5) == Texts{"2.250", "2.500"});
   CHECK(number_texts_apart(0.99214, 0.99208) == Texts{"0.99214", "0.99208"});
-  CHECK(number_texts_apart(1234.4, 1234.3) == Texts{"1234.4", "1234.3"});
+  CHECK(number_texts_apart(1234.4, 1234.3) == Texts{"1,234.4", "1,234.3"});
   CHECK(number_texts_apart(2.25, std::nextafter(2.25, 3.0)) == Texts{"2.250", "2.250"});
 }
 
