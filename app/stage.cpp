@@ -110,8 +110,10 @@ bool Stage::is_low(const Rect& rect) {
   return rect.width < kWideStage && rect.width > rect.height && rect.height <= kLowStage;
 }
 
+bool Stage::is_wide(const Rect& rect) { return rect.width >= kWideStage; }
+
 void Stage::set_room(const Rect& rect, const Settings& settings) {
-  const bool wide = rect.width >= kWideStage, low = is_low(rect);
+  const bool wide = is_wide(rect), low = is_low(rect);
   const float words = settings.text_scale * palette_of(settings.theme).text;
   // The sentence is at the foot; on a page's narrow stage it stands below.
   const float sentence = wide || settings.prose_in_canvas ? 92.0f * words : low ? kLowMargin : 28;

@@ -66,6 +66,8 @@ class Stage {
   [[nodiscard]] Taken taken_now(const Look& look, const lesson::Session& session, const Rect& rect) const;
   /// Whether the stage is so low that no row of it is given to buttons: that of a phone on its side.
   [[nodiscard]] static bool is_low(const Rect& rect);
+  /// Whether the sentence is on it, on a page too.
+  [[nodiscard]] static bool is_wide(const Rect& rect);
   void set_room(const Rect& rect, const Settings& settings);
   void ease_foot(const Look& look, double dt);
   void upload_points(const lesson::Session& session);

@@ -15,6 +15,13 @@ void keep_free(Obstacles& obstacles, const Rect& rect) {
 
 constexpr float kSentenceSize = 15, kSentenceLeading = 22, kBelowPill = 12;
 
+/// Where a page's sentence stands over the stage, if it has two lines.
+Rect sentence_of_page(const Look& look, const Rect& stage) {
+  constexpr float kMargin = 24;
+  const float height = look.px(72);
+  return {stage.x + kMargin, stage.y + stage.height - height, stage.width - 2 * kMargin, height};
+}
+
 /// A sentence in lines, and the pill that it stands on.
 struct Pill {
   std::vector<std::string_view> lines;
@@ -114,6 +121,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
               {brush.rect.x, brush.rect.y + brush.rect.height - look.foot, brush.rect.width, look.foot});
   else if (settings.prose_in_canvas)
     sentence = draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
+  else if (is_wide(brush.rect)) keep_free(brush.canvas.obstacles, sentence_of_page(look, brush.rect));
   if (camera_.dim() == 3) draw_axis_cross(brush, inset, sentence);
 }
 

@@ -249,4 +249,18 @@ TEST_CASE("nothing is called smallest that is compared with nothing") {
   CHECK_FALSE(says(titled, "the PCA of the points"));
 }
 
+TEST_CASE("labels keep clear of a page's sentence on a wide stage") {
+  Bench bench(course_lesson("cases/wide-box", false), {.stage = {0, 0, 628, 616}, .timeline = {0, 616, 628, 136}});
+  bench.session().jump(bench.session().steps());
+  bench.frames(2);
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  bench.frames(1);
+  bench.app.note_words(nullptr);
+  const auto verdict =
+      std::find_if(drawn.begin(), drawn.end(), [](const DrawnWords& one) { return one.words == "Box: outside"; });
+  REQUIRE(verdict != drawn.end());
+  CHECK(verdict->high.y <= 616 - 72);  // where two lines of the sentence begin
+}
+
 }  // namespace snug::app
