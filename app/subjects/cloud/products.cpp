@@ -70,7 +70,8 @@ void draw_products(Brush& brush, const CloudShown& shown) {
   brush.list->AddConvexPolyFilled(corners.data(), 4, with_alpha(color, 0.16f));
   path(brush.list, corners, true, lowers ? Stroke::kDashed : Stroke::kSolid, color, brush.stroke(0.8f));
   const ImVec2 middle{(corners[0].x + corners[2].x) / 2, (corners[0].y + corners[2].y) / 2};
-  brush.label(middle, 2, {0, -1}, (product > 0 ? "+" : "") + lesson::number_text(product), words);
+  const std::string says = product == 0 ? "0" : (product > 0 ? "+" : "") + lesson::number_text(product);
+  brush.label(middle, 2, {0, -1}, says, words);
   if (shown.mean) return;
   plus(brush.list, corners[0], 6 * p.mark, p.muted, brush.stroke(0.9f));
   brush.label(corners[0], 8, {-0.7f, 0.7f}, "origin", p.muted, Face::kRegular, 13);
