@@ -22,6 +22,19 @@ Rect sentence_of_page(const Look& look, const Rect& stage) {
   return {stage.x + kMargin, stage.y + stage.height - height, stage.width - 2 * kMargin, height};
 }
 
+/// As few lines as fit, about equally long: the last word does not stand alone.
+std::vector<std::string_view> balanced_lines(const Look& look, std::string_view sentence, float widest) {
+  constexpr int kHalvings = 6;
+  const auto within = [&](float width) { return lines_of(look, Face::kRegular, kSentenceSize, sentence, width); };
+  const std::size_t fewest = within(widest).size();
+  float narrow = widest / static_cast<float>(std::max<std::size_t>(fewest, 1)), wide = widest;
+  for (int i = 0; i < kHalvings && fewest > 1; ++i) {
+    const float middle = (narrow + wide) / 2;
+    (within(middle).size() > fewest ? narrow : wide) = middle;
+  }
+  return within(wide);
+}
+
 /// A sentence in lines, and the pill that it stands on.
 struct Pill {
   std::vector<std::string_view> lines;
@@ -30,7 +43,7 @@ struct Pill {
   Pill(const Look& look, const Rect& stage, std::string_view sentence) {
     constexpr float kMargin = 24, kPad = 20;
     const float widest = std::min(stage.width - 2 * kMargin, look.px(620));
-    lines = lines_of(look, Face::kRegular, kSentenceSize, sentence, widest - 2 * kPad);
+    lines = balanced_lines(look, sentence, widest - 2 * kPad);
     float words = 0;
     for (const std::string_view line : lines)
       words = std::max(words, measure(look, Face::kRegular, kSentenceSize, line).x);

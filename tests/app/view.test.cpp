@@ -263,4 +263,24 @@ TEST_CASE("labels keep clear of a page's sentence on a wide stage") {
   CHECK(verdict->high.y <= 616 - 72);  // where two lines of the sentence begin
 }
 
+TEST_CASE("the lines of the window's sentence are about equally long") {
+  Bench bench(course_lesson("cases/unit-of-length", false));
+  bench.app.settings().prose_in_canvas = true;
+  bench.session().jump(bench.session().steps());
+  bench.frames(2);
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  bench.frames(1);
+  bench.app.note_words(nullptr);
+  const auto width_of = [&](auto is_line) {
+    const auto line =
+        std::find_if(drawn.begin(), drawn.end(), [&](const DrawnWords& one) { return is_line(one.words); });
+    REQUIRE(line != drawn.end());
+    return line->high.x - line->low.x;
+  };
+  const float first = width_of([](const std::string& line) { return line.starts_with("This test says"); });
+  const float last = width_of([](const std::string& line) { return line.ends_with("the boxes are apart."); });
+  CHECK(last > 0.7f * first);
+}
+
 }  // namespace snug::app
