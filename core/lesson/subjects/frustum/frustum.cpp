@@ -208,11 +208,11 @@ bool loses(std::string_view test, const BoxPair& pair) {
 /// What the planes of the matrix say in both scalars.
 std::string matrix_says(const BoxPair& pair) {
   if (!share_a_point(pair).value_or(true)) return "This box does not touch the frustum.";
-  const auto says = [&](std::string_view test) {
-    return std::string(verdict_of(test, pair) == query::Culling::kOutside ? "is lost" : "is kept");
-  };
-  return "This box reaches into the frustum. With the planes of the matrix it " + says(kMatrixTests[1]) +
-         " in float, and " + says(kMatrixTests[0]) + " in double.";
+  const auto kept = [&](std::string_view test) { return verdict_of(test, pair) != query::Culling::kOutside; };
+  const bool in_float = kept(kMatrixTests[1]), in_double = kept(kMatrixTests[0]);
+  const auto word = [](bool is_kept) { return std::string(is_kept ? "kept" : "lost"); };
+  return "This box reaches into the frustum. With the planes of the matrix it is " + word(in_float) + " in float" +
+         (in_float == in_double ? " and in double." : ", and " + word(in_double) + " in double.");
 }
 
 bool fits(std::string_view goal, const BoxPair& pair) {

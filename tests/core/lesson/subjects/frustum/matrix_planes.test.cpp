@@ -67,6 +67,13 @@ TEST_CASE("a verdict that loses the box says so, and the planes in double do not
   }
 }
 
+TEST_CASE("the task says once what both scalars agree on") {
+  Session session = test::session_of("frustum-matrix");
+  session.start_task();
+  CHECK(session.grade(0).says ==
+        "This box reaches into the frustum. With the planes of the matrix it is kept in float and in double.");
+}
+
 TEST_CASE("at a hundred-millionth the far plane has no normal left in float, and rejects nothing") {
   BoxPair pair = far_away(1e-8);
   CHECK(far_plane_of(kMatrixTests[1], pair).lost);
