@@ -1,6 +1,7 @@
 // The named cases in lessons/cases: each is what its sentence says, and the careful methods are right on it.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -104,4 +105,26 @@ TEST_CASE("where a case begins with a naive method, that method is wrong on it")
     ++shown;
   }
   CHECK(shown >= 10);
+}
+
+TEST_CASE("the big box is outside the frustum, and crosses each plane that could reject it") {
+  const Session session = test::session_of("cases/big-box");
+  const BoxPair& boxes = as<FrustumSubject>(session.subject())->boxes();
+  CHECK_FALSE(share_a_point(boxes).value_or(true));
+  for (const std::string& test : session.lesson().algorithms)
+    CHECK(verdict_of(test, boxes) == query::Culling::kIntersecting);
+}
+
+TEST_CASE("the exact separation is that of a row, and a verdict that no axis separates has none") {
+  Session session = test::session_of("cases/unit-of-length");
+  const auto exact_gap = [&] {
+    const auto figures = session.figures();
+    const auto found =
+        std::find_if(figures.begin(), figures.end(), [](const Figure& one) { return one.key == "exact_gap"; });
+    return found != figures.end() && found->known;
+  };
+  session.jump(session.steps());
+  CHECK_FALSE(exact_gap());
+  session.jump(session.steps() - 1);
+  CHECK(exact_gap());
 }

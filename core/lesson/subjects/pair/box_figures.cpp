@@ -24,8 +24,8 @@ bool looked_closer(PairSteps steps) {
                      [](const auto& entry) { return std::holds_alternative<query::LookedCloser>(entry.step.fact); });
 }
 
-/// What exact arithmetic says to a naive test's row, and how many of its rows are wrong so far.
-void add_truths(std::vector<Figure>& figures, const View& view) {
+/// What exact arithmetic says to a naive test's row, if it is of one, and how many of its rows are wrong so far.
+void add_truths(std::vector<Figure>& figures, const View& view, bool of_row) {
   const PairRun& run = pair_run(view.run());
   if (run.steps() == 0 || run.truth(0) == nullptr) return;
   const RowTruth* last = nullptr;
@@ -33,6 +33,7 @@ void add_truths(std::vector<Figure>& figures, const View& view) {
   for (int i = 0; i < view.step; ++i)
     if (const auto* row = std::get_if<Axis>(&run.trace()[i].step.fact))
       last = run.truth(i), wrong += is_wrong(*row, *last) ? 1 : 0;
+  if (!of_row) last = nullptr;  // the verdict is about all rows, not about the last of them
   figures.push_back(length("Exact separation", "exact_gap", last != nullptr ? last->gap : 0,
                            last != nullptr ? gap_text(last->gap) : "", last != nullptr));
   figures.push_back({"Wrong rows", "wrong_rows", std::to_string(wrong), static_cast<double>(wrong), "rows"});
@@ -88,7 +89,7 @@ std::vector<Figure> box_figures(const View& view, const BoxPair& pair) {
     figures.push_back(
         {"Length of the cross product", "length", crossed ? number_text(axis.length) : "—", axis.length, "", crossed});
   }
-  add_truths(figures, view);
+  add_truths(figures, view, at.has_value());
   return figures;
 }
 
