@@ -231,9 +231,9 @@ struct Entry<query::CoresCompared> : EntryDefaults {
   return handles;
 }
 
-/// "A3 − B0"
+/// "A3 − B0", on one line
 [[nodiscard]] inline std::string difference_name(Index a, Index b, const PairWhere& where) {
-  return where.vertex(0, a).name + " − " + where.vertex(1, b).name;
+  return where.vertex(0, a).name + "\u00a0−\u00a0" + where.vertex(1, b).name;
 }
 
 /// Whether GJK ends at a simplex because it contains the origin.

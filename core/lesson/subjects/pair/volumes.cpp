@@ -437,7 +437,8 @@ std::vector<Proof> VolumesSubject::proofs(const View& view) const {
     return {{"GJK finds a point that both volumes have in common, or that is within rounding of both", true, true}};
   const double end_of_a = reach_along(pair_.held[0], apart->direction);
   const double end_of_b = -reach_along(pair_.held[1], -apart->direction);
-  return {{"a plane between the nearest points has A on one side and B on the other", end_of_a < end_of_b, true}};
+  const std::string between = dim() == 2 ? "a line" : "a plane";
+  return {{between + " between the nearest points has A on one side and B on the other", end_of_a < end_of_b, true}};
 }
 
 }  // namespace snug::lesson

@@ -321,3 +321,20 @@ TEST_CASE("a simplex that contains the origin is at distance 0, also where round
   CHECK(upper->value == 0);
   CHECK(upper->text == "0.000 units");
 }
+
+TEST_CASE("a line separates two volumes of the plane, and a plane those of space") {
+  Session session = snug::test::session_of("overlap-any");
+  session.jump(session.steps());
+  REQUIRE(session.proofs().size() == 1);
+  CHECK(session.proofs()[0].text.starts_with("a line between"));
+  REQUIRE(session.show_situation("space").has_value());
+  session.jump(session.steps());
+  REQUIRE(session.proofs().size() == 1);
+  CHECK(session.proofs()[0].text.starts_with("a plane between"));
+}
+
+TEST_CASE("the name of a difference is not broken over two lines") {
+  Session session = snug::test::session_of("overlap-any");
+  session.jump(1);
+  CHECK(session.caption() == "A0\u00a0−\u00a0B0 is 2.865 from the origin.");
+}
