@@ -71,6 +71,7 @@ void Stage::open(const lesson::Session& session, SubjectView& view) {
   has_close_up_ = session.lesson().view.inset.has_value();
   camera_ = camera_of(session);
   framed_ball_ = aimed_at(session);
+  situation_ = session.situation();
   seen_ = session.revision() - 1;
 }
 
@@ -162,7 +163,8 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
     }
   }
   keep_framed(session);
-  if (hands_.selected >= session.size()) hands_.selected = kNoIndex;
+  const bool elsewhere = std::exchange(situation_, session.situation()) != session.situation();
+  if (elsewhere || hands_.selected >= session.size()) select(kNoIndex);  // another handle would have its number
   upload_points(session);
 }
 

@@ -129,6 +129,7 @@ class Stage {
   float foot_ = 0, foot_goal_ = 0;  // as in Layout: the current value, and the one that it moves to
 
   Hands hands_;
+  std::string situation_;  // the one that the selected handle is of
   std::string lit_;
   Index pressed_ = kNoIndex;  // the handle that a drag from the press moves
   Index tapped_ = kNoIndex;   // the handle that the press means if it is no drag

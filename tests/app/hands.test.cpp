@@ -104,6 +104,17 @@ TEST_CASE("arrow keys go to a point selected by a key, by its number, or by a cl
   CHECK(bench.key("ArrowLeft") == "move_left");
 }
 
+TEST_CASE("a handle selected in one situation selects none in another") {
+  Bench bench(course_lesson("bvh-traverse"));
+  REQUIRE(bench.session().show_situation("copies").has_value());
+  bench.frames(2);
+  bench.click("R");
+  CHECK(bench.app.selected() != kNoIndex);
+  REQUIRE(bench.session().show_situation("misled").has_value());
+  bench.frames(2);
+  CHECK(bench.app.selected() == kNoIndex);
+}
+
 TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed and the right one ticked") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
