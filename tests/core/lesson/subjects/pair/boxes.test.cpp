@@ -158,6 +158,16 @@ TEST_CASE("a corner pulled past its opposite makes the box flat, and what is no 
   CHECK(boxes_of(session.subject()).boxes[0].center == before.boxes[0].center);
 }
 
+TEST_CASE("a task that was done is not said to be changed where another situation is shown") {
+  Session session = session_of("obb-axes");
+  session.start_task(1);
+  REQUIRE(session.situation() == "far");
+  REQUIRE(set_boxes(session, model(session, 1)).has_value());
+  REQUIRE(session.grade(1).done);
+  REQUIRE(session.show_situation("own").has_value());
+  CHECK(task_says(session, 1) == "Solved before. " + session.grade(1).says);
+}
+
 TEST_CASE("a task that was done stays done while the next one is built") {
   Session session = session_of("obb-sat");
   REQUIRE(session.lesson().tasks.size() == 2);
