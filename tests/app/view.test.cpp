@@ -226,6 +226,23 @@ TEST_CASE("the slab that is found is drawn with its direction, and its two point
   CHECK(says(space, "slab 5: x+y−z"));
 }
 
+TEST_CASE("a slab of a 26-DOP and its name keep clear of the sentence that a page has over the foot of a wide stage") {
+  const Layout wide{.stage = {0, 0, 628, 564}, .timeline = {0, 564, 628, 160}};
+  Bench bench(course_lesson("kdop-space", false), wide);
+  REQUIRE(bench.session().choose(0, "k26"));
+  for (const int step : {7, 9, 11}) {
+    bench.session().jump(step);
+    bench.frames(2);
+    std::vector<DrawnWords> drawn;
+    bench.app.note_words(&drawn);
+    bench.frames(1);
+    bench.app.note_words(nullptr);
+    for (const DrawnWords& one : drawn)
+      if (one.low.y < wide.stage.height && one.high.x > 24 && one.low.x < wide.stage.width - 24)
+        CHECK_MESSAGE(one.high.y <= wide.stage.height - 12 - 40, one.words, " at step ", step);
+  }
+}
+
 TEST_CASE("nothing is called smallest that is compared with nothing") {
   Bench bench(flat_kdop());
   CHECK_FALSE(says(bench, "Smallest"));

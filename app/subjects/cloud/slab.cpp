@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/subjects/cloud/draw.hpp"
 #include "lesson/point_subject.hpp"
@@ -74,6 +75,26 @@ void draw_plane_lines(Brush& brush, const Slab& slab) {
                  at((slab.least + slab.greatest) / 2, (across.least + across.greatest) / 2));
 }
 
+/// From a vertex of one plane's outline to that of the other.
+struct SlabEdge {
+  Point3 from, to;
+};
+
+/// The lowest edge between the two outlines, if one lies within the free room of the stage the lowest of those.
+const SlabEdge& edge_for_arrow(const Brush& brush, const std::array<SlabEdge, 4>& edges) {
+  const auto lower_end = [&](const SlabEdge& edge) { return std::max(brush.at(edge.from).y, brush.at(edge.to).y); };
+  const auto rank = [&](const SlabEdge& edge) {
+    const Rect& stage = brush.rect;
+    const auto free = [&](ImVec2 at) {
+      return at.x > stage.x && at.x < stage.x + stage.width && at.y > stage.y &&
+             at.y < brush.canvas.camera.free_bottom();
+    };
+    return std::pair(free(brush.at(edge.from)) && free(brush.at(edge.to)), lower_end(edge));
+  };
+  return *std::max_element(edges.begin(), edges.end(),
+                           [&](const SlabEdge& a, const SlabEdge& b) { return rank(a) < rank(b); });
+}
+
 void draw_planes(Brush& brush, const Slab& slab) {
   const Palette& p = brush.p;
   const Camera& camera = brush.canvas.camera;
@@ -99,11 +120,10 @@ void draw_planes(Brush& brush, const Slab& slab) {
     path(brush.list, outline, true, Stroke::kSolid, with_alpha(p.examined, near ? 1.0f : 0.6f),
          brush.stroke(near ? 0.9f : 0.6f));
   }
-  int lowest = 0;
-  for (int i = 1; i < 4; ++i)
-    if (brush.at(corner(slab.least, i)).y > brush.at(corner(slab.least, lowest)).y) lowest = i;
-  draw_direction(brush, slab, corner(slab.least, lowest), corner(slab.greatest, lowest),
-                 (corner(slab.least, 0) + corner(slab.greatest, 2)) / 2);
+  std::array<SlabEdge, 4> edges;
+  for (int i = 0; i < 4; ++i) edges[i] = {corner(slab.least, i), corner(slab.greatest, i)};
+  const SlabEdge& edge = edge_for_arrow(brush, edges);
+  draw_direction(brush, slab, edge.from, edge.to, (corner(slab.least, 0) + corner(slab.greatest, 2)) / 2);
 }
 
 }  // namespace
