@@ -175,6 +175,20 @@ void scatter_by(VolumePair& pair, std::uint64_t seed) {
   }
 }
 
+/// Puts a box that a slider has moved with its centre exactly there. Every drag before rounds both bounds, each in its
+/// own way: where the half extent is a short binary fraction but for that, it becomes that fraction again, or a bound
+/// that shows 0.250 would not be equal to 0.25.
+void center_exactly(Aabb<double, 3>& box, int axis, double center) {
+  constexpr int kShort = 20, kDrags = 40;  // bits of the fraction, and those that hundreds of drags leave right
+  const double half = (box.max[axis] - box.min[axis]) / 2;
+  const double size = std::max({std::abs(box.min[axis]), std::abs(box.max[axis]), half});
+  if (size == 0) return;
+  const double unit = std::ldexp(1.0, std::ilogb(size) - kShort), fraction = std::round(half / unit) * unit;
+  if (std::abs(fraction - half) > std::ldexp(size, -kDrags)) return;
+  box.min[axis] = center - fraction;
+  box.max[axis] = center + fraction;
+}
+
 /// "A turn", "A turn x", and for the centre "A x".
 std::string name_of_drive(int side, const Turned& one) {
   constexpr std::array<std::string_view, 3> kAxes{" x", " y", " z"};
@@ -298,6 +312,7 @@ Done VolumesSubject::drive(std::string_view name, double from, double to) {
       auto next = moved(held, {}, center);
       if (!next) return tl::unexpected(std::move(next.error()));
       held = *std::move(next);
+      if (auto* box = std::get_if<Aabb<double, 3>>(&held.volume)) center_exactly(*box, axis, to);
       return become(std::move(pair));
     }
   }

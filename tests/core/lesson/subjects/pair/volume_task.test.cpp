@@ -56,6 +56,18 @@ TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit"
   CHECK_FALSE(put(session, 1, 3, 2, 4).reaches("touch_on_one_axis"));  // and apart along the other
 }
 
+TEST_CASE("a slider lets two boxes touch to the last bit, however one was dragged before") {
+  Session session = task_session("min_max",
+                                 "a = { aabb = { min = [-1.25, -0.75], max = [0.75, 0.75] } }\n"
+                                 "b = { aabb = { min = [-0.25, 0.25], max = [1.75, 1.25] } }\n",
+                                 "[[slider]]\ntitle = \"Up\"\ndrives = \"A y\"\nfrom = -2\nto = 2\nsteps = 32\n");
+  for (const double by : {0.1, 0.3, -0.7}) {
+    REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(by / 3, by, 0)).has_value());
+    REQUIRE(session.slide(0, -0.5).has_value());
+    CHECK(session.subject().reaches("touch_on_one_axis"));
+  }
+}
+
 TEST_CASE("spheres mislead a test that adds the squares of their radii where they overlap and it says no") {
   Session session = task_session("spheres", "a = { sphere = { center = [0, 0], radius = 1 } }\n"
                                             "b = { sphere = { center = [1, 0], radius = 1 } }\n");
