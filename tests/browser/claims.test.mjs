@@ -20,7 +20,7 @@ async function skip_all(page) {
 
 async function measure(page) {
   await button(page, "Measure").click();
-  await until_within(120_000, page, (now) => now.cover.decided && !now.cover.running);
+  await until_within(300_000, page, (now) => now.cover.decided && !now.cover.running);
   await still(page);
   return state(page);
 }

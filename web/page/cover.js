@@ -3,6 +3,7 @@ import { CoverTable } from "./cover_table.js";
 import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
 
 const kSlice = 4; // milliseconds: beside a frame's own work
+const kLongestSlice = 50; // where frames are slow
 const kTypes = { csv: "text/csv", json: "application/json", svg: "image/svg+xml" };
 const kPicture = [1280, 800, 2]; // of a PNG: width, height, and device pixels for each
 
@@ -23,6 +24,7 @@ export class CoverTools {
     element("thead", {}, this.#head), this.#body));
   #seen = new CoverTable((command) => this.#command({ command }));
   #now = null;
+  #sliced_at = Infinity; // milliseconds
   #section;
 
   /** stage: function that gives the stage, which draws frames and pictures. */
@@ -44,14 +46,17 @@ export class CoverTools {
     this.#act(() => this.#door.command(command));
   }
 
-  /** A slice between two frames of the page, so that none is late; the stage is drawn only where what it shows has changed. */
+  /** A slice between two frames of the page, so that none is late; the stage is drawn only where what it shows has changed.
+   *  Where frames are slow, as without a graphics card, a quarter of their time is measured in: 4 ms would take minutes. */
   #slice() {
     this.#timer = 0;
-    this.#door.measure(kSlice);
+    this.#door.measure(Math.min(Math.max(kSlice, (performance.now() - this.#sliced_at) / 4), kLongestSlice));
+    this.#sliced_at = performance.now();
     this.#show_progress(this.#door.measured());
     if (this.#door.seconds_until_due(performance.now() / 1000) <= 0) this.#stage().request();
-    if (this.#door.measuring()) this.#slice_after_frame();
-    else this.#act(() => {});
+    if (this.#door.measuring()) return this.#slice_after_frame();
+    this.#sliced_at = Infinity;
+    this.#act(() => {});
   }
 
   #slice_after_frame() {

@@ -14,7 +14,7 @@ template <class Scalar, int Dim>
 std::uint64_t hash_of_all(bool loses_points = false) {
   std::uint64_t all = 0;
   for (const std::uint64_t seed : {1, 2, 3})
-    for (const int n : {5, 20, 700})
+    for (const int n : {5, 20, loses_points ? 60 : 700})  // the naive methods record steps by the square
       for (const auto& cloud : test::degenerate_clouds<Scalar, Dim>(seed, n)) {
         const AnyPointSet set = test::set_of<Scalar, Dim>(cloud.points);
         for (const fit::Algorithm& algorithm : fit::algorithms())
@@ -36,8 +36,8 @@ TEST_CASE("the same bits everywhere") {
 }
 
 TEST_CASE("the same bits everywhere, of algorithms that may lose points, too") {
-  CHECK(hash_of_all<double, 2>(true) == 15387681273583209861u);
-  CHECK(hash_of_all<double, 3>(true) == 11719771914596090341u);
-  CHECK(hash_of_all<float, 2>(true) == 766872191998486884u);
-  CHECK(hash_of_all<float, 3>(true) == 5606479821261714938u);
+  CHECK(hash_of_all<double, 2>(true) == 10750371959077105539u);
+  CHECK(hash_of_all<double, 3>(true) == 15611739971319673854u);
+  CHECK(hash_of_all<float, 2>(true) == 10254834727170760587u);
+  CHECK(hash_of_all<float, 3>(true) == 9748459083890811225u);
 }

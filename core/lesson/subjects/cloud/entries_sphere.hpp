@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/tolerance.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/cloud/facet_asks.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
@@ -125,8 +126,9 @@ struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const Point3 at = fit::point_of(where.run.points(), fact.point);
     const double gap = (at - fact.before.center).norm() - fact.before.radius;
-    return where.name(fact.point) + " lies outside by " + number_text(gap) + ", so the " + where.ball() +
-           " grows to contain it.";
+    const bool seen = gap > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * fact.before.radius;
+    return where.name(fact.point) + " lies outside by " + number_text(gap) +
+           (seen ? ", so the " : ", which is rounding; the ") + where.ball() + " grows to contain it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere& where, bool) {

@@ -48,7 +48,7 @@ TEST_CASE("at a millionth of far, the far plane in float is off by many per cent
   CHECK(share_a_point(pair) == true);
   const FrustumSubject subject(pair, 1);
   CHECK(subject.reaches(kMatrixTests[1]));
-  CHECK(subject.goal_says(kMatrixTests[1]).find("is lost in float, and is kept in double") != std::string::npos);
+  CHECK(subject.goal_says(kMatrixTests[1]).find("is lost in float, and kept in double") != std::string::npos);
   CHECK_FALSE(FrustumSubject(far_away(0.1), 1).reaches(kMatrixTests[1]));
   // So near that double loses it as well, for it is a lesson about float.
   BoxPair both = pair;

@@ -158,7 +158,7 @@ TEST_CASE("which vertex of A - B comes next is what the run finds, however the v
       const auto answers = right(session, "next");
       REQUIRE_FALSE(answers.empty());
       const PairRun::Where where{pair_run(session.run(0)), 0, nullptr};
-      const std::string name = where.vertex(0, found->a).name + " − " + where.vertex(1, found->b).name;
+      const std::string name = where.vertex(0, found->a).name + "\u00a0−\u00a0" + where.vertex(1, found->b).name;
       CHECK(std::find(answers.begin(), answers.end(), name) != answers.end());
       ++asked;
       break;

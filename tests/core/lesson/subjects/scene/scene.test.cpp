@@ -434,7 +434,7 @@ TEST_CASE("a task on a scene is graded by its last frame") {
   session.start_task(1);
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
-  CHECK(session.grade()->says.find("it must be at least 4 pairs") != std::string::npos);
+  CHECK(session.grade()->says.find("it must be at least 3 pairs") != std::string::npos);
   CHECK(session.grade()->says.find("frame 1") == std::string::npos);
   session.go(5);
   CHECK(session.grade()->says.find(" Bodies can only be moved before frame 1.") != std::string::npos);
