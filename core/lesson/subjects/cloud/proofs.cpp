@@ -19,7 +19,7 @@ std::string smallest_text(const Method& method, int dim) {
   const std::string none = none_smaller(method, dim);
   if (method.volume == "sphere") return none + ": centre in the hull of the support set";
   if (method.volume == "kdop") return none + " with these directions";
-  if (method.volume == "aabb") return none + ": a point lies on each face";
+  if (method.volume == "aabb") return none + (dim == 2 ? ": a point lies on each side" : ": a point lies on each face");
   return none + ": no orientation does better";
 }
 

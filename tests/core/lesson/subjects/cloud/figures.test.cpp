@@ -205,7 +205,7 @@ text = "A **term**."
     CHECK((over == nullptr || over->text == "0.0 %"));
     return last.text;
   };
-  CHECK(says("aabb", "min_max") == "no smaller AABB: a point lies on each face");
+  CHECK(says("aabb", "min_max") == "no smaller AABB: a point lies on each side");
   CHECK(says("obb", "exact") == "no smaller box: no orientation does better");
   CHECK(says("kdop", "k8") == "no smaller k-DOP with these directions");
   CHECK(says("kdop", "k6") == "no smaller k-DOP with these directions");
