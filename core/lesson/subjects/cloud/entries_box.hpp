@@ -206,8 +206,8 @@ template <>
 struct Entry<fit::LineFound> : FitEntry {
   using Fact = fit::LineFound;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    return "Of all lines along the main axis, this one comes closest to all points: its greatest distance, " +
-           number_text(fact.radius) + ", is reached at " + where.names(fact.support) + ".";
+    return "Of all lines along the main axis, this one comes closest to all points: " + where.names(fact.support) +
+           (fact.support.size() == 1 ? " is" : " are") + " farthest from it, at " + number_text(fact.radius) + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return points_of({fact.support}); }
   static std::string predicate(const Fact&, const FitWhere&, bool plural) {
