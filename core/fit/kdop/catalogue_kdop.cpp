@@ -13,7 +13,9 @@ constexpr auto kFitter = []<class Scalar, int Dim>(PointSpan<Scalar, Dim> p, con
   return kdop_fit(p, kdop_axes<Dim>(kK).empty() ? 2 * Dim : kK, o);
 };
 
-constexpr std::string_view kKlosowski = "J. T. Klosowski and others, Efficient collision detection using k-DOPs, 1998";
+constexpr std::string_view kKlosowski =
+    "J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, Efficient collision detection using bounding "
+    "volume hierarchies of k-DOPs, 1998";
 
 template <int kK>
 constexpr Algorithm kdop_row(std::string_view name, std::string_view title, bool plane, bool space) {
