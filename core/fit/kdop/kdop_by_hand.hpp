@@ -20,7 +20,7 @@ namespace snug::fit {
 inline constexpr std::array<std::string_view, 3> kKdopByHandPseudocode{
     "for each direction that was set by hand",
     "  slab ← least to greatest p · direction",
-    "return what is between all slabs",
+    "return the intersection of the slabs",
 };
 
 /// A slab in any direction. axis: unit, within rounding; bounds in scene units, rounded.

@@ -9,7 +9,7 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 3> kObbAabbPseudocode{
-    "axes ← the object's own x, y, z",
+    "axes ← the coordinate axes x, y, z",
     "extents ← least and greatest along each",
     "return box",
 };
