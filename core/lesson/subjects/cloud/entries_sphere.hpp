@@ -157,7 +157,7 @@ struct Entry<fit::MeanFound<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::CovarianceFound<double, 3>> : FitEntry {
   static std::string sentence(const fit::CovarianceFound<double, 3>&, const FitWhere& where) {
-    return std::string("The covariance matrix says how the points spread about the mean. The ") +
+    return std::string("The covariance matrix describes the spread about the mean. The ") +
            (where.dim() == 2 ? "ellipses are" : "ellipsoids are") + " drawn at one and two standard deviations.";
   }
 };
@@ -167,7 +167,7 @@ struct Entry<fit::AxesFound<double, 3>> : FitEntry {
   static std::string sentence(const fit::AxesFound<double, 3>& fact, const FitWhere& where) {
     const double most = std::sqrt(std::max(fact.variances[2], 0.0));
     return std::string("The eigenvectors are the axes of the ") + (where.dim() == 2 ? "ellipse" : "ellipsoid") +
-           ". The points spread most along the longest, with σ = " + number_text(most) + ".";
+           ". The spread is greatest along the longest, with σ = " + number_text(most) + ".";
   }
 };
 
