@@ -135,10 +135,11 @@ class ScenePanel {
   static std::string_view note(const lesson::Session& session) {
     if (!lesson::set_of(session).graph)
       return "The frames in which each effect ran, those in which it was skipped because nothing that it reads had "
-             "changed, and the mean time of a run. Click an effect's box to switch it off or on.";
+             "changed, and the mean time of a run. Click an effect's checkbox to switch it off or on.";
     return session.step() == 0
                ? "Before the first frame, an effect's box takes it out of the scene's declaration, or adds it."
-               : "An effect's box switches it off from this frame on. To change the declaration, go to frame 0. Tap a "
+               : "An effect's checkbox switches it off from this frame on. To change the declaration, go to frame 0. "
+                 "Tap a "
                  "body to make it hop.";
   }
 
