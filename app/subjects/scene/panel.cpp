@@ -137,10 +137,9 @@ class ScenePanel {
       return "The frames in which each effect ran, those in which it was skipped because nothing that it reads had "
              "changed, and the mean time of a run. Click an effect's checkbox to switch it off or on.";
     return session.step() == 0
-               ? "Before the first frame, an effect's box takes it out of the scene's declaration, or adds it."
+               ? "Before the first frame, an effect's checkbox takes it out of the scene's declaration, or adds it."
                : "An effect's checkbox switches it off from this frame on. To change the declaration, go to frame 0. "
-                 "Tap a "
-                 "body to make it hop.";
+                 "Tap a body to make it hop.";
   }
 
   /// How wide an effect's name may be: up to the number of its runs.
