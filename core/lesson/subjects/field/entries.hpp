@@ -68,7 +68,8 @@ struct Entry<PlanesSkipped> : EntryDefaults {
   static std::string sentence(const PlanesSkipped& fact, const FieldWhere&) {
     return "Level " + std::to_string(fact.level) + ": " + count_text(fact.skipped) +
            (fact.skipped == 1 ? " test of a plane is" : " tests of planes are") +
-           " skipped, since the parent is inside; the other " + count_text(fact.planes) + " have to be made.";
+           " skipped, since the parent is inside those planes; " + count_text(fact.planes) +
+           (fact.planes == 1 ? " is made." : " are made.");
   }
 };
 

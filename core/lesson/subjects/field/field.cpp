@@ -158,7 +158,7 @@ std::vector<Proof> FieldSubject::proofs(const View& view) const {
   const bool at_once = run.way() == hierarchy::FieldWay::kAtOnce;
   const std::string other_way = at_once ? "one by one" : "eight at once";
   const Proof exact{"decided in exact arithmetic wherever rounding could matter", true, true};
-  if (view.in_hand) return {{"compared with " + other_way + " once the hand rests", false, false}, exact};
+  if (view.in_hand) return {{"compared with " + other_way + " when you let go", false, false}, exact};
   const auto frustum = *frustum_of(stage_.recipe, stage_.now);
   std::vector<query::Culling> other(run.verdicts().size());
   hierarchy::cull_field(run.field(), frustum, at_once ? hierarchy::FieldWay::kPnVertex : hierarchy::FieldWay::kAtOnce,

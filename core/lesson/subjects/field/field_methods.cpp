@@ -11,7 +11,7 @@ constexpr std::array<std::string_view, 6> kAllVerticesLines{
     "  for each plane n, d of the frustum",
     "    for each of its eight vertices v",
     "      is n · v + d > 0?",
-    "  outside if so for all eight, of one plane",
+    "  outside if so for all eight, for one plane",
     "  else intersecting if for any, else inside",
 };
 constexpr std::array<std::string_view, 5> kPnVertexLines{
@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 6> kTreeLines{
     "  inside all: take all below, untested", "  else open its children, or test its objects",
 };
 constexpr std::array<std::string_view, 5> kAtOnceLines{
-    "for each eight objects, one in each lane",    "  low ← largest n · n-vertex + d, of six planes",
+    "for every eight objects, one in each lane",   "  low ← largest n · n-vertex + d, of six planes",
     "  outside if low > 0; done if all eight are", "  high ← largest n · p-vertex + d, of six planes",
     "  intersecting if high > 0, else inside",
 };
