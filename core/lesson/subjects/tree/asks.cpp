@@ -153,7 +153,7 @@ Truth rotates_truth(const Asked& asked, const Run& run) {
   const TreeSteps steps = tree_run(run).trace();
   const auto next = static_cast<std::size_t>(asked.fact) + 1;
   if (next < steps.size() && std::holds_alternative<hierarchy::Rotated>(steps[next].step.fact))
-    return yes("Two nodes change places after it.");
+    return yes("Two nodes change places after this insertion.");
   return no("No rotation makes a node smaller.");
 }
 

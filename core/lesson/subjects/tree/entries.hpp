@@ -266,7 +266,7 @@ struct Entry<hierarchy::Done> : EntryDefaults {
              " nodes without a parent: beside the stage, choose two of them to merge.";
     if (run.is_merging())
       return "Every node has its " + std::string(run.volume_word()) + ", after " + std::to_string(fact.nodes / 2) +
-             " mergers; each keeps its children.";
+             " merges; each keeps its children.";
     if (!run.is_query())
       return "The tree is finished: " + std::to_string(fact.nodes) + " nodes, each inner one with the " +
              (run.nodes() == NodeKind::kAabb ? std::string("box") : std::string(word_of(run.nodes()))) +

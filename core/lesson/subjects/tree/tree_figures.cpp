@@ -113,7 +113,7 @@ std::vector<Figure> figures_of_merging(const TreeRun& run, int step) {
   const double loss = any ? merging_loss(run, node) : 0;
   std::vector<Figure> figures{
       area("Area, merged", "area", run.volumes().merged), area("Area, tightest", "area_points", run.volumes().tight),
-      at_end("Loss by merging", "loss", percent_text(loss), 100 * loss, "%", any), count("Mergers", "mergers", merged)};
+      at_end("Loss by merging", "loss", percent_text(loss), 100 * loss, "%", any), count("Merges", "mergers", merged)};
   if (run.volume_word() == "AABB") add_costs(figures, run, step == run.steps());
   return figures;
 }
