@@ -130,7 +130,7 @@ std::vector<Proof> frustum_proofs(const View& view, const BoxPair& pair) {
   const bool box = pair.form == Form::kBox;
   std::vector<Proof> proofs{{"this test says: " + word(says), true, true}};
   if (says == Culling::kOutside && *shares)
-    proofs.push_back({"wrong: " + both + (box ? "points, for no axis separates them" : "points"), false, true});
+    proofs.push_back({"wrong: " + both + (box ? "points, since no axis separates them" : "points"), false, true});
   else if (says == Culling::kOutside) proofs.push_back({"right: " + both + "no point", true, true});
   else if (says == Culling::kInside)
     proofs.push_back(
