@@ -38,11 +38,11 @@ std::shared_ptr<const SceneSet> set_with(const SceneSet& set, const std::vector<
   return next;
 }
 
-/// What a called effect of a scene that cannot run lacks: "needs pairs, which nobody writes"; empty for nothing.
+/// What a called effect of a scene that cannot run lacks: "needs pairs, which no effect writes"; empty for nothing.
 std::string lack_words(const SceneSet& set, std::string_view effect) {
   const scene::EffectKind* kind = scene::find_effect(scene::catalogue(), effect);
   const scene::SlotSet missing = kind != nullptr ? scene::missing_for(*kind, set.effects, scene::catalogue()) : 0;
-  return missing == 0 ? "" : "needs " + slot_words(missing) + ", which nobody writes";
+  return missing == 0 ? "" : "needs " + slot_words(missing) + ", which no effect writes";
 }
 
 }  // namespace

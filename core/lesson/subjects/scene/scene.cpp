@@ -121,12 +121,14 @@ bool sorts(const Method& method) {
 
 std::string count_of_pairs(double n) { return count_text(static_cast<std::int64_t>(n)); }
 
-/// "It is 4.8 times the tightest (+385 %)."; of an update "It examines 42 points."; of counts "It is 42 pairs." or
+/// "It is 4.8 times the tightest (+385 %)."; of an update "It examines 42 points."; of counts "There are 42 pairs." or
 /// "There are none."
 std::string range_sentence(std::string_view figure, double value, const std::string& text) {
   if (figure == "cost") return "The update examines " + (text == "none" ? "no point" : text) + ".";
   if (figure == kOverHull) return "The volume is " + text + " the hull’s.";
-  if (figure != "slack") return text == "none" ? "There are none." : "It is " + text + ".";
+  if (figure == "energy") return "It is " + text + ".";
+  if (figure != "slack")
+    return text == "none" ? "There are none." : (value == 1 ? "There is " : "There are ") + text + ".";
   return percent_text(value / 100) == "0.0 %" ? "It is as tight as the tightest."
                                               : "It is " + looser_words(value / 100, "the tightest") + ".";
 }

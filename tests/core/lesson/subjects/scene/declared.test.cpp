@@ -175,7 +175,7 @@ TEST_CASE("an effect that is taken out is never constructed, and what needs it s
   CHECK(session.steps() == 0);
   CHECK(session.caption() ==
         "The scene cannot run: narrow phase reads pairs, which no effect of the scene makes: broad phase would.");
-  CHECK(says_of(session, "narrow_phase") == "needs pairs, which nobody writes");
+  CHECK(says_of(session, "narrow_phase") == "needs pairs, which no effect writes");
   CHECK(says_of(session, "refit").empty());
   CHECK(names_of(session, false) == std::vector<std::string>{"broad_phase", "trail", "shadow"});
   session.undo();
