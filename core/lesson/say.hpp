@@ -35,7 +35,7 @@ inline constexpr std::string_view
     kKeptFoot = "Your answers and your place are kept on this device and go nowhere else.",
     kNotKept = "Snug cannot write them here, though: they last until you close it.", kEraseWord = "Erase my answers",
     kEraseSureWord = "Press again to erase them",
-    kEraseWarning = "The answers to every lesson and your place in each will be gone from this device.",
+    kEraseWarning = "This erases your answers and your place in every lesson from this device.",
     kErased = "Your answers are erased.";
 
 /// Replaces the task's state while a question is open.

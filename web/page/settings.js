@@ -101,7 +101,7 @@ export class Settings {
 
   #press_erase() {
     if (!this.#sure) {
-      set_text(by_id("erase-says"), "The answers to every lesson and your place in each will be gone from this device.");
+      set_text(by_id("erase-says"), "This erases your answers and your place in every lesson from this device.");
       return this.#ask_to_erase(true);
     }
     this.#ask_to_erase(false);
