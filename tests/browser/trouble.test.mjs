@@ -12,7 +12,7 @@ test("a lost context is said and comes back", async (t) => {
     window.lose = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
     window.lose.loseContext();
   });
-  await page.locator("#stage-message").getByText("taken the stage’s graphics away").waitFor();
+  await page.locator("#stage-message").getByText("lost its graphics").waitFor();
   const before = await state(page);
   await page.keyboard.press("Home"); // the lesson goes on meanwhile
   await until(page, (now) => now.step === 0);
@@ -36,7 +36,7 @@ for (const missing of ["snug.wasm", "snug.mjs", "fonts/Inter-Regular.otf", "cour
     site.refuse.add(missing);
     t.after(() => site.refuse.delete(missing));
     const page = await load(t, kFirst, { wait: false, may_complain: /503|Failed to fetch/ });
-    await page.getByText("did not arrive").waitFor();
+    await page.getByText("could not be loaded").waitFor();
     site.refuse.delete(missing);
     await page.getByRole("button", { name: "Try again" }).click();
     await ready(page);
@@ -49,7 +49,7 @@ test("a lesson that does not arrive can be tried again", async (t) => {
   site.refuse.add(`lessons/${id}.toml`);
   t.after(() => site.refuse.clear());
   const page = await load(t, kFirst, { wait: false, may_complain: /503/ });
-  await page.getByText("The lesson did not arrive").waitFor();
+  await page.getByText("The lesson could not be loaded").waitFor();
   site.refuse.clear();
   await page.getByRole("button", { name: "Try again" }).click();
   await ready(page);
@@ -59,7 +59,7 @@ test("the page's own files missing is said without any of them", async (t) => {
   site.refuse.add("dom.js");
   t.after(() => site.refuse.clear());
   const page = await load(t, kFirst, { wait: false, may_complain: /503/ });
-  await page.getByText("Some of the page’s own files did not arrive").waitFor();
+  await page.getByText("Some of the page’s own files could not be loaded").waitFor();
   site.refuse.clear();
   await page.getByRole("button", { name: "Try again" }).click();
   await ready(page);

@@ -11,7 +11,7 @@ addEventListener("error", ({ target }) => {
   if (!(target instanceof HTMLScriptElement)) return;
   document.documentElement.dataset.view = "lesson";
   document.getElementById("veil-text").textContent =
-    "Some of the page’s own files did not arrive. Check the connection, then try again.";
+    "Some of the page’s own files could not be loaded. Check the connection, then try again.";
   document.getElementById("veil-bar").hidden = true;
   const again = document.getElementById("veil-retry");
   again.hidden = false;

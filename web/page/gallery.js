@@ -28,7 +28,7 @@ export class Gallery {
 
   async #lay_out() {
     const chapters = await this.#bring();
-    by_id("cases").replaceChildren(...(chapters.length === 0 ? [element("p", {}, "The list did not arrive. Close the gallery, then open it again.")] : chapters.map((chapter) => this.#chapter(chapter))));
+    by_id("cases").replaceChildren(...(chapters.length === 0 ? [element("p", {}, "The list could not be loaded. Close the gallery, then open it again.")] : chapters.map((chapter) => this.#chapter(chapter))));
   }
 
   #chapter({ title, lessons }) {

@@ -192,7 +192,7 @@ class Page {
     const read = await this.#read(id, turn).catch((failed) => (console.warn(failed), null));
     if (turn !== this.#opens) return;
     reveal();
-    if (!read) return veil.failed("The lesson did not arrive. Check the connection, then try again.", () => this.open(asked, reveal));
+    if (!read) return veil.failed("The lesson could not be loaded. Check the connection, then try again.", () => this.open(asked, reveal));
     const kept = this.#embed ? null : this.#kept.lesson(id);
     if (kept && read.opens) this.#door.keep_answers(id, kept.answers);
     const error = read.opens ? this.#door.open_lesson(read.bytes, false) : read.error;
@@ -327,7 +327,7 @@ class Page {
     if (name === "task") return this.#door.start_task(0);
     if (count) return this.#door.set_generator(name, Number(count), seed);
     if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
-    return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” did not arrive`);
+    return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” could not be loaded`);
   }
 
   // ---- what is shown ------------------------------------------------------------------------------------------
@@ -470,7 +470,7 @@ class Site {
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";
-      return veil.failed("Part of Snug did not arrive. Check the connection, then try again.", () => this.show({ attempt: attempt + 1 }));
+      return veil.failed("Part of Snug could not be loaded. Check the connection, then try again.", () => this.show({ attempt: attempt + 1 }));
     }
     if (location.search !== this.#shown) return;
     await this.#page.open(asked, () => (document.documentElement.dataset.view = "lesson"));

@@ -122,7 +122,7 @@ export class PointTools {
       const bytes = await this.#bring_mesh(name);
       this.#use(bytes, name);
     } catch {
-      notice(`The mesh “${name}” did not arrive. Check the connection, then choose it again.`);
+      notice(`The mesh “${name}” could not be loaded. Check the connection, then choose it again.`);
     }
   }
 

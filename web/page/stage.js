@@ -225,10 +225,10 @@ export class Stage {
 
   #lose() {
     this.#door.stop_graphics();
-    stage_message("The browser has taken the stage’s graphics away. They should come back by themselves in a moment.");
+    stage_message("The stage has lost its graphics. They should come back by themselves in a moment.");
     this.#lost_timer = setTimeout(
-      () => stage_message("The stage’s graphics have not come back. The address keeps your work: load the page again.",
-        "Load again", () => location.reload()), kPatience);
+      () => stage_message("The stage’s graphics have not come back. The address keeps your work: reload the page.",
+        "Reload", () => location.reload()), kPatience);
   }
 
   #restore() {
