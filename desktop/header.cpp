@@ -203,7 +203,7 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   if (!shell.keys_shown) return;
   const app::Look& look = shell.app().look();
   std::vector<app::KeyHelp> rows(std::begin(app::kKeyHelp), std::end(app::kKeyHelp));
-  rows.push_back({"Tab  Shift Tab", "the next button, link or field, the one before; Enter presses it"});
+  rows.push_back({"Tab  Shift Tab", "the next or the previous button, link or field; Enter presses it"});
   rows.push_back({"F2", "the course, and back to the lesson; / searches it"});
   rows.push_back({"F5", "present: N and P go to the next and previous lesson, T shows its text, Esc ends it"});
   const float width = std::min(look.px(620), window.width - 32);

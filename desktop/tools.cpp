@@ -108,7 +108,7 @@ void draw_selected(Shell& shell, Column& column) {
   if (selected == kNoIndex) {
     const std::string word(session.subject().handle_words()[0]);
     column.heading("No " + word + " selected");
-    column.words("Click a " + word + " to type its coordinates, or drag it. Double-click the ground to add one.",
+    column.words("Click a " + word + " to type its coordinates, or drag it. Double-click the background to add one.",
                  Face::kRegular, 14, column.look()->muted);
     return;
   }
