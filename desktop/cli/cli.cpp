@@ -18,7 +18,7 @@ constexpr const char* kDescription =
     "Snug teaches bounding volumes: how they are fitted, how tight they are, and what that costs.\n"
     "Without a subcommand it opens its window: on its own lessons or, with --lessons FOLDER, on those of a folder, "
     "each\n"
-    "shown anew when its file is saved.";
+    "reloaded when its file is saved.";
 
 constexpr const char* kFooter =
     "Data goes to standard output, messages to standard error; - as a file name is standard input or output. A file\n"

@@ -347,7 +347,7 @@ constexpr const char* kCostFooter =
 --turn: how much larger than the tightest each update's volume is, over a full turn of the body; null if that is flat.
 --claims: what two lectures say about time, storage and tightness, and what is measured here.
 --trials: one claim, tried on 240 generated clouds: claim, kind, seed and points of each cloud, value (the ratio that
-          the claim is about), and whether it holds there. The same on every machine. No points are given.
+          the claim is about), and whether it holds there. The same on every machine. It takes no points.
 
 -o FILE: the ending says the format, .csv, .json or .txt (the table printed here). At most 2,000,000 points; a file may
 have up to 512 MiB.

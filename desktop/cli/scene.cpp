@@ -147,7 +147,7 @@ constexpr const char* kSceneFooter = R"(Runs a lesson's scene and prints JSON Li
                     divided by that of its convex hull, the same yardstick for every kind (null if the hull is flat). A
                     frame is drawn only if it changed something. The hash covers every bit of the bodies, and is the
                     same natively and in WebAssembly. awake: how many bodies that velocities move are not asleep
---push FRAME:BODY lets a body hop after that frame, as a tap on it does on the stage: 240:P1. What touches it wakes as
+--push FRAME:BODY makes a body hop after that frame, as a tap on it does on the stage: 240:P1. What touches it wakes as
 well. A body is named as on the stage, or as in the lesson's file.
 A lesson that declares no scene stands still: it has no effects, and only its first frame is drawn.
 With --every, a line for each frame comes first.)";
@@ -163,7 +163,8 @@ void add_scene(Commands& commands) {
       ->transform(whole_number(1, 10'000'000))
       ->capture_default_str();
   command.add_option("--algorithm", options->algorithm, "One of the lesson's algorithms; by default its first");
-  command.add_option("--push", options->pushes, "Let a body hop after a frame, FRAME:BODY; may be given several times")
+  command
+      .add_option("--push", options->pushes, "Make a body hop after a frame, FRAME:BODY; may be given several times")
       ->allow_extra_args(false);
   command.add_flag("--every", options->every, "Print every frame's figures");
 }

@@ -128,8 +128,8 @@ void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
   auto word = std::make_shared<std::string>();
   constexpr const char* kWhich = "The lesson to open: its id, or its file, which ends in .toml; by default the first";
-  CLI::Option* const lesson = commands.app.add_option("--lesson", options->lesson, kWhich);
-  commands.app.add_option("LESSON", *word, "The same")->excludes(lesson);
+  CLI::Option* const lesson = commands.app.add_option("--lesson", options->lesson, "The same as LESSON");
+  commands.app.add_option("LESSON", *word, kWhich)->excludes(lesson);
   add_common(commands.app, *options);
   commands.chosen = [options, word, open_window = commands.open_window]() -> CommandResult {
     if (!word->empty()) options->lesson = *word;
@@ -164,7 +164,7 @@ void add_chart(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("chart", "Draw a result of snug cost as a picture");
   command.footer(
       "RESULT is a table of costs, growth, a turn, or the trials of one claim, as snug cost writes it in CSV or JSON.\n"
-      "The picture is a PNG or an SVG, by its name's ending. An SVG has the colours for a light and for a dark ground, "
+      "The picture is a PNG or an SVG, by its name's ending. An SVG has the colours for a light and a dark background, "
       "and\n"
       "needs no display; to draw a PNG, xvfb-run provides one. For another look set SNUG_THEME to dark, contrast or\n"
       "projector. A chart can tell 28 series apart; a table with more is refused.");
