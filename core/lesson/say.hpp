@@ -30,13 +30,15 @@ inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kWatching = "Watch how it comes about. Any key or tap goes to the end.";
 
 /// The words for kept answers and for erasing them, which takes a second press.
-inline constexpr std::string_view
-    kKeptHere = "Your answers and your place in each lesson are kept on this device alone.",
-    kKeptFoot = "Your answers and your place are kept on this device and go nowhere else.",
-    kNotKept = "Snug cannot write them here, though: they last until you close it.", kEraseWord = "Erase my answers",
-    kEraseSureWord = "Press again to erase them",
-    kEraseWarning = "This erases your answers and your place in every lesson from this device.",
-    kErased = "Your answers are erased.";
+inline constexpr std::string_view kKeptHere =
+                                      "Your answers and your place in each lesson are kept on this device alone.",
+                                  kKeptFoot =
+                                      "Your answers and your place are kept on this device and go nowhere else.",
+                                  kNotKept = "Snug cannot write them here, though: they last until you close it.",
+                                  kEraseWord = "Erase my answers", kEraseSureWord = "Press again to erase them",
+                                  kEraseWarning =
+                                      "This erases your answers and your place in every lesson from this device.",
+                                  kErased = "Your answers are erased.";
 
 /// Replaces the task's state while a question is open.
 inline constexpr std::string_view kTaskWaits = "The task is checked once the question is answered.";
