@@ -137,8 +137,9 @@ export class Reading {
 
   #show_grades = when_changed((_lesson, tasks, now) => {
     if (tasks.length === 0) return;
-    for (const [i, { was, says }] of tasks.entries()) {
+    for (const [i, { was, done, says }] of tasks.entries()) {
       this.#grade_says[i].parentElement.classList.toggle("done", was);
+      this.#grade_says[i].classList.toggle("changed", was && !done);
       set_text(this.#grade_says[i], `${was ? "✓ " : ""}${says}`);
     }
     // On a phone the task is far below the stage. If an address opens it already done, that is not news.
