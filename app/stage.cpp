@@ -78,7 +78,9 @@ void Stage::open(const lesson::Session& session, SubjectView& view) {
 void Stage::open_anew(const lesson::Session& session, SubjectView& view) {
   const Camera camera = camera_;
   const Hands hands = hands_;
+  const std::string situation = situation_;
   open(session, view);
+  situation_ = situation;  // the session may stand in another one, in which that handle is not selected
   camera_kept_ = !camera.framed() && camera.dim() == session.dim();
   if (camera_kept_) camera_ = camera.with_home_of(camera_);
   if (hands.selected < session.size()) hands_.selected = hands.selected, hands_.arrows = hands.arrows;

@@ -46,7 +46,7 @@ endforeach()
 
 # A minute each, but where CI is set a quarter of it, for its hour is full; for longer, and led by what the code does:
 # ./run test --fuzz.
-if(kind STREQUAL sanitize)
+if(kind STREQUAL sanitize AND NOT SNUG_FUZZ)
   set(seconds 60)
   if(DEFINED ENV{CI})
     set(seconds 15)

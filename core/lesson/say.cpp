@@ -169,9 +169,7 @@ std::string task_heading(std::size_t task, std::size_t tasks) {
 std::string task_says(const Session& session, std::size_t task) {
   const Grade grade = session.grade(task);
   const bool undone = session.was_done(task) && !grade.done;
-  if (!undone) return grade.says;
-  const bool here = session.lesson().tasks[task].situation == session.situation();
-  return (here ? "Solved before, and changed since. " : "Solved before. ") + grade.says;
+  return (undone ? "Solved before. " : "") + grade.says;
 }
 
 std::string only_text(const Task& task) {

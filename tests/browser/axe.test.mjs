@@ -1,7 +1,7 @@
 // axe-core finds nothing to complain of: in the idle state of every lesson, at every question of each situation, beside
-// every outcome, be it right, wrong or skipped, at its task as it is set and as it is done. The whole page is looked
-// at in one lesson of each kind; in the others, what changes from question to question. On a phone the same parts stand in
-// another place: one lesson of each kind is played there.
+// every outcome, be it right, wrong or skipped, at its task as it is set and as it is done. On a laptop the whole
+// page is looked at in one lesson of each kind; in the others, what changes from question to question. On a phone the same
+// parts stand in another place: one lesson of each kind is at rest and played there.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";

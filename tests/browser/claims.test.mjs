@@ -111,7 +111,7 @@ test("a click on a mark puts its cloud on the stage, and so does Enter on the wo
   assert.equal(loaded.outcomes.length, kQuestions, "no answer is lost");
 });
 
-test("on a phone every claim can be chosen, and nothing is cut off", async (t) => {
+test("in a window as narrow as a phone every claim can be chosen, and nothing is cut off", async (t) => {
   const page = await measured(t);
   await page.setViewportSize(kPhone.viewport);
   if (!(await state(page)).cover.shown) await button(page, "Chart").click();

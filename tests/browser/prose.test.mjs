@@ -175,6 +175,7 @@ test("every lesson's formulas are typeset, and none is wider than its column, on
     assert.equal(await page.locator("#prose .formula").count(), 0, `${id}: a formula was not typeset`);
     for (const { viewport } of [kWide, kPhone]) {
       await page.setViewportSize(viewport);
+      await page.waitForFunction((phone) => (document.documentElement.dataset.layout === "phone") === phone, viewport === kPhone.viewport);
       const wide = await page.evaluate(() => [...document.querySelectorAll("#prose math")].filter((math) => {
         const [own, column] = [math.getBoundingClientRect(), document.getElementById("prose").getBoundingClientRect()];
         return own.width > 0 && own.right > column.right + 1;

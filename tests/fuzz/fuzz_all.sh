@@ -29,7 +29,7 @@ done
 {
     printf '# Fuzzing\n\n`./run test --fuzz` wrote this: each target of tests/fuzz, built with the address and undefined-'
     printf 'behaviour sanitizers and led by libFuzzer, on one core that may have had other work. The inputs that it '
-    printf 'kept, in tests/corpus/fuzz, are where the next run begins, and `./run test --sanitize` as well.\n\n'
+    printf 'kept, in tests/corpus/fuzz, are where the next run begins, and `./run test --sanitize` as well (all but `read_lines`).\n\n'
     printf '| target | inputs kept | runs | minutes | found |\n|---|--:|--:|--:|---|\n'
     cat "$rows"/*
     printf '\n'

@@ -46,8 +46,9 @@ export class CoverTools {
     this.#act(() => this.#door.command(command));
   }
 
-  /** A slice between two frames of the page, so that none is late; the stage is drawn only where what it shows has changed.
-   *  Where frames are slow, as without a graphics card, a quarter of their time is measured in: 4 ms would take minutes. */
+  /** A slice between two frames, short enough that none is late; the stage is drawn only where what it shows has changed.
+   *  Where frames are slow anyway, as without a graphics card, a slice takes a quarter of a frame: at 4 ms a frame,
+   *  measuring would take minutes. */
   #slice() {
     this.#timer = 0;
     this.#door.measure(Math.min(Math.max(kSlice, (performance.now() - this.#sliced_at) / 4), kLongestSlice));

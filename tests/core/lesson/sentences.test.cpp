@@ -301,6 +301,9 @@ TEST_CASE("what is outside is said with its name and by how much") {
   const fit::Sphere3 before{Vector<double, 3>::Zero(), 2};
   CHECK(alone(with_ball(2.29, fit::BallGrown<double, 3>{1, before}), kThree) ==
         "P1 lies outside by 0.580, so the circle grows to contain it.");
+  const fit::Sphere3 nearly{Vector<double, 3>::Zero(), fit::point_of(kThree, 1).norm()};
+  CHECK(alone(with_ball(2.58, fit::BallGrown<double, 3>{1, nearly}), kThree) ==
+        "P1 lies outside by no more than rounding, so the circle grows to contain it.");
   CHECK(alone(with_ball(2, fit::PointExamined{1, 2.58, true, 0}), kThree) == "P1 lies outside by 0.580.");
   const fit::Step3 forced = with_ball(2, fit::BoundaryForced{{1}, 1});
   CHECK(sentence({with_ball(2, fit::PointExamined{1, 2.58, true, 0}), forced}, 0, kThree, true) ==

@@ -64,7 +64,7 @@ struct Entry<fit::ProductsAdded<double, 3>> : FitEntry {
   static constexpr std::array kAskings{Asking{"sign", &offer_signs, &sign_truth}, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::string offset;
-    for (int i = 0; i < where.dim(); ++i) offset += (i > 0 ? ", " : "") + number_text(fact.offset[i]);
+    for (int i = 0; i < where.dim(); ++i) offset += (i > 0 ? ", " : "") + coordinate_text(fact.offset[i]);
     const std::string name = where.name(fact.point);
     return name + (fact.from_mean ? " lies (" + offset + ") from the mean" : " is (" + offset + ")") +
            ": the products of these coordinates are added to the sums.";

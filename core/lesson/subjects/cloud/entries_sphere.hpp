@@ -126,9 +126,10 @@ struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const Point3 at = fit::point_of(where.run.points(), fact.point);
     const double gap = (at - fact.before.center).norm() - fact.before.radius;
-    const bool seen = gap > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * fact.before.radius;
-    return where.name(fact.point) + " lies outside by " + number_text(gap) +
-           (seen ? ", so the " : ", which is rounding; the ") + where.ball() + " grows to contain it.";
+    const double size = fact.before.radius + at.cwiseAbs().maxCoeff();
+    const bool is_rounding = gap <= tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * size;
+    return where.name(fact.point) + " lies outside by " + (is_rounding ? "no more than rounding" : number_text(gap)) +
+           ", so the " + where.ball() + " grows to contain it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere& where, bool) {
@@ -141,8 +142,8 @@ struct Entry<fit::BallGrown<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::MeanFound<double, 3>> : FitEntry {
   static std::string sentence(const fit::MeanFound<double, 3>& fact, const FitWhere& where) {
-    std::string at = number_text(fact.mean[0]) + ", " + number_text(fact.mean[1]);
-    if (where.dim() == 3) at += ", " + number_text(fact.mean[2]);
+    std::string at = coordinate_text(fact.mean[0]) + ", " + coordinate_text(fact.mean[1]);
+    if (where.dim() == 3) at += ", " + coordinate_text(fact.mean[2]);
     const fit::Step3* before = where.before();
     if (before != nullptr && std::holds_alternative<fit::SurfaceFound<double, 3>>(before->fact))
       return "The centroid of the hull's " + where.outline_word() + " is (" + at + ").";

@@ -175,16 +175,16 @@ void scatter_by(VolumePair& pair, std::uint64_t seed) {
   }
 }
 
-/// Puts a box that a slider has moved with its centre exactly there. Every drag before rounds both bounds, each in its
-/// own way: where the half extent is a short binary fraction but for that, it becomes that fraction again, or a bound
-/// that shows 0.250 would not be equal to 0.25.
+/// Puts the centre of a box exactly at `center`. Each earlier drag rounded both bounds separately: if the half extent
+/// is within that rounding of a short binary fraction, it becomes that fraction. Otherwise a bound that is shown as
+/// 0.250 might not equal 0.25.
 void center_exactly(Aabb<double, 3>& box, int axis, double center) {
   constexpr int kShort = 20, kDrags = 40;  // bits of the fraction, and those that hundreds of drags leave right
   const double half = (box.max[axis] - box.min[axis]) / 2;
   const double size = std::max({std::abs(box.min[axis]), std::abs(box.max[axis]), half});
   if (size == 0) return;
   const double unit = std::ldexp(1.0, std::ilogb(size) - kShort), fraction = std::round(half / unit) * unit;
-  if (std::abs(fraction - half) > std::ldexp(size, -kDrags)) return;
+  if (fraction == 0 || std::abs(fraction - half) > std::ldexp(size, -kDrags)) return;
   box.min[axis] = center - fraction;
   box.max[axis] = center + fraction;
 }
@@ -452,8 +452,9 @@ std::vector<Proof> VolumesSubject::proofs(const View& view) const {
     return {{"GJK finds a point that both volumes have in common, or that is within rounding of both", true, true}};
   const double end_of_a = reach_along(pair_.held[0], apart->direction);
   const double end_of_b = -reach_along(pair_.held[1], -apart->direction);
-  const std::string between = dim() == 2 ? "a line" : "a plane";
-  return {{between + " between the nearest points has A on one side and B on the other", end_of_a < end_of_b, true}};
+  const std::string separating = dim() == 2 ? "a line" : "a plane";
+  return {{separating + " that passes between the nearest points has A on one side and B on the other",
+           end_of_a < end_of_b, true}};
 }
 
 }  // namespace snug::lesson

@@ -326,11 +326,11 @@ TEST_CASE("a line separates two volumes of the plane, and a plane those of space
   Session session = snug::test::session_of("overlap-any");
   session.jump(session.steps());
   REQUIRE(session.proofs().size() == 1);
-  CHECK(session.proofs()[0].text.starts_with("a line between"));
+  CHECK(session.proofs()[0].text.starts_with("a line that passes between"));
   REQUIRE(session.show_situation("space").has_value());
   session.jump(session.steps());
   REQUIRE(session.proofs().size() == 1);
-  CHECK(session.proofs()[0].text.starts_with("a plane between"));
+  CHECK(session.proofs()[0].text.starts_with("a plane that passes between"));
 }
 
 TEST_CASE("the name of a difference is not broken over two lines") {
