@@ -25,7 +25,7 @@ std::string power_of_ten(const std::string& printed) {
   return printed.substr(0, e) + " × 10" + raised(std::atoi(printed.c_str() + e + 1));
 }
 
-/// With commas between the thousands of the whole part: "12,345.6".
+/// Puts commas between the thousands of the whole part: "12,345.6".
 std::string with_commas(std::string digits) {
   for (std::size_t at = std::min(digits.find('.'), digits.size()); at > 3;) digits.insert(at -= 3, ",");
   return digits;

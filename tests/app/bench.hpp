@@ -62,14 +62,18 @@ class Bench {
       }
     }
   }
-  /// The words of one more frame.
-  [[nodiscard]] std::vector<std::string> words() {
+  /// The words of one more frame, with their places.
+  [[nodiscard]] std::vector<DrawnWords> drawn_words() {
     std::vector<DrawnWords> drawn;
     app.note_words(&drawn);
     frames(1);
     app.note_words(nullptr);
+    return drawn;
+  }
+  /// The words alone.
+  [[nodiscard]] std::vector<std::string> words() {
     std::vector<std::string> all;
-    for (const DrawnWords& one : drawn) all.push_back(one.words);
+    for (const DrawnWords& one : drawn_words()) all.push_back(one.words);
     return all;
   }
   [[nodiscard]] Handle handle(const std::string& id) const {

@@ -233,12 +233,8 @@ TEST_CASE("a slab of a 26-DOP and its name keep clear of the sentence that a pag
   for (const int step : {7, 9, 11}) {
     bench.session().jump(step);
     bench.frames(2);
-    std::vector<DrawnWords> drawn;
-    bench.app.note_words(&drawn);
-    bench.frames(1);
-    bench.app.note_words(nullptr);
     bool named = false;
-    for (const DrawnWords& one : drawn)
+    for (const DrawnWords& one : bench.drawn_words())
       if (one.low.y < wide.stage.height && one.high.x > 24 && one.low.x < wide.stage.width - 24) {
         CHECK_MESSAGE(one.high.y <= wide.stage.height - 12 - 40, one.words, " at step ", step);
         named = named || one.words.starts_with("slab " + std::to_string(step) + ":");
@@ -274,10 +270,7 @@ TEST_CASE("labels keep clear of a page's sentence on a wide stage") {
   Bench bench(course_lesson("cases/wide-box", false), {.stage = {0, 0, 628, 616}, .timeline = {0, 616, 628, 136}});
   bench.session().jump(bench.session().steps());
   bench.frames(2);
-  std::vector<DrawnWords> drawn;
-  bench.app.note_words(&drawn);
-  bench.frames(1);
-  bench.app.note_words(nullptr);
+  const std::vector<DrawnWords> drawn = bench.drawn_words();
   const auto verdict =
       std::find_if(drawn.begin(), drawn.end(), [](const DrawnWords& one) { return one.words == "Box: outside"; });
   REQUIRE(verdict != drawn.end());
@@ -289,10 +282,7 @@ TEST_CASE("the lines of the window's sentence are about equally long") {
   bench.app.settings().prose_in_canvas = true;
   bench.session().jump(bench.session().steps());
   bench.frames(2);
-  std::vector<DrawnWords> drawn;
-  bench.app.note_words(&drawn);
-  bench.frames(1);
-  bench.app.note_words(nullptr);
+  const std::vector<DrawnWords> drawn = bench.drawn_words();
   const auto width_of = [&](auto is_line) {
     const auto line =
         std::find_if(drawn.begin(), drawn.end(), [&](const DrawnWords& one) { return is_line(one.words); });

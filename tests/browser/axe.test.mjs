@@ -29,12 +29,12 @@ const kSpoken = ["#ask", "#told", "#caption", "#figures"];
 /** What axe finds wrong with those parts. Other words in elements that it has seen there make no difference to it: it looks
  *  once there is an element of another kind. seen: receives the kinds of elements. */
 async function violations_of_new(page, seen) {
-  const kinds = await page.evaluate((parts) => [...document.querySelectorAll(parts.map((part) => `${part}, ${part} *`).join())].map((node) => {
+  const elements = await page.evaluate((parts) => [...document.querySelectorAll(parts.map((part) => `${part}, ${part} *`).join())].map((node) => {
     const attributes = [...node.attributes].map(({ name, value }) => (/^(class|role|type|aria-(pressed|current|checked))$/.test(name) ? `${name}=${value}` : name));
     return [node.parentElement.tagName, node.parentElement.className, node.tagName, ...attributes, node.textContent.trim() !== ""].join(" ");
   }), kSpoken);
-  if (kinds.every((kind) => seen.has(kind))) return [];
-  for (const kind of kinds) seen.add(kind);
+  if (elements.every((element) => seen.has(element))) return [];
+  for (const element of elements) seen.add(element);
   return violations(page, kSpoken);
 }
 

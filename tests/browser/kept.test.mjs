@@ -45,7 +45,7 @@ test("a task that was done is so in later visits, without what solved it", async
   const back = await reload(page, "?lesson=frustum-2d&step=0");
   assert.equal(back.grade.done, false);
   await page.locator("#task .done").waitFor();
-  await page.locator("#task .done .changed").waitFor(); // as it stands now, it is not solved
+  await page.locator("#task .done .unsolved").waitFor(); // as it stands now, it is not solved
 });
 
 test("a conversation goes on where it stood: before the second try, on the way, at what is told, at the summary", async (t) => {

@@ -139,7 +139,7 @@ export class Reading {
     if (tasks.length === 0) return;
     for (const [i, { was, done, says }] of tasks.entries()) {
       this.#grade_says[i].parentElement.classList.toggle("done", was);
-      this.#grade_says[i].classList.toggle("changed", was && !done);
+      this.#grade_says[i].classList.toggle("unsolved", was && !done);
       set_text(this.#grade_says[i], `${was ? "✓ " : ""}${says}`);
     }
     // On a phone the task is far below the stage. If an address opens it already done, that is not news.

@@ -1,5 +1,6 @@
 // Every lesson in Firefox and in WebKit: the trace of the native program, a stage that is drawn, stepped, dragged by a
-// handle and answered; of one lesson of each kind the pixels are looked at. All else about the page is tested in Chromium. Needs a screen and a session bus.
+// handle and answered. The pixels are looked at in one lesson of each kind. All else about the page is tested in Chromium.
+// Needs a screen and a session bus.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { after, before, describe, test } from "node:test";

@@ -127,7 +127,7 @@ struct Entry<fit::BallGrown<double, 3>> : FitEntry {
     const Point3 at = fit::point_of(where.run.points(), fact.point);
     const double gap = (at - fact.before.center).norm() - fact.before.radius;
     const double size = fact.before.radius + at.cwiseAbs().maxCoeff();
-    const bool is_rounding = gap <= tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * size;
+    const bool is_rounding = gap <= tolerance::kBoundaryRoundoffs * tolerance::roundoff<double>(size);
     return where.name(fact.point) + " lies outside by " + (is_rounding ? "no more than rounding" : number_text(gap)) +
            ", so the " + where.ball() + " grows to contain it.";
   }

@@ -11,10 +11,7 @@ TEST_CASE("the panel scrolls to the row of the step, and a frame is due for it")
   ImGui::GetIO().DisplaySize = {panel.x + panel.width, panel.y + panel.height};
   const auto row_ends = [&](std::string_view name) {
     for (int i = 0; i < 20 && bench.app.wants_frame(0); ++i) bench.frames(1);
-    std::vector<DrawnWords> drawn;
-    bench.app.note_words(&drawn);
-    bench.frames(1);
-    bench.app.note_words(nullptr);
+    const std::vector<DrawnWords> drawn = bench.drawn_words();
     float end = 1e9f;  // of the row's name at the panel's left, the lowest
     for (const DrawnWords& one : drawn)
       if (one.words == name && one.low.x >= panel.x && one.low.x < panel.x + 60) end = one.high.y;

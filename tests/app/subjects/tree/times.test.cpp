@@ -23,10 +23,7 @@ TEST_CASE("no title stands over what its way costs") {
     REQUIRE(bench.session().choose(0, way).has_value());
     bench.session().go(bench.session().steps());
     bench.frames(30);  // it is timed once the view has been still
-    std::vector<DrawnWords> drawn;
-    bench.app.note_words(&drawn);
-    bench.frames(1);
-    bench.app.note_words(nullptr);
+    const std::vector<DrawnWords> drawn = bench.drawn_words();
     const std::string title(bench.session().method(0)->title);
     bool timed = false;
     for (const DrawnWords& words : drawn) {
