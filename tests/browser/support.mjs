@@ -15,8 +15,9 @@ const kSubPath = "/course/week-3/snug/";
 const kTypes = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
   ".json": "application/json", ".png": "image/png", ".toml": "text/plain", ".otf": "font/otf", ".ttf": "font/ttf" };
 const kPacked = new Set([".png"]);
-// Mesa draws the stage and Chromium's own rasterizer the page, which takes a quarter less of the processor than SwiftShader.
-const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-rasterization", "--disable-gpu-compositing",
+// Mesa draws the stage and the processor the page: less work than SwiftShader. Without GPU compositing, pictures of the page
+// lack parts of the canvas.
+const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-rasterization",
   "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
 
 /** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503; add: texts by
