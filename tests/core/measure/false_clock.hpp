@@ -17,6 +17,13 @@ inline cost::Clock false_clock() {
   return [] { return false_now(); };
 }
 inline void pass(double ns) { false_now() += ns; }
+/// The same, but each look at it takes 5 µs: what takes no false time is not repeated until a batch is full.
+inline cost::Clock ticking_clock() {
+  return [] {
+    pass(5000);
+    return false_now();
+  };
+}
 
 /// A true algorithm whose runs take false time: coefficient times n^power.
 template <int kCoefficient, int kTwicePower>
