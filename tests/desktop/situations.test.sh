@@ -23,8 +23,8 @@ for part in 5 4 3 2; do
     xdotool mousemove $((x + width / part)) "$y"
     sleep 0.1
 done
+until_state 'Math.abs(s.sliders[0].value - 45) <= 1' # it is there before the button is let go
 xdotool mouseup 1
-until_state 'Math.abs(s.sliders[0].value - 45) <= 1'
 xdotool key ctrl+z
 until_state "s.trace === '$own'"
 

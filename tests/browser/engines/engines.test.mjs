@@ -90,13 +90,16 @@ class Page {
     const actions = [...ids.map((value) => ({ type: "keyDown", value })), ...ids.reverse().map((value) => ({ type: "keyUp", value }))];
     await this.#engine.perform([{ type: "key", id: "keyboard", actions }]);
   }
-  /** Presses at the first place, goes on over the others, and lets go. */
+  /** Presses at the first place of the stage, goes on over the others, and lets go. */
   async hand(...places) {
+    await this.point(...places);
+    await this.still();
+  }
+  async point(...places) {
     const move = ([x, y]) => ({ type: "pointerMove", origin: "viewport", x: Math.round(x), y: Math.round(y), duration: 20 });
     const pause = { type: "pause", duration: 40 }; // a frame in which the stage sees where the pointer is
     await this.#engine.perform([{ type: "pointer", id: "mouse", parameters: { pointerType: "mouse" }, actions: [move(places[0]), pause,
       { type: "pointerDown", button: 0 }, pause, ...places.slice(1).flatMap((place) => [move(place), pause]), { type: "pointerUp", button: 0 }] }]);
-    await this.still();
   }
   async picture() {
     return read_png(await this.#engine.screenshot());
@@ -108,7 +111,7 @@ class Page {
   async click(selector) {
     await this.ask(`document.querySelector(${JSON.stringify(selector)}).scrollIntoView({ block: "center" })`);
     const { x, y, width, height } = await this.place(selector);
-    await this.hand([x + width / 2, y + height / 2]);
+    await this.point([x + width / 2, y + height / 2]);
   }
 }
 
