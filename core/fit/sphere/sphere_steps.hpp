@@ -160,7 +160,8 @@ struct RecursionStopped {
 };
 
 /// Brute force: the ball of a few points was kept, was no smaller than the best, or left a point outside; or there was
-/// none (kNoBall: fewer of these points support their smallest ball; kDependent: no ball passes through them all).
+/// none (kNoBall: fewer of these points support their smallest ball; kDependent: they lie on a line, or in a plane of
+/// space, so they do not determine a ball).
 template <class Scalar, int Dim>
 struct CandidateTried {
   static constexpr std::string_view kName = "candidate_tried";

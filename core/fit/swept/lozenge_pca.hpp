@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 8> kLozengePcaPseudocode{
     "m ← mean of the points",
     "C ← covariance about m",
     "axes ← eigenvectors of C",
-    "radius ← half of the least thickness",
+    "radius ← half the least extent (2-D: by the vertices)",
     "pull the rectangle's four sides in",
     "move vertices out to points left outside",
     "radius ← to the farthest point, exactly",
@@ -207,9 +207,9 @@ template <class Scalar, int Dim>
   return support;
 }
 
-/// The lozenge whose rectangle lies along the principal axes of greatest extent, with half of the remaining extent as
-/// its radius, and its sides pulled in as far as the points allow. points: n >= 1 finite points, scene units. O(n) time
-/// and memory.
+/// The lozenge whose rectangle lies along the principal axes of greatest extent, and whose sides are pulled in as far
+/// as the points allow. Its radius is half of the remaining extent; in the plane, the largest that cuts no point off.
+/// points: n >= 1 finite points, scene units. O(n) time and memory.
 template <class Scalar, int Dim, StepObserver<LozengeStep<Scalar, Dim>> Observer = Ignore>
 Fit<Lozenge<Scalar, Dim>> lozenge_pca(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   using Step = LozengeStep<Scalar, Dim>;

@@ -362,6 +362,20 @@ TEST_CASE("the circle through two points is the smallest of many") {
         "The circle through P0, P1 and P2 is no smaller than the best: no point needs testing.");
 }
 
+TEST_CASE("many spheres pass through the vertices of a square, so none is said to be missing") {
+  using Tried = fit::CandidateTried<double, 3>;
+  const AnyPointSet square = set_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, 3);
+  CHECK(alone(with_ball(1, Tried{{0, 1, 2, 3}, {}, Tried::Verdict::kDependent, kNoIndex}), square) ==
+        "P0, P1, P2 and P3 lie in one plane, so they determine no sphere.");
+  CHECK(alone(with_ball(1, Tried{{0, 1, 2}, {}, Tried::Verdict::kDependent, kNoIndex}), kThree) ==
+        "P0, P1 and P2 lie on one line, so they determine no circle.");
+}
+
+TEST_CASE("in the plane the vertices decide a lozenge's radius") {
+  CHECK(alone({0, true, Lozenge<double, 3>{}, fit::ThicknessFound{0, kNoIndex, 0.5}}, kThree) ==
+        "The radius is 0.500, the largest for which no rounded vertex cuts off a point.");
+}
+
 TEST_CASE("a box that is tried is said to stand on an edge, on two edges or on a face") {
   using Tried = fit::BoxTried<double, 3>;
   const AnyPointSet space = set_of({{1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {1, 1, 1}}, 3);

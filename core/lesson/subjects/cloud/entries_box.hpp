@@ -229,8 +229,11 @@ struct Entry<fit::EndPulledIn> : FitEntry {
 template <>
 struct Entry<fit::ThicknessFound> : FitEntry {
   using Fact = fit::ThicknessFound;
-  static std::string sentence(const Fact& fact, const FitWhere&) {
-    return "The radius is half of the points' least thickness: " + number_text(fact.radius) + ".";
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string radius = number_text(fact.radius);
+    if (where.dim() == 2)
+      return "The radius is " + radius + ", the largest for which no rounded vertex cuts off a point.";
+    return "The radius is half of the points' least extent along these axes: " + radius + ".";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
     return points_of({{&fact.least, 1}, {&fact.greatest, 1}});

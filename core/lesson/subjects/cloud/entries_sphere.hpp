@@ -308,12 +308,12 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
       case Verdict::kLeavesPointOutside:
         return tried + " leaves " + where.name(fact.outside) + " outside, and is dropped.";
       case Verdict::kDependent:
-        return "No " + where.ball() + " passes through " + names + ": they lie " +
-               (fact.points.size() <= 3 ? "on one line." : "in one plane.");
+        return names + " lie " + (fact.points.size() <= 3 ? "on one line" : "in one plane") +
+               ", so they determine no " + where.ball() + ".";
       case Verdict::kNoBall: break;
     }
     return "The smallest " + where.ball() + " around " + names +
-           " is supported by fewer of them: it is no new candidate.";
+           " is supported by fewer of them: it is not a new candidate.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) {
     return fact.outside != kNoIndex ? std::vector{fact.outside} : list_of(fact.points);
