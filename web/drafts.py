@@ -21,7 +21,7 @@ class Drafts:
     def wrong(self) -> str | None:
         """Why the folder cannot be served; None if it can."""
         if not self.folder.is_dir():
-            return f"{self.folder} is no folder: --lessons takes the one that your lessons are in."
+            return f"{self.folder} is not a folder: --lessons takes the one that your lessons are in."
         if not self.lessons():
             return f"{self.folder} has no lesson: none of its files ends in .toml."
         return None

@@ -140,7 +140,7 @@ const char* offer_number(Asked& asked, const Run& run) {
   const auto figure = figure_after(asked, run);
   if (!figure) return kNoFigureAfter.data();
   const bool whole = figure->value == std::floor(figure->value);
-  if (asked.question->tolerance == 0 && !whole) return "a figure that is no count needs a \"tolerance\"";
+  if (asked.question->tolerance == 0 && !whole) return "a figure that is not a count needs a \"tolerance\"";
   asked.number = true;
   asked.unit = figure->unit;
   return nullptr;

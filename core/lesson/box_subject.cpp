@@ -90,7 +90,7 @@ Rows read_box_model(TomlTable& task, const Lesson& lesson, Complaints& complaint
 Rows BoxSubject::rows() const { return rows_of(unrounded()); }
 
 Done BoxSubject::set_rows(const Rows& rows) {
-  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two boxes"});
+  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there must be two boxes"});
   BoxPair next = unrounded();
   for (const std::size_t i : {0, 1}) {
     RowReader reader(rows[i], dim());

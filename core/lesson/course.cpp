@@ -72,7 +72,7 @@ tl::expected<Course, InputError> read_course(std::string_view text, std::string_
   Course course;
   course.playground = table.text_or("playground", "");
   if (!course.playground.empty() && std::find(ids.begin(), ids.end(), course.playground) == ids.end())
-    table.wrong("playground", "is no lesson: " + course.playground);
+    table.wrong("playground", "is not a lesson: " + course.playground);
   Seen seen{ids, {}};
   int last = 1;
   for (const toml::table* chapter : table.tables("chapter")) {

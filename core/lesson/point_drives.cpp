@@ -56,10 +56,10 @@ Done PointSubject::drive(std::string_view name, double from, double to) {
   } else if (name == "jitter") {
     jitter(points, dim(), origin_.seed, to - from);
   } else if (name == "scale") {
-    if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a scale is above 0"});
+    if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a scale must be above 0"});
     for (Point3& point : points) point = middle + (point - middle) * (to / from);
   } else if (name == "squeeze") {
-    if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a squeeze is above 0"});
+    if (!(from > 0 && to > 0)) return tl::unexpected(InputError{.what = "a squeeze must be above 0"});
     squeeze(points, middle, slanting(dim()), to / from);
   } else if (name == "angle") {
     const Matrix<double, 3> rotation = snug::turn(Point3::UnitZ(), (to - from) * std::numbers::pi / 180);
@@ -73,7 +73,7 @@ Done PointSubject::drive(std::string_view name, double from, double to) {
 /// Fewer points are the first of these; more are these and the last of as many generated ones.
 Done PointSubject::drive_count(double to) {
   if (!(to >= 1 && to <= kMostGenerated))
-    return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
+    return tl::unexpected(InputError{.what = "a set must have 1 to " + std::to_string(kMostGenerated) + " points"});
   const auto count = static_cast<std::size_t>(std::llround(to));
   std::vector<Point3> points = all_points(unrounded_);
   if (count > points.size()) {

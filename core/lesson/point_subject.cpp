@@ -200,7 +200,8 @@ Done PointSubject::set_rows(const Rows& rows) {
   std::vector<Point3> all;
   for (const std::vector<double>& row : rows) {
     if (row.size() != static_cast<std::size_t>(dim) || dim < 2 || dim > 3)
-      return tl::unexpected(InputError{.what = "a point has two or three numbers, and all have as many"});
+      return tl::unexpected(
+          InputError{.what = "a point must have two or three numbers, and each as many as the first"});
     all.emplace_back(row[0], row[1], dim == 3 ? row[2] : 0);
   }
   return take(all, dim, all.size() == static_cast<std::size_t>(count()) ? triangles_ : nullptr);
@@ -227,8 +228,8 @@ bool PointSubject::is_as_own(std::string_view kind, int count, int dim) const {
 Done PointSubject::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject&) {
   if (!is_generator(kind)) return tl::unexpected(InputError{.what = "there is no generator " + std::string(kind)});
   if (count < 1 || count > kMostGenerated)
-    return tl::unexpected(InputError{.what = "a set has 1 to " + std::to_string(kMostGenerated) + " points"});
-  if (dim != 2 && dim != 3) return tl::unexpected(InputError{.what = "the dimension is 2 or 3"});
+    return tl::unexpected(InputError{.what = "a set must have 1 to " + std::to_string(kMostGenerated) + " points"});
+  if (dim != 2 && dim != 3) return tl::unexpected(InputError{.what = "the dimension must be 2 or 3"});
   // At the lesson's seed an address means the lesson's own points, which generated ones are not if it has a list.
   const bool own = is_as_own(kind, count, dim) && (seed != recipe_->seed || !recipe_->own_list);
   generate_points(kind, count, dim, seed, !own);

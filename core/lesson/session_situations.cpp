@@ -95,7 +95,8 @@ Done Session::slide_to_place(std::size_t slider, int place) {
 Done Session::set_sliders(std::vector<double> values) {
   if (values.size() != slid_.values.size()) return tl::unexpected(InputError{.what = "there are no such sliders"});
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) return tl::unexpected(InputError{.what = "a slider's value is a finite number"});
+    if (!std::isfinite(values[i]))
+      return tl::unexpected(InputError{.what = "a slider's value must be a finite number"});
     if (values[i] == slid_.values[i]) continue;  // it may have been edited to beyond the slider's ends
     values[i] = std::clamp(values[i], lesson_->sliders[i].from, lesson_->sliders[i].to);
   }

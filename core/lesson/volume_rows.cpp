@@ -53,7 +53,7 @@ std::string_view fault_of_fields(const HeldVolume& held) {
             if (name == "radius" && !(field >= 0)) fault = "a radius is below 0";
           if constexpr (std::is_same_v<Field, std::array<Point3, 2>>)
             if (std::abs(field[0].dot(field[1])) > tolerance::kAxesAsGiven * field[0].norm() * field[1].norm())
-              fault = "a lozenge's edges are perpendicular";
+              fault = "a lozenge's edges must be perpendicular";
         });
       },
       held.volume);

@@ -198,7 +198,7 @@ std::optional<std::string> set_fields(const Fields& fields,
     const std::string* repeats = field.none ? text_by_name(field.level().append(kRepeats)) : nullptr;
     if (text->empty() && repeats != nullptr && repeats->empty()) continue;
     if (!std::visit([&](auto* value) { return read_value(*text, *value); }, field.value))
-      return io::quoted(*text) + " is no value of " + io::quoted(field.name);
+      return io::quoted(*text) + " is not a value of " + io::quoted(field.name);
   }
   return std::nullopt;
 }
@@ -235,7 +235,7 @@ Wrong read_lines(std::string_view text, std::string_view name, std::string_view 
     const std::size_t colon = line.find(": ");
     const auto value = fields_of_line(colon == std::string_view::npos ? "" : line.substr(colon + 2));
     if (colon == std::string_view::npos || !value || value->size() != 1)
-      return at(name, lines.number(), "is no line of a provenance");
+      return at(name, lines.number(), "is not a line of a provenance");
     names.emplace_back(line.substr(0, colon));
     texts.push_back(value->front());
   }

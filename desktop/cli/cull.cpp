@@ -311,7 +311,7 @@ tl::expected<Json, std::string> surveyed(const CullLine& line, const CullOptions
   const auto frustum = frustum_of<double, Dim>(line.frustum);
   if (!frustum) return fault("frustum: " + frustum.error().what);
   const auto* sphere = std::get_if<Sphere<double, Dim>>(&std::get<static_cast<std::size_t>(Dim - 2)>(line.volume));
-  if (sphere == nullptr) return fault("volume is no sphere, which --survey needs");
+  if (sphere == nullptr) return fault("volume is not a sphere, which --survey needs");
   auto survey = query::SphereSurvey<Dim>::make(*frustum, sphere->radius, options.seed);
   if (!survey) return fault("frustum: its planes do not meet in vertices, which --survey needs");
   survey->run(options.survey);

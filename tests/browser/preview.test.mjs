@@ -227,12 +227,12 @@ test("the strip is under the policy, and axe finds nothing wrong with it in any 
 });
 
 test("a folder that has no lessons is refused in words", () => {
-  for (const [lessons, says] of [["/nowhere/at/all", /^\/nowhere\/at\/all is no folder/], [join(root, "web/page"), /has no lesson/]]) {
+  for (const [lessons, says] of [["/nowhere/at/all", /^\/nowhere\/at\/all is not a folder/], [join(root, "web/page"), /has no lesson/]]) {
     const { status, stderr } = spawnSync("python3", [join(root, "web/serve.py"), join(root, "web/page"), "--port", "0", "--lessons", lessons], { encoding: "utf8" });
     assert.equal(status, 1);
     assert.match(stderr, says);
   }
   const { status, stderr } = spawnSync(join(root, "run"), ["--lessons", "/nowhere/at/all"], { encoding: "utf8" });
   assert.equal(status, 1);
-  assert.match(stderr, /^\/nowhere\/at\/all is no folder/);
+  assert.match(stderr, /^\/nowhere\/at\/all is not a folder/);
 });

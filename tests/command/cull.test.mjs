@@ -299,6 +299,6 @@ test("a survey counts the false positives among random spheres, by its seed", ()
   // Around a square with spheres of radius r, the share is that of four corners without their quarter circles.
   const touching_square = (2 + 2 * 0.6) ** 2, corners = (4 - Math.PI) * 0.6 ** 2;
   assert.ok(Math.abs(flat.false_positives / 20000 - corners / touching_square) < 0.005);
-  refused_command(["cull", "--survey", "10"], /volume is no sphere/, JSON.stringify({ frustum: cube, volume: { aabb: space.aabb(0) } }));
+  refused_command(["cull", "--survey", "10"], /volume is not a sphere/, JSON.stringify({ frustum: cube, volume: { aabb: space.aabb(0) } }));
   refused_command(["cull", "--survey", "10", "--tree", "median"], /--survey goes with/, "");
 });

@@ -43,7 +43,7 @@ MadeEffect make_cull(const EffectCall& call, World& world) {
   camera.half_tangents = Vector<double, 2>::Constant(settings.number("half_tangent", 0.5, 1e-3, 1e3));
   camera.near = settings.number("near", 0.1, 1e-9, 1e9);
   camera.far = settings.number("far", 100, 1e-9, 1e9);
-  if (way == V3::Zero()) settings.refuse("the camera looks at where it is");
+  if (way == V3::Zero()) settings.refuse("\"at\" is the camera's own position");
   else camera.axes = axes_looking(way);
   const auto frustum = frustum_of_camera(camera);
   if (!frustum) settings.refuse(frustum.error().what);

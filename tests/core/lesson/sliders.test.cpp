@@ -250,7 +250,7 @@ TEST_CASE("mistakes in sliders are told with their place") {
   CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nstart = 2")).find("\"start\" must lie") !=
         std::string::npos);
   CHECK(only_mistake_of(small_with("drives = \"scale\"\nfrom = 0\nto = 1"))
-            .find("at 0 the slider cannot be drawn: a scale is above 0") != std::string::npos);
+            .find("at 0 the slider cannot be drawn: a scale must be above 0") != std::string::npos);
   CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1e300")).find("the slider cannot be drawn") !=
         std::string::npos);
   CHECK(only_mistake_of(small_with("drives = \"offset\"\nfrom = 0\nto = 1\nsteps = 0")).find("from 1 to") !=

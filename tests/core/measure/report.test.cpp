@@ -138,12 +138,13 @@ TEST_CASE("damaged CSV is refused with its line") {
   CHECK(complaint("") == "costs.csv:1: the first line of such a table is \"# snug table: costs\"");
   CHECK(complaint(with_replaced(csv(), "table: costs", "table: growth")).starts_with("costs.csv:1: "));
   CHECK(complaint(with_replaced(csv(), "# seed: 42\n", "")) == "costs.csv:10: there is no \"seed\"");
-  CHECK(complaint(with_replaced(csv(), "seed: 42", "seed: many")) == "costs.csv:11: \"many\" is no value of \"seed\"");
-  CHECK(complaint(with_replaced(csv(), "# seed: 42", "# seed 42")) == "costs.csv:9: is no line of a provenance");
+  CHECK(complaint(with_replaced(csv(), "seed: 42", "seed: many")) ==
+        "costs.csv:11: \"many\" is not a value of \"seed\"");
+  CHECK(complaint(with_replaced(csv(), "# seed: 42", "# seed 42")) == "costs.csv:9: is not a line of a provenance");
   CHECK(complaint(with_replaced(csv(), "time_ns.median", "time_ns.middle")) ==
         "costs.csv:11: there is no \"time_ns.median\"");
   CHECK(complaint(with_replaced(csv(), "\nobb,pca,100", "\nobb,pca,a hundred")) ==
-        "costs.csv:12: \"a hundred\" is no value of \"points\"");
+        "costs.csv:12: \"a hundred\" is not a value of \"points\"");
   CHECK(complaint(with_replaced(csv(), "\nobb,pca,100", "\nobb,pca,1e2")).starts_with("costs.csv:12: "));
   CHECK(complaint(with_replaced(csv(), "\nobb,pca", "\nobb,\"pca")) == "costs.csv:12: a quotation mark is not closed");
   CHECK(complaint(with_replaced(csv(), "\nhull,", "\nhull,too,many,")).starts_with("costs.csv:13: there are "));

@@ -111,7 +111,7 @@ TEST_CASE("masses, poses, steps and shapes that make no sense are refused by nam
   CHECK(with(ball(1, {0, kNaN, 0})) == "bob: its position is not finite, or too large");
   Body turned = ball(1, V3::Zero());
   turned.orientation = {0, 0, 0, 0};
-  CHECK(with(turned) == "bob: its orientation is no rotation");
+  CHECK(with(turned) == "bob: its orientation is not a rotation");
   turned.orientation = {1, kNaN, 0, 0};
   CHECK(with(turned) == "bob: its orientation is not finite");
   CHECK(with(moving(ball(1, V3::Zero()), {kInfinity, 0, 0})) == "bob: its velocity is not finite, or too large");

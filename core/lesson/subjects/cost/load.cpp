@@ -40,10 +40,10 @@ std::vector<double> row_of(const Load& load) { return {load.frames, load.pairs, 
 
 tl::expected<Load, InputError> with_row(const Load& load, const std::vector<double>& row) {
   const auto refused = [](const char* what) { return tl::unexpected(InputError{.what = what}); };
-  if (row.size() != kLoadRow) return refused("a load has four numbers: frames, pairs, hit rate and updates");
+  if (row.size() != kLoadRow) return refused("a load must have four numbers: frames, pairs, hit rate and updates");
   for (const double number : row)
-    if (!(number >= 0 && number <= kMostCount)) return refused("a load's numbers are from 0 to 1,000,000,000");
-  if (row[2] > 1) return refused("a hit rate is at most 1");
+    if (!(number >= 0 && number <= kMostCount)) return refused("a load's numbers must be from 0 to 1,000,000,000");
+  if (row[2] > 1) return refused("a hit rate must be at most 1");
   Load next = load;
   next.frames = row[0], next.pairs = row[1], next.hit_rate = row[2], next.updates = row[3];
   return next;

@@ -53,7 +53,8 @@ CameraPose pose_of(const std::vector<double>& row) { return {{row[0], row[1], ro
 
 Done check_pose(const FieldRecipe& recipe, const CameraPose& pose) {
   for (const Point3& place : {pose.position, pose.aim})
-    if (!(place.cwiseAbs().maxCoeff() <= kFarthestPlace)) return no_field("the camera and its aim stay near the field");
+    if (!(place.cwiseAbs().maxCoeff() <= kFarthestPlace))
+      return no_field("the camera and its aim must stay near the field");
   if (auto frustum = frustum_of(recipe, pose); !frustum) return tl::unexpected(std::move(frustum.error()));
   return {};
 }
@@ -75,10 +76,10 @@ FrustumCamera<double, 3> camera_of(const FieldRecipe& recipe, const CameraPose& 
 
 tl::expected<Frustum<double, 3>, InputError> frustum_of(const FieldRecipe& recipe, const CameraPose& pose) {
   const Point3 way = pose.position - pose.aim;
-  if (!(way.norm() > 0)) return no_field("the camera looks at its own place");
+  if (!(way.norm() > 0)) return no_field("the camera's aim is the camera's own position");
   constexpr double kSteepest = 1e-3;  // sideways over the whole length: nearer to upright, left and right mean nothing
   if (!(way[0] * way[0] + way[2] * way[2] > kSteepest * kSteepest * way.squaredNorm()))
-    return no_field("the camera does not look straight up or down");
+    return no_field("the camera must not look straight up or down");
   return frustum_of_camera(camera_of(recipe, pose));
 }
 
@@ -97,7 +98,7 @@ std::shared_ptr<const hierarchy::Field> field_by(const FieldRecipe& recipe, std:
 
 Done check_stage(const FieldStage& stage) {
   if (stage.recipe.objects < kFewestObjects || stage.recipe.objects > kMostObjects)
-    return no_field("there are " + std::to_string(kFewestObjects) + " to " + count_text(kMostObjects) + " objects");
+    return no_field("there must be " + std::to_string(kFewestObjects) + " to " + count_text(kMostObjects) + " objects");
   for (const CameraPose& pose : {stage.now, stage.before})
     if (Done fine = check_pose(stage.recipe, pose); !fine) return fine;
   return {};
@@ -109,13 +110,13 @@ Rows rows_of(const FieldStage& stage) {
 
 tl::expected<FieldStage, InputError> with_rows(const FieldStage& like, const Rows& rows) {
   if (rows.size() != 3 || rows[0].size() != 6 || rows[1].size() != 6 || rows[2].size() != 1)
-    return no_field("a field has six numbers for each of two frames, and how many objects there are");
+    return no_field("a field must have six numbers for each of two frames, and the number of objects");
   FieldStage next = like;
   next.now = pose_of(rows[0]);
   next.before = pose_of(rows[1]);
   const double objects = rows[2][0];
   if (!(objects >= kFewestObjects && objects <= kMostObjects) || objects != std::floor(objects))
-    return no_field("the number of objects is a whole number");
+    return no_field("the number of objects must be a whole number in range");
   next.recipe.objects = static_cast<int>(objects);
   if (Done fine = check_stage(next); !fine) return tl::unexpected(std::move(fine.error()));
   return next;

@@ -25,7 +25,7 @@ template <int Dim>
 tl::expected<Frustum<double, Dim>, InputError> frustum_in_double(const BoxPair& pair) {
   for (int axis = 0; axis < Dim; ++axis)
     if (!(pair.boxes[1].half_extents[axis] > 0))
-      return tl::unexpected(InputError{.what = "a frustum has a depth and a far face above 0"});
+      return tl::unexpected(InputError{.what = "a frustum's depth and far face must be above 0"});
   const FrustumCamera<double, 3> camera = camera_of(pair);
   if constexpr (Dim == 3) {
     return frustum_of_camera(camera);

@@ -87,7 +87,7 @@ Rows rows_of(const VolumePair& pair) {
 }
 
 tl::expected<VolumePair, InputError> with_rows(VolumePair pair, const Rows& rows) {
-  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there are two volumes"});
+  if (rows.size() != 2) return tl::unexpected(InputError{.what = "there must be two volumes"});
   for (const std::size_t side : {0, 1}) {
     auto held = pair.any ? of_any_kind(pair.held[side], rows[side]) : with_row(pair.held[side], rows[side]);
     if (!held) return tl::unexpected(std::move(held.error()));

@@ -145,11 +145,11 @@ std::string node_name(std::span<const Index> boxes, std::size_t all) {
 Done check_stage(const TreeStage& stage) {
   const auto count = static_cast<int>(stage.boxes.size());
   if (count < kFewestBoxes || count > kMostBoxes)
-    return refused("there are " + std::to_string(kFewestBoxes) + " to " + std::to_string(kMostBoxes) + " boxes");
+    return refused("there must be " + std::to_string(kFewestBoxes) + " to " + std::to_string(kMostBoxes) + " boxes");
   if (!stage.built.empty() && stage.built.size() != stage.boxes.size())
     return refused("the tree was built of " + std::to_string(stage.built.size()) + " boxes");
   if (stage.by_hand && !groups_left(stage.boxes.size(), *stage.by_hand))
-    return refused("a merger by hand is of groups that are not there");
+    return refused("a merger by hand names groups that are not there");
   std::vector<Point3> all;
   for (const HeldBox& box : stage.boxes) {
     if (!(box.half.minCoeff() >= 0)) return refused("a half extent is below 0");
@@ -253,12 +253,12 @@ tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows&
   const std::span<const std::vector<double>> rows(all_rows.data(), all_rows.size() - hands);
   if (like.by_hand) {
     auto pairs = pairs_in(all_rows[rows.size()]);
-    if (!pairs) return refused("mergers are their number, and two groups each");
+    if (!pairs) return refused("mergers must be given as their number, and two groups for each");
     next.by_hand = *std::move(pairs);
   }
   if (like.order) {
     auto order = order_in(all_rows.back());
-    if (!order) return refused("an order is the number of its choices, and 0 or 1 for each");
+    if (!order) return refused("an order must be given as the number of its choices, and 0 or 1 for each");
     next.order = *std::move(order);
   }
   next.boxes.assign(rows.size() - own, HeldBox());
@@ -269,7 +269,7 @@ tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows&
     else see_query(*next.query, reader);
     fits = fits && reader.fits();
   }
-  if (!fits) return refused("a box has four numbers, and so has a query");
+  if (!fits) return refused("a box must have four numbers, and so must a query");
   if (Done fine = check_stage(next); !fine) return tl::unexpected(std::move(fine.error()));
   return next;
 }

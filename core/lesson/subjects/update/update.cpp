@@ -145,7 +145,7 @@ Rows UpdateSubject::rows() const {
 
 Done UpdateSubject::set_rows(const Rows& rows) {
   const auto border = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.size() > 3; });
-  if (rows.end() - border > 1) return tl::unexpected(InputError{.what = "there is one body"});
+  if (rows.end() - border > 1) return tl::unexpected(InputError{.what = "there must be one body"});
   UpdateSubject next = *this;
   if (border != rows.begin() || rows.empty())
     if (Done set = next.PointSubject::set_rows(Rows(rows.begin(), border)); !set) return set;
