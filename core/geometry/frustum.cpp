@@ -107,7 +107,7 @@ tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const S
       plane = {{entry(0), entry(1), entry(2)}, entry(3)};
       if (plane.normal.isZero(0))
         return refused("the matrix gives " + plane_said<Scalar, 3>(2 * row + side) +
-                       " no normal, as where that is at infinity");
+                       " no normal, as for a plane at infinity");
     }
   if (is_singular(column_major)) return refused("the matrix is singular");
   return Frustum<Scalar, 3>::make(planes);

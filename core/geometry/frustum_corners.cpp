@@ -164,7 +164,7 @@ tl::expected<FrustumCorners<Scalar, Dim>, InputError> corners_of(const Frustum<S
     for (int i = 0; i < Dim; ++i)
       corners[c][i] = static_cast<Scalar>(quotient((*exact)[c].coordinates[i], (*exact)[c].weight));
     if (!corners[c].allFinite())
-      return tl::unexpected(InputError{.what = "a vertex is farther away than this program can say"});
+      return tl::unexpected(InputError{.what = "a vertex is farther away than this program can represent"});
   }
   return corners;
 }

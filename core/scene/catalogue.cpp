@@ -49,7 +49,7 @@ constexpr EffectKind kKinds[] = {
      make_cull},
     {"shadow", "shadows on the ground", slots(kPoses), 0, 0, slots(kShadows), "", false, make_shadow},
     {"trail", "where bodies have been", slots(kPoses), 0, 0, slots(kTrails), "", false, make_trail},
-    {"projection_rays", "from bodies to their feet on the ground", slots(kPoses), 0, 0, slots(kRays), "", false,
+    {"projection_rays", "from bodies straight down to the ground", slots(kPoses), 0, 0, slots(kRays), "", false,
      make_projection_rays},
 };
 

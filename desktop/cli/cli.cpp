@@ -22,7 +22,7 @@ constexpr const char* kDescription =
 
 constexpr const char* kFooter =
     "Data goes to standard output, messages to standard error; - as a file name is standard input or output. A file\n"
-    "may have up to 512 MiB. Exit status: 0 done, 1 a check said no, 2 bad input or usage: one line on standard\n"
+    "may have up to 512 MiB. Exit status: 0 done, 1 a check failed, 2 bad input or usage: one line on standard\n"
     "error, \"snug: FILE:LINE: what is wrong\", and nothing on standard output.\n"
     "`snug COMMAND --help` describes a command in full.";
 

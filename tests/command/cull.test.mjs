@@ -223,7 +223,7 @@ test("a line that is wrong is refused by the name of its field", () => {
     [of({ view_projection: perspective.view_projection.slice(1) }), "frustum.view_projection has 15 numbers instead of 16"],
     [of({ view_projection: perspective.view_projection.map((x, i) => (i === 3 ? "0" : x)) }), "frustum.view_projection[3] is not a number"],
     [of({ view_projection: [1, 2, 0, 0, 2, 4, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] }), "frustum: the matrix is singular"],
-    [of({ view_projection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0] }), "frustum: the matrix gives plane 5 (far) no normal, as where that is at infinity"],
+    [of({ view_projection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0] }), "frustum: the matrix gives plane 5 (far) no normal, as for a plane at infinity"],
     [{ frustum: square, volume: sphere }, "volume.sphere.center has 3 numbers instead of 2"],
     [{ frustum: cube, volume: { sphere: { center: [0, 0, 0], radius: -1 } } }, "volume.sphere.radius is negative"],
     [{ frustum: cube, volume: {} }, "volume is not an object with one field that names its kind"],

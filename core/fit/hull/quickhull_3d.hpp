@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 10> kQuickhull3Pseudocode{
     "  find the facets that see eye, and their horizon",
     "  replace them by a cone from horizon to eye",
     "  give their points to it; drop those no facet sees",
-    "merge facets in one plane; drop what is no vertex",
+    "merge facets in one plane; drop points that are not vertices",
     "return the facets",
 };
 

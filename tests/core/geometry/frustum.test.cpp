@@ -183,7 +183,7 @@ TEST_CASE("degenerate matrices are refused") {
   CHECK(said(m) == "the matrix is not finite");
   // Far at infinity: clip z = -z - 2 near w, clip w = -z.
   const std::array<double, 16> endless{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0};
-  CHECK(said(endless) == "the matrix gives plane 5 (far) no normal, as where that is at infinity");
+  CHECK(said(endless) == "the matrix gives plane 5 (far) no normal, as for a plane at infinity");
   const std::array<double, 16> singular{1, 2, 0, 0, 2, 4, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   CHECK(said(singular) == "the matrix is singular");
   auto nearly = singular;

@@ -56,7 +56,7 @@ struct Entry<SpheresTested> : EntryDefaults {
 template <>
 struct Entry<LastPlanesTested> : EntryDefaults {
   static std::string sentence(const LastPlanesTested& fact, const FieldWhere&) {
-    if (fact.tested == 0) return "No object was rejected in the frame before, so no plane is known to try first.";
+    if (fact.tested == 0) return "No object was rejected in the frame before, so there is no plane to try first.";
     return "The frame before rejected " + objects_text(fact.tested) + ": " + are_text(fact.rejected) +
            " rejected again by the same plane, with one test each, and " + left_text(fact.left) + ".";
   }

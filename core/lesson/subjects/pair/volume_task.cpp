@@ -64,13 +64,13 @@ bool VolumesSubject::reaches(std::string_view goal) const {
 std::string VolumesSubject::goal_says(std::string_view goal) const {
   if (goal == "sum_of_squares") {
     const auto [both, overlap, by_squares] = spheres_of(pair_);
-    if (!both) return "There are no two spheres.";
+    if (!both) return "These are not two spheres.";
     return std::string("The spheres ") + (overlap ? "overlap" : "are apart") + "; by the sum of the squares they " +
            (by_squares ? "overlap." : "are apart.");
   }
   if (goal == "cylinders_apart") {
     const auto cylinders = as_cylinders(pair_);
-    if (!cylinders) return "There are no two capsules whose axes have a length.";
+    if (!cylinders) return "These are not two capsules whose axes have a length.";
     return std::string("The capsules ") + (separation_of(pair_) ? "are apart" : "overlap") + "; the cylinders " +
            (cylinders->overlap ? "overlap." : "are apart by " + gap_text(cylinders->gap) + " units.");
   }

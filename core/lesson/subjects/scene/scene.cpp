@@ -365,7 +365,8 @@ std::vector<FileError> SceneSubject::mistakes_of(const SceneSet& next) const {
   if (own_set_->at_points() && !next.at_points())
     add(next.line, "no body has \"at_points = true\": the handles on the stage are the places of such bodies");
   if (!own_set_->at_points() && next.at_points()) add(next.line, "the stage has no places for bodies at points");
-  if (of_points(*own_set_) != of_points(next)) add(next.line, "the shape \"points\" is the lesson's choice");
+  if (of_points(*own_set_) != of_points(next))
+    add(next.line, "a body of the shape \"points\" cannot be added or removed here");
   for (const InputError& fault : scene_faults(next, methods_, *points(), origin_.seed))
     add(fault.position > 0 ? static_cast<int>(fault.position) : next.line, fault.what);
   for (const std::string& method : methods_)

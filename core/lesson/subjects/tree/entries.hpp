@@ -66,10 +66,10 @@ struct Entry<hierarchy::SplitChosen> : EntryDefaults {
       const std::vector<Index>& boxes = where.after().at(node.children[i]).boxes;
       return box_names(boxes) + (boxes.size() == 1 ? " goes into " : " go into ") + sides[i];
     };
-    const std::string how = fact.axis == kNoIndex ? "all centres are in one place, so it is halved by number"
-                            : fact.cost == 0
-                                ? "the centres spread most along " + axis_letter(fact.axis) + ", so it is halved there"
-                                : "split at " + axis_letter(fact.axis) + " = " + number_text(fact.position);
+    const std::string how =
+        fact.axis == kNoIndex ? "all centres are in one place, so its boxes are halved in their order"
+        : fact.cost == 0      ? "the centres spread most along " + axis_letter(fact.axis) + ", so it is halved there"
+                              : "split at " + axis_letter(fact.axis) + " = " + number_text(fact.position);
     return capital(where.beside_name(fact.node)) + ": " + how + "; " + side(0) + ", " + side(1) + ".";
   }
   /// Those of the left child.
