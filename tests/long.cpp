@@ -118,16 +118,15 @@ double percent(std::int64_t part, std::int64_t of) {
 std::int64_t print_families(const Run& run) {
   std::int64_t broken = 0;
   std::puts(
-      "Every set of a family was fitted in float and double, in the plane and in space. Hard: sets in which what the "
-      "family is named for happened. The columns from \"outside\" to \"pairs wrong\" are promised to be 0. The first "
+      "Every set of a family was fitted in float and double, in the plane and in space. Hard: sets that have what "
+      "the family is named for. The columns from \"outside\" to \"pairs wrong\" are promised to be 0. The first "
       "four count, over all fitters, results with a point outside (exactly), with a number that is not finite, with a "
       "support point off the boundary, and smallest volumes without a proof. One set in eight was fitted again: "
       "scaled by a power of two (the same bits, scaled); in another order, mirrored with its coordinates exchanged, "
-      "and moved (the same promises and size); and, what is in float, once more in double (the same size, within "
-      "float's rounding). Pairs: two volumes of any kinds around two sets. Wrong are those whose answer depends on "
-      "their order or scale, changes as they turn, or calls volumes apart that share a point. GJK: the most simplices "
-      "that "
-      "it tried on a pair, which must not exceed 64.\n");
+      "and moved (the same promises and size); and, if in float, once more in double (the same size, within "
+      "float's rounding). Pairs: two volumes of any kinds around two sets. A pair is wrong if its answer depends on "
+      "order or scale, changes as the volumes turn, or calls volumes apart that share a point. GJK: the most "
+      "simplices that it tried on a pair, which must not exceed 64.\n");
   std::puts("| family | scalar | sets | hard | outside | not finite | off boundary | not proven | scaled | moved | "
             "in double | pairs wrong | of pairs | overlapping | GJK | hash |");
   std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|---|");
@@ -210,11 +209,12 @@ std::int64_t print_fitters(const Run& run, std::string_view volume) {
   return broken;
 }
 
-/// The fitters' steps in parts of what is stated: none may reach 1.
+/// The fitters' steps as fractions of what is stated: none may exceed 1.
 std::int64_t print_stated(const Run& run) {
   std::int64_t broken = 0;
-  std::puts("\n## Steps\n\nThe most steps as a part of stated_steps (tests/core/fit/family_checks.cpp), which must not "
-            "exceed 1.\n\n| fitter | part |\n|---|--:|");
+  std::puts(
+      "\n## Steps\n\nThe most steps as a fraction of stated_steps (tests/core/fit/family_checks.cpp), which must not "
+      "exceed 1.\n\n| fitter | fraction |\n|---|--:|");
   const auto algorithms = fit::algorithms();
   for (std::size_t i = 0; i < algorithms.size(); ++i) {
     double most = 0;
