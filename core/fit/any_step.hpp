@@ -60,7 +60,7 @@ struct Result {
 
 [[nodiscard]] inline const Sphere3& ball_of(const Result& result) { return *std::get_if<Sphere3>(&result.volume); }
 
-/// The step's volume as a ball; null if it is no ball, or if there is no volume yet.
+/// The step's volume as a ball; null if it is not a ball, or if there is no volume yet.
 [[nodiscard]] inline const Sphere3* ball_of(const Step3& step) {
   return step.has_volume ? std::get_if<Sphere3>(&step.volume) : nullptr;
 }

@@ -21,8 +21,8 @@ template <class VolumeType, class Scalar, int Dim>
   return certificate;
 }
 
-/// The proof of a volume that is so many bounds. held_bounds: which of them a point lies on, one a bit. The volume is
-/// optimal where a support point lies on each: no volume of its kind is smaller then.
+/// The proof of a volume that is given by its bounds. held_bounds: the bounds that a point lies on, one bit for each.
+/// If a support point lies on each bound, the volume is optimal: no volume of its kind is smaller.
 template <class VolumeType, class Scalar, int Dim, class Held>
 [[nodiscard]] Certificate certify_bounds(const Fit<VolumeType>& fit, PointSpan<Scalar, Dim> points, int bounds,
                                          bool claims_optimal, Held held_bounds) {

@@ -44,7 +44,7 @@ template <class Scalar, int Dim>
   return corners;
 }
 
-/// Each coordinate of the normal chooses from min and max by its sign: that is the n-vertex, and the other the
+/// The sign of each coordinate of the normal chooses min or max: that gives the n-vertex, and the opposite choice the
 /// p-vertex.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Aabb<Scalar, Dim>& box) {

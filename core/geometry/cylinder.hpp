@@ -1,5 +1,5 @@
-// The cylinder: no bounding volume here, for the flat ends make it expensive to test. It stands beside the capsule on
-// the same axis, to be compared with it.
+// The cylinder. It is not a bounding volume here, because its flat ends make it expensive to test. It stands beside the
+// capsule on the same axis, to be compared with it.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace snug {
 
-/// All p between the planes across the axis through its ends a and b, which are two points, and no farther than radius
-/// from it. In 2-D a rectangle.
+/// All p no farther than radius from the line through a and b, and between the planes perpendicular to it at a and at
+/// b, which are different points. In 2-D a rectangle.
 template <class Scalar, int Dim>
 struct Cylinder {
   Vector<Scalar, Dim> a = Vector<Scalar, Dim>::Zero();

@@ -42,7 +42,7 @@ class Frustum {
  public:
   using Planes = std::array<Plane<Scalar, Dim>, kFrustumPlanes<Dim>>;
 
-  /// The largest coordinate of a normal is neither above this nor below 1 over it, and |d| at most four times this
+  /// The largest coordinate of a normal is at most this and at least its inverse, and |d| is at most four times this,
   /// times that coordinate. So with volumes within PointSet's limits nothing overflows, and underflow is smaller than
   /// every error bound.
   static constexpr Scalar kLargest = sizeof(Scalar) == 8 ? static_cast<Scalar>(0x1p508) : static_cast<Scalar>(0x1p60);
@@ -80,7 +80,7 @@ struct FrustumCamera {
 };
 
 /// What a camera sees. Planes at the sides have normals of length sqrt(1 + tangent^2). Each coordinate of a normal
-/// carries two roundings; each d those of a dot product with the position, which may move a plane by u of the
+/// carries two roundings; each d carries those of a dot product with the position, which may move a plane by u of the
 /// position's size. Errors: a number that is not finite, near and far that are not 0 < near < far, a tangent that is
 /// not positive, and what Frustum::make refuses.
 template <class Scalar, int Dim>

@@ -46,9 +46,9 @@ struct Kdop {
 };
 
 /// The corners, each once, relative to an origin (subtracted before anything is rounded, so that far k-DOPs lose no
-/// digits), in scene units. Slabs that touch nothing add none; none at all where the slabs have no point in common, and
-/// miss having one by more than the rounding of their bounds. Each lies in all slabs within kKdopCorner. kdop.k: one of
-/// the known.
+/// digits), in scene units. A slab that the others make redundant adds none. There are none at all if the slabs have no
+/// point in common, unless only the rounding of their bounds keeps them apart. Each lies in all slabs within
+/// kKdopCorner. kdop.k: one of the known.
 template <class Scalar, int Dim>
 [[nodiscard]] Corners<Dim> kdop_vertices(const Kdop<Scalar, Dim>& kdop,
                                          const Vector<Scalar, Dim>& origin = Vector<Scalar, Dim>::Zero());
@@ -68,7 +68,8 @@ template <class Scalar, int Dim>
 /// In kdop_reach.hpp.
 template <class Number, class Scalar, int Dim>
 [[nodiscard]] Span<Number> core_span(const Plane<Scalar, Dim>& plane, const Kdop<Scalar, Dim>& kdop);
-/// The span is a sum of bounds whose weights' sizes sum up to no more than 6 times the normal's (kdop_reach.hpp).
+/// The span is a weighted sum of bounds, and the sizes of the weights add up to at most 6 times that of the normal
+/// (kdop_reach.hpp).
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar size_of(const Kdop<Scalar, Dim>& kdop) {
   Scalar most = 0;

@@ -1,6 +1,6 @@
-// Sorting that gives the same everywhere, and is compiled once: std::sort leaves items of which neither comes first as
-// each library likes, and both it and std::stable_sort are two kilobytes of the page for every kind of item. For what
-// is sorted now and then; where a run's time is measured, and for numbers, std::sort stands.
+// Sorting that gives the same order everywhere and is compiled once. std::sort orders equal items differently in each
+// library, and it and std::stable_sort each add two kilobytes to the page for every type of item. This is for what is
+// sorted now and then; std::sort is for numbers, and where a run's time is measured.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace snug {
 
-/// Whether the item at place a comes before that at place b. given: what the function was handed over with.
+/// Whether the item at place a comes before that at place b. given: the pointer that was passed along with the
+/// function.
 using PlaceBefore = bool (*)(const void* given, std::size_t a, std::size_t b);
 
 /// Returns the place that each of n items belongs to. Equal items keep their order. O(n log n).

@@ -159,7 +159,7 @@ template <int Dim>
           lozenge.radius};
 }
 
-/// Turned about the origin and then moved, as a body's pose moves the volume that it wears.
+/// Turned about the origin and then moved, as a body's pose moves the body's volume.
 template <class Form, int Dim>
 requires requires(Work& work, const Form& form, const Matrix<double, Dim>& rotation) {
   turned<Dim>(work, form, rotation);

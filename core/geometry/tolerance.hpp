@@ -24,10 +24,10 @@ template <class Scalar>
 template <class Scalar>
 inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
 
-/// The same in twice the digits, with |p - c| near the radius, less the radius's square, in parts of that: the
-/// differences, the radius's square and each sum are exact but for what is summed apart, and there each of twelve
-/// roundings is at most 2^-53 of 2^-49; the square of a difference's last digits, left out, is 2^-106. 2^-98 leaves
-/// room for all of them. Held by "the side of a sphere is what rational arithmetic says, in the last of 106 bits".
+/// The error of |p - c|^2 - r^2 in twice the digits, relative to r^2, with |p - c| near the radius r: the differences,
+/// r^2 and each sum are exact except for what is summed separately, and there each of twelve roundings is at most 2^-53
+/// of 2^-49; the square of a difference's last digits, which is left out, is 2^-106. 2^-98 leaves room for all of them.
+/// Held by "the side of a sphere is what rational arithmetic says, in the last of 106 bits".
 inline constexpr double kWideSquaredDistance = 0x1p-98;
 
 /// A square above it, and below its inverse, keeps those digits: 2^-98 of it is far above the least of doubles.
@@ -64,8 +64,8 @@ inline constexpr double kSoundProjection = 0x1p-960;
 /// rounding of the sizes. Held by "a capsule and a lozenge hold a point just where rational arithmetic says".
 inline constexpr double kSweptDistance = 10 * kRoundoff<double>;
 
-/// How far a rotation matrix as geometry/turn.hpp and pose.hpp make it, or the same rounded to Scalar, may be from
-/// lengthening nothing: the quaternion's length is off by 2u, each entry by 4u of its own making. Held by "a rotation
+/// By what part of its length a rotation matrix from geometry/turn.hpp or pose.hpp, or the same rounded to Scalar, may
+/// lengthen a vector: the quaternion's length is off by 2u, and computing each entry adds 4u. Held by "a rotation
 /// matrix, and the same rounded to float, lengthens nothing by more than its tolerance says".
 template <class Scalar>
 inline constexpr Scalar kRotation = 16 * kRoundoff<Scalar>;
@@ -97,9 +97,9 @@ inline constexpr double kSixTripleProducts = 8 * kRoundoff<double>;
 /// What underflow of such products, 2^-1075 each, can take from the sum: up to 32 of them.
 inline constexpr double kLostToUnderflow = 0x1p-1070;
 
-/// Among projections onto an axis, how far below the greatest, in parts of the points' size, one may seem to lie and be
-/// the greatest: each carries kProjection of at most sqrt(3) of the size, that twice, and as much again for the centre
-/// that it is held against. Held by "a box on given axes holds every point exactly".
+/// How far below the greatest rounded projection onto an axis, in parts of the points' size, the true greatest may seem
+/// to lie: each of the two carries kProjection of at most sqrt(3) of the size, and the centre that they are compared
+/// with adds as much as one of them. Held by "a box on given axes holds every point exactly".
 inline constexpr double kExtremeProjection = 32 * kRoundoff<double>;
 
 /// A projection in about 106 bits, of coordinates scaled to 4 or below, carries at most 2^-99: with this doubt, the
@@ -138,8 +138,8 @@ inline constexpr Scalar kParallelAxes = 32 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kParallelInFrame = 8 * kRoundoff<Scalar>;
 
-/// Within what the separating-axis test knows a gap, times the axis's length, in units of the distance of the centres
-/// and all half extents. With axes off by kObbAxes a frame is off by up to 36u from a true one; that enters an
+/// The error bound of a gap in the separating-axis test, times the axis's length, in units of the distance of the
+/// centres and all half extents. With axes off by kObbAxes a frame is off by up to 36u from a true one; that enters an
 /// edge-edge axis and either side of each of its products: 160u with 4u for each rounded dot product. True normals and
 /// the table's differ by up to 36u more. Parallel edges, left out, are up to 48u from truly so, which twice could widen
 /// the gap along another axis by 96u. Held by "the verdict is that of exact arithmetic".
@@ -227,7 +227,8 @@ inline constexpr double kVolumeLength = 64 * static_cast<double>(kRoundoff<Scala
 inline constexpr double kKnownSize = 16;
 
 /// How rough a box's axes and a lozenge's edges may be as people and programs write them down: each dot product of unit
-/// axes is off by no more. Eight times what entries rounded to float, or to seven digits, come to; no fault of a hand.
+/// axes is off by no more. Eight times the error of entries rounded to float or to seven digits; a mistake made by hand
+/// is larger.
 inline constexpr double kAxesAsGiven = 0x1p-20;
 
 /// The sine of the angle to a direction up to which a face counts as lying along it: far above the rounding of its
@@ -250,7 +251,7 @@ inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kUnitPlaneReach = kPlaneReach<Scalar> + 8 * kRoundoff<Scalar>;
 
-/// Within what a gap between a frustum and a box along an axis is known, in units of the axis's size (the sum of the
+/// The error bound of a gap between a frustum and a box along an axis, in units of the axis's size (the sum of the
 /// products that it is made of) times the largest coordinate of both: corners carry 8u, an edge-edge axis 8u of its
 /// size in each coordinate, the projections 4u each and the radius 8u, in three coordinates, on both sides. Held by
 /// "the exact test of frustum and box is that of linear programming".

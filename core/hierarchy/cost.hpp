@@ -8,8 +8,9 @@
 namespace snug::hierarchy {
 
 /// The expected number of tests, once a line meets the root: a line that meets a convex set meets one inside it with
-/// the ratio of their surfaces, in the plane of their perimeters. An inner node costs 2 tests, those of its children; a
-/// leaf costs one for each of its bodies. By the nodes' axis-aligned boxes; 0 for no nodes.
+/// a probability that is the ratio of their surface areas (in the plane, of their perimeters). An inner node costs 2
+/// tests, those of its children; a leaf costs one for each of its bodies. By the nodes' axis-aligned boxes; 0 for no
+/// nodes.
 template <class VolumeType>
 [[nodiscard]] double expected_cost(const Tree<VolumeType>& tree) {
   std::vector<VolumeType> volumes;

@@ -25,7 +25,7 @@ Sphere<double, 3> sphere_around(const FieldBox& box) {
   return fit::aabb_center<double, 3>(PointSet<double, 3>::make(std::move(vertices)).value().span()).volume;
 }
 
-/// How many vertices were compared with planes: all but the plane that rejects compare two.
+/// How many vertices were compared with planes: two for each plane, but one for the plane that rejects.
 std::int64_t products_of(const CullResult& result) {
   return 2 * std::int64_t{result.planes_tested} - (result.rejected_by >= 0 ? 1 : 0);
 }
@@ -53,7 +53,7 @@ struct OneByOne {
   }
   void pay(std::int64_t planes, std::int64_t products) { cost.planes += planes, cost.products += products; }
 
-  /// Compares all vertices with all planes, as those do who have not thought about it.
+  /// Compares all vertices with all planes: the naive way.
   void all_vertices(std::size_t i) {
     const FieldBox& box = field.boxes[i];
     const double size = size_of(box);

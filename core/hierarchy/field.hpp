@@ -81,7 +81,7 @@ FieldCost cull_field(const Field& field, const Frustum<double, 3>& frustum, Fiel
 /// Whether a way takes the boxes one after the other, so that it can be done in parts.
 [[nodiscard]] constexpr bool one_by_one(FieldWay way) { return way != FieldWay::kTree && way != FieldWay::kAtOnce; }
 
-/// The same for the boxes from `from` up to `to`, without that, alone. way: one_by_one.
+/// The same for the boxes from `from` up to, and without, `to` alone. way: takes boxes one by one.
 FieldCost cull_boxes(const Field& field, const Frustum<double, 3>& frustum, FieldWay way, std::size_t from,
                      std::size_t to, std::span<std::int8_t> last, std::span<query::Culling> verdicts);
 

@@ -20,8 +20,8 @@ struct FalsePositives {
 };
 
 /// Places a copy of the body beside the body, over and over, and tests the volumes of both. The copy is rotated at
-/// random, its centre lies anywhere within kReach radii of the body, evenly; so is the body itself, if bodies rotate.
-/// The result is the same everywhere for the same seed.
+/// random, and so is the body itself, if bodies rotate; the copy's centre is spread evenly over all places within
+/// kReach radii of the body. The result is the same everywhere for the same seed.
 class FalsePositiveRun {
  public:
   /// algorithms: they must take these points. volumes: what each fitted to them. still: whether the body keeps its

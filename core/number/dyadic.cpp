@@ -17,7 +17,7 @@ std::uint64_t digit_at(const Digits& digits, int begin, int place) {
   return i < 0 || i >= static_cast<int>(digits.size()) ? 0 : digits[i];
 }
 
-/// Divides by a number below 2^32, and returns the rest.
+/// Divides by a number below 2^32, and returns the remainder.
 std::uint32_t divide(Digits& digits, std::uint32_t by) {
   std::uint64_t rest = 0;
   for (std::size_t i = digits.size(); i-- > 0;) {

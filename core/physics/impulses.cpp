@@ -159,8 +159,8 @@ std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
 
 namespace {
 
-/// More iterations the larger the ratio of masses, and most where there are no impulses yet, as at the start: nothing
-/// would pay for lifting a stack that sinks then.
+/// The larger the ratio of masses, the more iterations; and the most where there are no impulses yet, as at the start,
+/// because nothing would pay for lifting a stack that sinks then.
 int most_sweeps(const System& system, const std::vector<ContactRow>& rows) {
   if (system.impulses.empty()) return limits::kMostSweeps;
   double ratio = 1;

@@ -1,4 +1,4 @@
-// Which axis of the separating-axis test separates random boxes how often, and what ending at the first gap saves.
+// How often each axis of the separating-axis test separates random boxes, and what ending at the first gap saves.
 #pragma once
 
 #include <array>

@@ -49,7 +49,7 @@ inline constexpr std::array kOwnTests{
 
 constexpr std::size_t place_of(std::string_view volume) {
   std::size_t place = 0;
-  while (kVolumeNames[place] != volume) ++place;  // a name that is none does not compile
+  while (kVolumeNames[place] != volume) ++place;  // an unknown name does not compile
   return place;
 }
 

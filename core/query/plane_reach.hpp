@@ -24,7 +24,7 @@ template <class Scalar, int Dim>
   return std::sqrt(dot_as<Scalar, Scalar, Dim>(plane.normal, plane.normal));
 }
 
-/// The core's span, rounded, of a volume of which no more is known than its support mapping.
+/// The core's span, rounded, of a volume that is known by its support mapping alone.
 template <class Shape, class Scalar, int Dim>
 [[nodiscard]] Span<Scalar> supported_span(const Plane<Scalar, Dim>& plane, const Shape& volume) {
   const Vector<double, Dim> normal = plane.normal.template cast<double>();
@@ -52,10 +52,10 @@ template <class Shape, class Scalar, int Dim>
   return span;
 }
 
-/// What a volume's span is known by: no less than any coordinate that enters it, in the sum of their weights. Where no
-/// more is known than a support mapping, four times that: the mapping is off by as much as the sum may be, the anchor
-/// is added, and the box around the volume is rounded itself. Held by "culling by a support mapping alone is never
-/// wrong".
+/// The size that a span's rounding is relative to: at least every coordinate that enters the span, times the sum of
+/// their weights. If only a support mapping is known, four times the largest coordinate: the mapping is off by as much
+/// as the sum may be, the anchor is added, and the box around the volume is rounded itself. Held by "culling by a
+/// support mapping alone is never wrong".
 template <class Shape>
 [[nodiscard]] auto span_size(const Shape& volume) {
   if constexpr (requires { size_of(volume); }) {
@@ -67,7 +67,7 @@ template <class Shape>
   }
 }
 
-/// Within what both ends of span_of are known. size: span_size of the volume.
+/// The error bound of both ends of span_of. size: span_size of the volume.
 template <class Scalar, int Dim>
 [[nodiscard]] Scalar doubt_of(const Plane<Scalar, Dim>& plane, Scalar size) {
   Scalar sizes = std::abs(plane.normal[0]);
@@ -81,8 +81,8 @@ template <class Scalar, int Dim>
   return square.sign() > 0 ? -1 : value.sign();
 }
 
-/// The signs of both ends of the whole volume's span: exactly, or where only its support mapping is known those of a
-/// volume that lies on both sides, so that within the doubt nothing is said to be outside or inside.
+/// The signs of both ends of the whole volume's span, exactly. If only its support mapping is known, they are those of
+/// a volume that lies on both sides, so that nothing within the doubt is said to be outside or inside.
 template <class Shape, class Scalar, int Dim>
 [[nodiscard]] Span<int> signs_of(const Plane<Scalar, Dim>& plane, const Shape& volume) {
   if constexpr (!ReachesExactly<Shape, Plane<Scalar, Dim>>) {

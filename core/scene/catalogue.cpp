@@ -71,7 +71,7 @@ const Setting* Settings::find(std::string_view key) {
   return nullptr;
 }
 
-/// Something may be wrong with a setting in two ways, of which the first is told.
+/// A setting may be wrong in two ways; only the first is reported.
 void Settings::wrong(std::string_view key, const std::string& what) {
   const auto found = std::find_if(call_.settings.begin(), call_.settings.end(),
                                   [&](const Setting& setting) { return setting.key == key; });

@@ -60,7 +60,7 @@ using MadeEffect = tl::expected<std::unique_ptr<Effect>, Faults>;
 class Settings {
  public:
   Settings(const EffectCall& call, const World& world) : call_(call), world_(world) {}
-  /// least <= the number <= most; otherwise, where it is missing or refused.
+  /// The number, from least to most; `otherwise` if it is missing or refused.
   double number(std::string_view key, double otherwise, double least, double most);
   V3 vector(std::string_view key, const V3& otherwise);
   /// A list of places, stored as three numbers each.

@@ -14,7 +14,7 @@ using Box = Aabb<double, 3>;
 
 Pair pair_of(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 
-/// Nobody sees which pairs are compared.
+/// For a search in which nobody needs to know which pairs are compared.
 struct Unseen {
   void operator()(Index, Index) const {}
 };

@@ -14,7 +14,8 @@ bool calls(std::span<const Planned> planned, std::string_view name) {
   return std::any_of(planned.begin(), planned.end(), [&](const Planned& one) { return one.kind->name == name; });
 }
 
-/// What is called, and the calls that are of no effect, or of one that was called already.
+/// The effects that are called, and what is wrong with the other calls: an unknown effect, or one that was called
+/// already.
 struct Called {
   std::vector<Planned> planned;
   std::vector<InputError> faults;

@@ -69,7 +69,7 @@ struct Refitted {
   Volume3 first;     // the first body's volume, in the world frame
 };
 
-/// A projection: from a body's centre to its foot on the ground.
+/// A projection: from a body's centre straight down to the ground.
 struct Ray {
   V3 from = V3::Zero(), to = V3::Zero();
 };

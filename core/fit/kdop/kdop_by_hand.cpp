@@ -90,7 +90,7 @@ std::optional<ConvexHull<double, Dim>> within_slabs(std::span<const FreeSlab<Dim
     auto set = PointSet<double, Dim>::make(meeting_points<Dim>(slabs, widen));
     if (!set) continue;
     ConvexHull<double, Dim> volume = quickhull(set->span()).volume;
-    volume.indices.clear();  // its vertices are no points of the set
+    volume.indices.clear();  // its vertices are not points of the set
     if (std::all_of(points.begin(), points.end(), [&](const auto& p) { return query::contains(volume, p); }))
       return volume;
   }

@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 5> kObbEigenByHandPseudocode{
     "return box",
 };
 
-/// The same box, after the covariance of which the first axis may be an eigenvector. Three passes.
+/// The same box, after a step that shows the covariance, of which the first axis may be an eigenvector. Three passes.
 template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = Ignore>
 Fit<Obb<Scalar, Dim>> obb_eigen_by_hand(PointSpan<Scalar, Dim> points, const Matrix<Scalar, Dim>& axes,
                                         Observer&& observe = {}) {

@@ -29,8 +29,9 @@ inline constexpr std::array<std::string_view, 10> kWelzlRecursivePseudocode{
 /// --claims` measures that), and a stack has several megabytes, on the page as well (cmake/options.cmake).
 inline constexpr int kWelzlDepthLimit = 1024;
 
-/// Callers refuse more points than this. From kWelzlDepthLimit on the recursion is stopped: a few more points are
-/// taken than it can bear, so that this can be shown, and not many more, where the time would say nothing of it.
+/// Callers refuse more points than this. From kWelzlDepthLimit points on, the recursion is stopped. Somewhat larger
+/// sets are accepted so that this can be shown, but no much larger ones, whose time would say nothing about the
+/// recursion.
 inline constexpr Index kWelzlRecursiveLimit = 1500;
 
 /// The state of one run.

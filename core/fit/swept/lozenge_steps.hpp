@@ -13,8 +13,9 @@
 
 namespace snug::fit {
 
-/// The radius: half of the points' thickness along the axis along which they are thinnest, which the points least and
-/// greatest support; in the plane what rounds the corners as far as the points allow, which the point least supports.
+/// The radius. In space, half of the points' extent along the axis along which they are thinnest; the points least and
+/// greatest support it. In the plane, the radius that rounds the corners as far as the points allow; the point least
+/// supports it.
 struct ThicknessFound {
   static constexpr std::string_view kName = "thickness_found";
   Index least = kNoIndex, greatest = kNoIndex;
