@@ -76,8 +76,8 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
       slow == table.rows.end() ? ""
                                : phrase(" %s was too slow here to measure on all points, and is left out of the front.",
                                         algorithm_title(slow->volume, slow->algorithm).c_str());
-  return phrase("%d of %d lie on the front.%s Choose a mark to load its volume.", static_cast<int>(front),
-                static_cast<int>(table.rows.size()), left_out.c_str());
+  return phrase("%d of %d %s on the front.%s Choose a mark to load its volume.", static_cast<int>(front),
+                static_cast<int>(table.rows.size()), front == 1 ? "lies" : "lie", left_out.c_str());
 }
 
 std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, std::size_t point) {
@@ -105,8 +105,8 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double lon
                                                : ".";
   if (whole == 0) return phrase("All lines end where one run would take over %s%s", time(longest).c_str(), why);
   if (whole == all) return "All are measured to the end. The steeper the line, the faster the time grows.";
-  return phrase("%d of %d are measured to the end; the others end where one run would take over %s%s", whole, all,
-                time(longest).c_str(), why);
+  return phrase("%d of %d %s measured to the end; the others end where one run would take over %s%s", whole, all,
+                whole == 1 ? "is" : "are", time(longest).c_str(), why);
 }
 
 std::string turn_caption(const cost::Table<cost::TurnRow>& table, int line, std::size_t point) {
@@ -124,8 +124,9 @@ std::string turn_caption(const cost::Table<cost::TurnRow>& table) {
   const auto lines = lines_of(table.rows);
   const auto loosest =
       *std::max_element(lines.begin(), lines.end(), [](auto a, auto b) { return most_slack(a) < most_slack(b); });
-  return phrase("%d of %d updates are always the tightest of their kind. The loosest is up to %s larger: %s.",
-                count_tight(lines), static_cast<int>(lines.size()),
+  const int tight = count_tight(lines);
+  return phrase("%d of %d updates %s. The loosest is up to %s larger: %s.", tight, static_cast<int>(lines.size()),
+                tight == 1 ? "is always the tightest of its kind" : "are always the tightest of their kind",
                 figure(ChartUnit::kPercent, most_slack(loosest)).c_str(),
                 update_title(loosest[0].volume, loosest[0].strategy).c_str());
 }

@@ -134,7 +134,7 @@ std::string defence_text(const CriteriaSubject& subject, std::size_t volume) {
   const auto least = least_of(subject);
   if (!total || !least) return name + ": " + looseness_words(own) + ". Press Measure to see what it costs.";
   const bool counted = subject.is_counted();
-  const std::array<std::pair<double, std::string_view>, 4> parts{{{total->build, "computing it"},
+  const std::array<std::pair<double, std::string_view>, 4> parts{{{total->build, "building"},
                                                                   {total->updates, "updates"},
                                                                   {total->tests, "tests"},
                                                                   {total->false_positives, "false positives"}}};
