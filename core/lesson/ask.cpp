@@ -402,7 +402,7 @@ Answer model_answer(const Asked& asked, const Run& run) {
     for (const int choice : truth.choices) all |= 1 << choice;
     return {Kind::kChoice, all};
   }
-  // A part in a million of what an answer may be off by is rounding: it is told as nothing.
+  // Less than a millionth of the tolerance is rounding, and is reported as 0.
   const bool nothing = std::abs(truth.number) < 1e-6 * truth.tolerance;
   if (asked.number) return {.kind = Kind::kNumber, .number = nothing ? 0 : truth.number};
   if (asked.ordered) return {.kind = Kind::kOrder, .list = truth.choices};

@@ -246,7 +246,7 @@ void drop_unsound_sliders(Lesson& lesson) {
   std::erase_if(lesson.sliders, [](const Slider& slider) { return !slider.sound; });
 }
 
-/// Takes over what was found out of the sliders in a situation.
+/// Takes over what was found out about the sliders in a situation.
 void take_over_sliders(Lesson& whole, const Lesson& there) {
   for (Slider& slider : whole.sliders)
     for (const Slider& own : there.sliders)

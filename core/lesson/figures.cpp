@@ -33,7 +33,7 @@ std::string with_commas(std::string digits) {
 
 std::optional<int> wished_decimals;  // by the innermost WithDecimals
 
-/// The size with the decimals that are wished for; empty if that is no way to write it.
+/// The size with the decimals that are wished for; empty if it cannot be written so.
 std::string with_wished_decimals(double size) {
   if (!wished_decimals || size >= 1e6) return {};
   std::string text = printed("%.*f", *wished_decimals, size);

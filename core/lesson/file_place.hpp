@@ -22,7 +22,7 @@ struct FileError {
   [[nodiscard]] std::string message() const {
     return file + ':' + std::to_string(place.line) + ':' + std::to_string(place.column) + ": " + what;
   }
-  /// The same for who knows lines alone.
+  /// The same for those who know only lines.
   [[nodiscard]] InputError error() const { return {what, file, InputError::Unit::kLine, place.line}; }
 };
 

@@ -237,7 +237,7 @@ inline constexpr std::size_t kMostLessonBytes = 1 << 18;
 /// seconds.
 enum class Checked : std::uint8_t { kAsWritten, kAsRun };
 
-/// A lesson that a file links to, or an idea that it covers: whether it is there, other files say.
+/// A lesson that a file links to, or an idea that it covers: other files say whether it exists.
 struct NameBeside {
   std::string name;
   bool idea = false;

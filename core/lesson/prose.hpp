@@ -22,7 +22,7 @@ struct ProseFault {
 enum class Within : std::uint8_t { kSection, kCell, kPrompt };
 
 /// Reads a text of one paragraph, such as a prompt. Each line end or other white space becomes one space. Adds what is
-/// wrong to faults. begin: where the text begins in the whole one, whose places are told.
+/// wrong to faults. begin: where the text begins in the whole one, in which faults are placed.
 [[nodiscard]] Paragraph paragraph_of(std::string_view text, std::vector<ProseFault>& faults,
                                      Within within = Within::kPrompt, std::size_t begin = 0);
 
@@ -36,15 +36,15 @@ enum class Within : std::uint8_t { kSection, kCell, kPrompt };
 /// The words of a paragraph, without markup.
 [[nodiscard]] std::string plain_text(const Paragraph& paragraph);
 
-/// What stands between the braces of a figure, and the figure of that name; none if it is no name.
+/// What stands between the braces of a figure, and the figure of that name; none if it is not a name.
 [[nodiscard]] std::string name_of(const RunFigure& figure);
 [[nodiscard]] std::optional<RunFigure> figure_named(std::string_view name);
 
 /// What stands for a figure that is not shown.
 inline constexpr std::string_view kHiddenFigure = "…";
 
-/// Where the code, formula or sign after a backslash ends that begins in the text there. The same place: there is none;
-/// npos: it does not end.
+/// The end of the code, the formula or the escaped sign that begins there in the text. The same place if none begins
+/// there; npos if it does not end.
 [[nodiscard]] std::size_t end_of_span(std::string_view text, std::size_t at);
 
 /// The text with each run of white space as one space, and none around it.

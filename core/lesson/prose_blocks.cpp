@@ -79,8 +79,8 @@ class Reader {
     return false;
   }
 
-  /// Goes to where the words end that began there: at an empty line, a table, or a list. A list may begin among the
-  /// lines of a paragraph only with a dash or with 1: other numbers happen to be at the beginning of a line.
+  /// Goes to the end of the words that begin there: an empty line, a table, or a list. A list may begin among the lines
+  /// of a paragraph only with a dash or with 1: other numbers happen to be at the beginning of a line.
   std::size_t end_of_words(std::size_t from, bool in_list) {
     std::size_t end = from;
     for (bool first = true; next_ < lines_.size() && !is_empty(next_); ++next_, first = false) {

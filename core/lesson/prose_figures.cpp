@@ -12,8 +12,8 @@ const Figure* figure_of_key(const std::vector<Figure>& figures, std::string_view
   return found == figures.end() ? nullptr : &*found;
 }
 
-/// Whether the result of a method must not be told now: not before any of its questions is answered, where results are
-/// not shown beside the stage either.
+/// Whether the result of a method must stay hidden now: until its questions are answered, and wherever results are
+/// hidden beside the stage as well.
 bool hides_result(const Session& session, const Method& method, std::string_view key) {
   return session.asked() != nullptr || session.hides_result(method) || session.is_hidden(key) ||
          session.awaits(method, session.lesson().subject->compares ? key : std::string_view());

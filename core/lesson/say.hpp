@@ -77,7 +77,7 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 [[nodiscard]] std::string only_text(const Task& task);
 /// The label of the field in which an answer is typed: "Name", "Names", "Number"; empty if there is none.
 [[nodiscard]] std::string_view field_word(const Asked& asked);
-/// Says that what was typed is no number.
+/// Says that what was typed is not a number.
 [[nodiscard]] std::string no_number_text(std::string_view typed);
 
 }  // namespace snug::lesson

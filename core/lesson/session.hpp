@@ -330,7 +330,7 @@ class Session {
   template <class Edit>
   Done edit_anew(Edit edit);
   Done become(Snapshot next);
-  /// Whether it differs from what stands on the stage in nothing but what the task in hand leaves to be moved.
+  /// Whether it differs from what stands on the stage only in what the task in hand leaves to be moved.
   [[nodiscard]] bool keeps_to_task(const Subject& next) const;
   Snapshot exchange(Snapshot next);
   void leave_situation();

@@ -15,7 +15,7 @@ FilePlace place_in_text(const toml::table& table, std::string_view key, std::siz
   const FilePlace begin = file_place(node != nullptr ? *node : table);
   const std::string_view text = text_of(table, key);
   if (at >= text.size()) return begin;
-  // From its end: of a text within three quotes the parser leaves out the first line end.
+  // Counts lines from the end, because the parser drops the first line end of a text within three quotes.
   const auto last = static_cast<int>(node->source().end.line);
   const std::string_view rest = text.substr(at);
   const int line = last - static_cast<int>(std::count(rest.begin(), rest.end(), '\n'));

@@ -7,7 +7,7 @@
 namespace snug::lesson {
 namespace {
 
-/// A key nests a table in another at each of its dots, and tables are read and left one within the other: thousands
+/// Each dot of a key nests one table in another, and nested tables are read and destroyed recursively: thousands
 /// overflow the stack. Held by "a key of more dots than a file needs is refused before it is read".
 constexpr int kMostDots = 64;
 

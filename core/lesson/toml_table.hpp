@@ -48,7 +48,7 @@ class TomlTable {
   [[nodiscard]] FilePlace place() const { return place_; }
   /// The place of a key's value, or of the table where the key is missing.
   [[nodiscard]] FilePlace place_of(std::string_view key) const;
-  /// Lets a key stand that is not read, because a mistake leaves open what it means.
+  /// Accepts a key that is not read because a mistake elsewhere leaves its meaning open.
   void allow(std::string_view key) { asked_.emplace_back(key); }
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 
@@ -88,7 +88,7 @@ class TomlTable {
  private:
   const toml::node* find(std::string_view key);
   const toml::node* require(std::string_view key);
-  /// The first sentence about a missing key that was not told yet, which then is; as the end of one about another key.
+  /// Takes the next unreported sentence about a missing key, worded as the end of a sentence about another key.
   std::string next_missing();
 
   const toml::table& table_;

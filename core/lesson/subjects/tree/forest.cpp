@@ -14,7 +14,7 @@ Box2 around(std::span<const Index> below, std::span<const Box2> boxes) {
   return all;
 }
 
-/// The tests below each node, times its perimeter, added up: in proportion to what lines at random make.
+/// The sum of the tests below each node times its perimeter, which is proportional to the tests that random lines make.
 double tests_times_perimeters(const Forest& forest) {
   double sum = 0;
   for (const Index i : forest.there())

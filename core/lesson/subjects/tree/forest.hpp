@@ -38,7 +38,7 @@ using TreeOfBoxes = hierarchy::Tree<Box2>;
 /// The expected number of tests once a line meets the root, by the surface-area heuristic (hierarchy/cost.hpp) with the
 /// perimeters of the nodes' own volumes. whole: has a single root.
 [[nodiscard]] double expected_cost(const Forest& whole);
-/// How many tests the same lines at random make in one tree, of those that they make in the other: 1 for as many.
+/// The tests that random lines make in one tree, divided by those that the same lines make in the other.
 [[nodiscard]] double tests_of_lines(const Forest& one, const Forest& other);
 
 /// Follows the construction of a tree, step by step.

@@ -23,7 +23,7 @@ using NodeVolume = std::variant<Box2, Sphere<double, 2>, Obb<double, 2>>;
 [[nodiscard]] NodeVolume volume_around(NodeKind kind, const Box2& box);
 /// Around two of a kind, as a tree's builder merges them.
 [[nodiscard]] NodeVolume merged(const NodeVolume& a, const NodeVolume& b);
-/// Half of its perimeter: a line at random meets a convex volume in proportion to it.
+/// Half of its perimeter, to which the probability that a random line meets a convex volume is proportional.
 [[nodiscard]] double half_perimeter_of(const NodeVolume& volume);
 /// The box along the axes around it.
 [[nodiscard]] Box2 bounds_of(const NodeVolume& volume);

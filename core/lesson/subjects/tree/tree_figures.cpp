@@ -61,7 +61,7 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   return figures;
 }
 
-/// How many tests the run takes, of those that another order takes.
+/// The run's tests in per cent of those that another order takes.
 Figure share_of_order(const TreeRun& run, int step, std::string_view other, std::string name, std::string key) {
   const auto tests = run_query(other, run.query(), run.tree(), run.boxes()).counts.volume_tests();
   const double share = 100 * (static_cast<double>(run.state(run.steps()).tests()) / static_cast<double>(tests));
