@@ -63,10 +63,13 @@ export async function serve_drafts(lessons) {
 /** For a file's before and after hooks. */
 export const start = () => start_on(serve_site);
 
+/** The same where the browser has no graphics card, nor Mesa in its place. */
+export const start_without_card = () => start_on(serve_site, ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]);
+
 /** The same for a site that is served otherwise. */
-export async function start_on(serve) {
+export async function start_on(serve, flags = kFlags) {
   site = await serve();
-  browser = await chromium.launch({ executablePath: process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium", args: kFlags });
+  browser = await chromium.launch({ executablePath: process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium", args: flags });
   return site;
 }
 

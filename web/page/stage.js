@@ -10,14 +10,19 @@ const kPatience = 5000; // milliseconds until the page says that a lost context 
 const kFingerWaits = 120; // milliseconds
 const kFingerTrembles = 6; // pixels
 
-/** Whether the processor draws instead of a graphics card: several samples per pixel then cost a third of a frame. */
-function drawn_by_processor() {
+/** What draws the stage, as its driver names it. */
+function renderer() {
   const probe = document.createElement("canvas").getContext("webgl2");
   const info = probe?.getExtension("WEBGL_debug_renderer_info");
   const name = info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : probe?.getParameter(probe.RENDERER);
   probe?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
+  return name ?? "";
 }
+
+/** Whether the processor draws instead of a graphics card: several samples per pixel then cost a third of a frame. */
+const drawn_by_processor = (name) => /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+/** Whether the browser lays the page's layers over each other on the processor as well. */
+const composited_by_processor = (name) => /swiftshader/i.test(name);
 
 export class Stage {
   #door;
@@ -39,7 +44,9 @@ export class Stage {
   constructor(door, after_frame) {
     this.#door = door;
     this.#after_frame = after_frame;
-    const error = door.start("#canvas", !drawn_by_processor(), `${navigator.hardwareConcurrency ?? "?"} cores`);
+    const name = renderer();
+    document.documentElement.classList.toggle("software", composited_by_processor(name));
+    const error = door.start("#canvas", !drawn_by_processor(name), `${navigator.hardwareConcurrency ?? "?"} cores`);
     if (error) this.#cannot_draw(error);
     else this.#listen();
     watch_layout(() => {
