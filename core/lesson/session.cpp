@@ -135,7 +135,7 @@ Grade Session::grade(std::size_t task) const {
   if (!grades_[task]) grades_[task] = now_->grade(*lesson_, own, view());
   Grade now = *grades_[task];
   if (now.done && !own.only.empty() && !(task_started_ && task_ == task)) now.done = false, now.says = only_text(own);
-  done_[task] = done_[task] || now.done;
+  if (now.done && !drag_.subject) done_[task] = true;  // a hand that only passes through a solution has not left one
   // The grade comes from the run's result, which would give away the steps that are asked about.
   if (!now.done && predicting() && is_own()) now.says = kTaskWaits;
   else if (!now.done && !now_->moves_at(step_)) now.says += " " + std::string(now_->fixed_now());

@@ -144,7 +144,8 @@ export class Reading {
     }
     // On a phone the task is far below the stage. If an address opens it already done, that is not news.
     const { top, bottom } = this.#grade_says[now].getBoundingClientRect();
-    if (tasks[now].done && this.#was_open && (bottom < 0 || top > innerHeight)) notice(`✓ ${tasks[now].says}`, "told");
-    this.#was_open = !tasks[now].done;
+    const solved = tasks[now].done && tasks[now].was; // not where a drag only passes through a solution
+    if (solved && this.#was_open && (bottom < 0 || top > innerHeight)) notice(`✓ ${tasks[now].says}`, "told");
+    this.#was_open = !solved;
   });
 }

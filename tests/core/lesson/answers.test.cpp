@@ -294,6 +294,25 @@ TEST_CASE("a task can leave a few handles to be moved, and nothing else counts")
   CHECK(session.was_done(0));
 }
 
+TEST_CASE("a task is done where a drag ends, not where it passes") {
+  const std::string text = test::small_lesson_with("hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P2\", \"P3\"]");
+  Session session = test::open(text);
+  session.start_task();
+  REQUIRE(session.move(2, {0, -1, 0}).has_value());
+  const Point3 before = session.point(3);
+  session.begin_drag();
+  REQUIRE(session.move(3, {0, 2.5, 0}).has_value());
+  CHECK(session.grade()->done);
+  CHECK_FALSE(session.was_done(0));
+  REQUIRE(session.move(3, before).has_value());
+  session.end_drag();
+  CHECK_FALSE(session.was_done(0));
+  session.begin_drag();
+  REQUIRE(session.move(3, {0, 2.5, 0}).has_value());
+  session.end_drag();
+  CHECK(session.was_done(0));
+}
+
 TEST_CASE("a file of version 1 is told what to change, line by line") {
   const std::string old =
       "version = 1\n\n[[question]]\nid = \"a\"\nasks = \"choice\"\nanswer = \"yes\"\n\n[[question]]\nid = "
