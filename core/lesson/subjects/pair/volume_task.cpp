@@ -1,4 +1,4 @@
-// What tasks on two axis-aligned boxes, two spheres or two capsules ask for.
+// What tasks on two volumes ask for.
 #include <algorithm>
 
 #include "lesson/figures.hpp"
@@ -48,6 +48,7 @@ Spheres spheres_of(const VolumePair& pair) {
 }  // namespace
 
 bool VolumesSubject::reaches(std::string_view goal) const {
+  if (goal == "overlap") return !separation_of(pair_);
   if (goal == "sum_of_squares") return spheres_of(pair_).overlap && !spheres_of(pair_).by_squares;
   if (goal == "cylinders_apart") {
     const auto cylinders = as_cylinders(pair_);
@@ -62,6 +63,10 @@ bool VolumesSubject::reaches(std::string_view goal) const {
 }
 
 std::string VolumesSubject::goal_says(std::string_view goal) const {
+  if (goal == "overlap") {
+    const auto apart = separation_of(pair_);
+    return apart ? "The volumes are apart by " + gap_text(apart->gap) + " units." : "The volumes overlap.";
+  }
   if (goal == "sum_of_squares") {
     const auto [both, overlap, by_squares] = spheres_of(pair_);
     if (!both) return "These are not two spheres.";

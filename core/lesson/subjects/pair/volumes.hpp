@@ -77,9 +77,9 @@ struct AsCylinders {
 /// "only_last_axis": axis-aligned boxes that only the last coordinate axis separates; "touch_on_one_axis": those whose
 /// intervals have just one number in common along one axis, and more along every other; "sum_of_squares": spheres that
 /// overlap, and that would not if their squared radii were added instead of squaring their sum; "cylinders_apart":
-/// capsules that overlap while the cylinders on their axes do not.
-inline constexpr std::array<std::string_view, 4> kVolumeGoals{"only_last_axis", "touch_on_one_axis", "sum_of_squares",
-                                                              "cylinders_apart"};
+/// capsules that overlap while the cylinders on their axes do not; "overlap": any two volumes that overlap.
+inline constexpr std::array<std::string_view, 5> kVolumeGoals{"only_last_axis", "touch_on_one_axis", "sum_of_squares",
+                                                              "cylinders_apart", "overlap"};
 
 class VolumesSubject final : public Subject {
  public:

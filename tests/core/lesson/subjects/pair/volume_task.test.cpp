@@ -1,5 +1,4 @@
-// What tasks on two axis-aligned boxes or two spheres ask for, to the last digit; and what is asked of the boxes'
-// tests.
+// What tasks on two volumes ask for, to the last digit; and what is asked of the boxes' tests.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -80,6 +79,16 @@ TEST_CASE("spheres mislead a test that adds the squares of their radii where the
   CHECK(at(2));  // they touch
   CHECK_FALSE(at(2.5));
   CHECK_FALSE(session.subject().reaches("only_last_axis"));
+}
+
+TEST_CASE("two volumes overlap where the sum of their radii reaches from core to core") {
+  Session session = task_session("swept_spheres", "a = { capsule = { a = [0, 0], b = [0, 1], radius = 0.5 } }\n"
+                                                  "b = { capsule = { a = [1.5, 0], b = [1.5, 1], radius = 0.5 } }\n");
+  CHECK_FALSE(session.subject().reaches("overlap"));
+  CHECK(session.subject().goal_says("overlap") == "The volumes are apart by 0.500 units.");
+  REQUIRE(session.set_rows({{0, 0, 0, 1, 1.0625}, {1.5, 0, 1.5, 1, 0.5}}).has_value());
+  CHECK(session.subject().reaches("overlap"));  // though the radii add up to less than 1.6
+  CHECK(session.subject().goal_says("overlap") == "The volumes overlap.");
 }
 
 TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no other test") {
