@@ -36,13 +36,15 @@ std::string value_text(const CriteriaSubject& subject, std::size_t volume, Crite
 }
 
 /// All volumes, the best first, with their values.
-std::string values_in_order(const Asked& asked, const std::vector<int>& ranks) {
-  std::vector<std::size_t> order(ranks.size());
+std::string values_in_order(const Asked& asked) {
+  const CriteriaSubject& subject = criteria_in(asked);
+  const Criterion criterion = criterion_of(asked);
+  std::vector<std::size_t> order(asked.choices.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  sort_stably(order, [&](std::size_t a, std::size_t b) { return ranks[a] < ranks[b]; });
+  const auto size = [&](std::size_t i) { return subject.value(i, criterion, subject.own_load()).value_or(0); };
+  sort_stably(order, [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
   std::vector<std::string> values;
-  for (const std::size_t i : order)
-    values.push_back(asked.choices[i] + " " + value_text(criteria_in(asked), i, criterion_of(asked)));
+  for (const std::size_t i : order) values.push_back(asked.choices[i] + " " + value_text(subject, i, criterion));
   return listed(values, ", ");
 }
 
@@ -61,7 +63,7 @@ Truth least_truth(const Asked& asked, const Run&) {
   for (std::size_t i = 0; i < ranks.size(); ++i)
     if (ranks[i] == 0) truth.choices.push_back(static_cast<int>(i)), best.push_back(asked.choices[i]);
   truth.happened = listed(best, " and ");
-  truth.sentence = values_in_order(asked, ranks) + ".";
+  truth.sentence = values_in_order(asked) + ".";
   return truth;
 }
 
@@ -73,7 +75,7 @@ Truth volume_order_truth(const Asked& asked, const Run&) {
   std::vector<std::string> names;
   for (const int choice : truth.choices) names.push_back(asked.choices[choice]);
   truth.happened = listed(names, ", ");
-  truth.sentence = values_in_order(asked, truth.ranks) + ".";
+  truth.sentence = values_in_order(asked) + ".";
   return truth;
 }
 
