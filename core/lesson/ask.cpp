@@ -179,6 +179,10 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
           (gate.occurrence > 1 ? " " + std::to_string(gate.occurrence) + " times" : "") + " on these points";
     return std::nullopt;
   }
+  if (run.is_rounding(asked.fact)) {
+    why = "step " + gate.fact + " is a matter of rounding on these points";
+    return std::nullopt;
+  }
   asked.asking = find_asking(question.asks, row, run, asked.fact);
   if (asked.asking == nullptr) {
     std::vector<std::string_view> facts;

@@ -132,6 +132,8 @@ class Run {
   [[nodiscard]] virtual std::span<const Asking> askings(int i) const = 0;
   /// Whether gates count it: of a recursion, only the outermost calls count.
   [[nodiscard]] virtual bool counts(int i) const = 0;
+  /// Whether it happened only by rounding, so that nothing sensible can be asked of it.
+  [[nodiscard]] virtual bool is_rounding(int /*i*/) const { return false; }
   /// The handles that can be tapped when the step is asked for "point"; empty: all of them.
   [[nodiscard]] virtual std::vector<Index> candidates(int i) const;
   /// A hash over every number of every step, in order.

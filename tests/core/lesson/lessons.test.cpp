@@ -152,6 +152,23 @@ TEST_CASE("scattered anew, each lesson still plays: questions that the points do
   CHECK(left_out > 50);
 }
 
+TEST_CASE("what a run does only by rounding is not asked, and no pass is better by rounding alone") {
+  const auto question = [](const Session& session, const char* id) -> const Asked* {
+    for (const Asked& asked : session.questions())
+      if (asked.question->id == id) return &asked;
+    return nullptr;
+  };
+  Session pca = session_of("sphere-pca");
+  CHECK(question(pca, "grows-first") != nullptr);
+  pca.scatter(2);  // an end of the first diameter lies outside by rounding, and no other point does
+  CHECK(question(pca, "grows-first") == nullptr);
+  Session iterative = session_of("sphere-iterative");
+  iterative.scatter(307);  // the first pass ends with Ritter's circle, but for rounding
+  REQUIRE(question(iterative, "first-pass") != nullptr);
+  const int no = 1;
+  CHECK(model_answer(*question(iterative, "first-pass"), iterative.run(0)).value == no);
+}
+
 TEST_CASE("a lesson holds its questions on a mesh as well") {
   Session session = session_of("sphere-ritter");
   io::PointFile mesh{3, {}, {}};

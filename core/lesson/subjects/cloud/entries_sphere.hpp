@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/tolerance.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/cloud/facet_asks.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
@@ -124,12 +123,9 @@ template <>
 struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   using Fact = fit::BallGrown<double, 3>;
   static std::string sentence(const Fact& fact, const FitWhere& where) {
-    const Point3 at = fit::point_of(where.run.points(), fact.point);
-    const double gap = (at - fact.before.center).norm() - fact.before.radius;
-    const double size = fact.before.radius + at.cwiseAbs().maxCoeff();
-    const bool is_rounding = gap <= tolerance::kBoundaryRoundoffs * tolerance::roundoff<double>(size);
-    return where.name(fact.point) + " lies outside by " + (is_rounding ? "no more than rounding" : number_text(gap)) +
-           ", so the " + where.ball() + " grows to contain it.";
+    const std::string gap = where.run.is_rounding(where.i) ? "no more than rounding"
+                                                           : number_text(where.run.gap_to(fact.point, fact.before));
+    return where.name(fact.point) + " lies outside by " + gap + ", so the " + where.ball() + " grows to contain it.";
   }
   static std::vector<Index> handles(const Fact& fact, const FitWhere&) { return {fact.point}; }
   static std::string predicate(const Fact&, const FitWhere& where, bool) {
@@ -191,7 +187,8 @@ struct Entry<fit::PassJudged<double, 3>> : FitEntry {
     const auto best_until = best_before(where.run.trace(), where.i + 1);
     if (fact.better && best_until) {
       const auto [own, before] = number_texts_apart(where.radius(), *best_until);
-      if (own != before) return pass + own + ", smaller than the best so far, " + before + ": it is kept.";
+      if (own == before) return pass + own + ", smaller than the best so far only by rounding: it is kept.";
+      return pass + own + ", smaller than the best so far, " + before + ": it is kept.";
     }
     if (fact.better) return pass + number_text(where.radius()) + ", the smallest so far: it is kept.";
     const auto [own, best] = number_texts_apart(where.radius(), fact.best.radius);

@@ -19,11 +19,13 @@ bool grew(double before, double after) {
   return after - before > tolerance::kBoundaryRoundoffs * tolerance::kRoundoff<double> * after;
 }
 
-/// "It ends at 0.9918, smaller than the best before, 0.9920."
-std::string pass_sentence(double radius, double best, bool better) {
+/// Whether a pass ends smaller by more than rounding: "It ends at 0.9918, smaller than the best before, 0.9920."
+Truth pass_truth(double radius, double best) {
   const auto [own, before] = number_texts_apart(radius, best);
-  if (own == before) return "It ends at " + own + ", as large as the best before, but for rounding.";
-  return "It ends at " + own + (better ? ", smaller" : ", larger") + " than the best before, " + before + ".";
+  if (own == before) return no("It ends at " + own + ", as large as the best before, but for rounding.");
+  const std::string than_best = " than the best before, " + before + ".";
+  if (radius < best) return yes("It ends at " + own + ", smaller" + than_best);
+  return no("It ends at " + own + ", larger" + than_best);
 }
 
 void offer_points_or_none(Asked& asked, const FitRun& run) {
@@ -117,10 +119,8 @@ Truth better_truth(const Asked& asked, const Run& run) {
   const auto* pass = std::get_if<PassJudged<double, 3>>(&step.fact);
   const auto* tried = std::get_if<CandidateTried<double, 3>>(&step.fact);
   const bool better = pass != nullptr ? pass->better : tried->verdict == CandidateTried<double, 3>::Verdict::kKept;
-  if (const auto best = best_before(trace, asked.fact + 1)) {
-    std::string sentence = pass_sentence(fit::size_of(step.volume, asked.dim), *best, better);
-    return better ? yes(std::move(sentence)) : no(std::move(sentence));
-  }
+  if (const auto best = best_before(trace, asked.fact + 1))
+    return pass_truth(fit::size_of(step.volume, asked.dim), *best);
   if (better) return yes("It is the smallest so far, and is kept.");
   if (tried != nullptr && tried->outside != kNoIndex)
     return no(asked.subject->name_of(tried->outside) + " lies outside, so it is not kept.");

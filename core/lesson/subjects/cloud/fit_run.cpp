@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "geometry/tolerance.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects/cloud/axes_by_hand.hpp"
 #include "lesson/subjects/cloud/entries.hpp"
@@ -68,6 +69,17 @@ Point3 FitRun::slab_axis(int i, int slab) const {
 
 std::string FitRun::slab_name(int i, int slab) const {
   return axes_.empty() ? axis_name(slab_axis(i, slab)) : direction_text(slab_axis(i, slab), dim());
+}
+
+double FitRun::gap_to(Index point, const fit::Sphere3& ball) const {
+  return (fit::point_of(points_, point) - ball.center).norm() - ball.radius;
+}
+
+bool FitRun::is_rounding(int i) const {
+  const auto* grown = std::get_if<fit::BallGrown<double, 3>>(&trace()[i].step.fact);
+  if (grown == nullptr) return false;
+  const double size = grown->before.radius + fit::point_of(points_, grown->point).cwiseAbs().maxCoeff();
+  return gap_to(grown->point, grown->before) <= tolerance::kBoundaryRoundoffs * tolerance::roundoff<double>(size);
 }
 
 std::vector<Index> FitRun::support(int steps) const {

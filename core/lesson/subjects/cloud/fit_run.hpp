@@ -44,6 +44,10 @@ class FitRun final : public FactRun<FitRun, fit::Step3> {
   /// name.
   [[nodiscard]] Point3 slab_axis(int i, int slab) const;
   [[nodiscard]] std::string slab_name(int i, int slab) const;
+  /// How far a point lies beyond the boundary of a ball, scene units.
+  [[nodiscard]] double gap_to(Index point, const fit::Sphere3& ball) const;
+  /// Whether a ball grew by no more than rounding.
+  [[nodiscard]] bool is_rounding(int i) const override;
   [[nodiscard]] std::vector<Index> support(int steps) const override;
   [[nodiscard]] std::vector<Index> candidates(int i) const override;
 
