@@ -25,20 +25,29 @@ bool holds(const Rect& rect, float x, float y, float reach) {
 
 float head_of(const Look& look) { return look.px(kHead); }
 
-/// How many handles are under a panel; the place itself counts most.
+/// How much a panel covers: the place itself counts most, then handles, those with a mark more than others.
 int covered_by(const Rect& panel, const Brush& brush, ImVec2 source) {
+  constexpr int kSource = 10000, kHandle = 4;
   const float reach = brush.look.fingers ? 22.0f : 8.0f;
-  int count = holds(panel, source.x, source.y, kSmallestMark) ? 1000 : 0;
+  int count = holds(panel, source.x, source.y, kSmallestMark) ? kSource : 0;
   for (const ScreenPoint& handle : brush.handles)
-    if (handle.visible && holds(panel, handle.x, handle.y, reach)) ++count;
+    if (handle.visible && holds(panel, handle.x, handle.y, reach)) count += kHandle;
+  for (const auto& mark : brush.canvas.obstacles.discs) count += holds(panel, mark.x, mark.y, 0) ? 1 : 0;
   return count;
 }
 
-/// Where the panel may be, the best places first.
-std::vector<Rect> places_for(const Brush& brush, float top) {
+/// How wide the panel may be, the best first.
+std::vector<float> widths_for(const Brush& brush, bool may_shrink) {
+  if (brush.rect.width < kNarrow) return {kNarrowWidth};
+  std::vector<float> widths{brush.look.px(brush.rect.width < kMiddling ? 168 : 216)};
+  if (may_shrink) widths.push_back(brush.look.px(kNarrowWidth));
+  return widths;
+}
+
+/// Where a panel of that width may be, the best places first.
+std::vector<Rect> places_for(const Brush& brush, float width, float top) {
   const Rect& stage = brush.rect;
   const Look& look = brush.look;
-  const float width = stage.width < kNarrow ? kNarrowWidth : look.px(stage.width < kMiddling ? 168 : 216);
   const float height = width * kPanelAspect + head_of(look);
   const float left = stage.x + kPanelMargin, right = stage.x + stage.width - kPanelMargin - width;
   const float high = stage.y + kPanelMargin, low = brush.canvas.camera.free_bottom() - height;
@@ -72,16 +81,21 @@ std::string times_text(double times) {
 
 }  // namespace
 
-std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last) {
+std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last, bool may_shrink) {
   const std::vector<Rect>& taken = brush.canvas.obstacles.taken;
-  std::optional<Rect> best;
-  int least = 0;
-  for (const Rect& place : places_for(brush, top)) {
-    if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(place, other); })) continue;
-    const int covered = 2 * covered_by(place, brush, source) - (place.x == last.x && place.y == last.y ? 1 : 0);
-    if (!best || covered < least) best = place, least = covered;
+  std::optional<Rect> widest;
+  for (const float width : widths_for(brush, may_shrink)) {
+    std::optional<Rect> best;
+    int least = 0;
+    for (const Rect& place : places_for(brush, width, top)) {
+      if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(place, other); })) continue;
+      const int covered = 2 * covered_by(place, brush, source) - (place.x == last.x && place.y == last.y ? 1 : 0);
+      if (!best || covered < least) best = place, least = covered;
+    }
+    if (!best || least <= 0) return best ? best : widest;
+    if (!widest) widest = best;
   }
-  return best;
+  return widest;
 }
 
 float room_above(float words) { return 2 * kPanelMargin + kNarrowWidth * kPanelAspect + kHead * words; }
@@ -102,7 +116,7 @@ std::optional<CloseUp> close_up_of(const Brush& brush, float top, const Rect& la
   if (!ends) return std::nullopt;
   const Point3 middle = ((*ends)[0] + (*ends)[1]) / 2;
   const ImVec2 source = brush.at(middle);
-  const auto panel = free_place(brush, source, top, last);
+  const auto panel = free_place(brush, source, top, last, false);
   if (!panel) return std::nullopt;
   const double scale = brush.canvas.camera.scale_at(middle), gap = ((*ends)[1] - (*ends)[0]).norm();
   const double size = wish->size > 0 ? wish->size : gap / kGapShare;
@@ -138,8 +152,9 @@ void draw_close_up_panel(const Brush& brush, const CloseUp& close_up) {
   brush.list->AddRectFilled(low, high, p.panel, 8);
   brush.list->AddRectFilled({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height}, p.ground,
                             7, ImDrawFlags_RoundCornersBottom);
-  const std::string words =
-      (brush.rect.width < kNarrow ? "×" + times_text(close_up.times) : times_text(close_up.times) + " times larger");
+  std::string words = times_text(close_up.times) + " times larger";
+  if (brush.rect.width < kNarrow || measure(look, Face::kSemiBold, 12, words).x > panel.width - 16)
+    words = "×" + times_text(close_up.times);
   text(brush.list, look, Face::kSemiBold, 12, {panel.x + 8, middle_of(panel.y + head_of(look) / 2, look.px(12))},
        p.muted, words);
 }

@@ -19,8 +19,10 @@ namespace snug::app {
 /// under it.
 [[nodiscard]] std::optional<CloseUp> close_up_of(const Brush& brush, float top, const Rect& last);
 
-/// Where a panel covers the fewest handles; none where there is no room. source: what it shows, on the screen.
-[[nodiscard]] std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last);
+/// Where a panel covers the fewest handles, none where there is no room. source: what it shows, on the screen;
+/// may_shrink: to a smaller panel, if only that covers no handle.
+[[nodiscard]] std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last,
+                                             bool may_shrink);
 
 /// How much of a narrow stage is kept free above the picture, so that the close-up covers no handle; words: their
 /// scale.

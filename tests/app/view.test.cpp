@@ -117,6 +117,26 @@ TEST_CASE("a close-up says billions, whose zeros would be wider than it") {
                     [](const std::string& one) { return one.ends_with(" billion times larger"); }));
 }
 
+TEST_CASE("the close-up of a point left outside covers no point, though all around the circle are marked") {
+  for (const float width : {628.0f, 1000.0f}) {
+    CAPTURE(width);
+    Bench bench(course_lesson("cases/cocircular", false),
+                {.stage = {0, 0, width, width * 0.9f}, .timeline = {0, width * 0.9f, width, 160}});
+    bench.session().jump(bench.session().steps());
+    bench.frames(2);
+    std::optional<Rect> panel;
+    for (const DrawnWords& one : bench.drawn_words()) {
+      if (one.words.starts_with("×") || one.words.ends_with(" times larger"))
+        panel = Rect{one.low.x - 8, one.low.y, 0, 0};
+      if (panel && panel->width == 0 && (one.words == "ulps" || one.words.starts_with("1 ulp = ")))
+        panel->width = one.high.x + 6 - panel->x, panel->height = one.high.y - panel->y;
+    }
+    REQUIRE(panel);
+    CHECK(panel->width > 100);
+    CHECK(handles_under(bench, *panel) == 0);
+  }
+}
+
 TEST_CASE("boxes that touch, and such as overlap a little, have a close-up of where") {
   Bench touching(boxes_apart("1", "inset = { at = \"gap\" }"));
   REQUIRE(touching.app.close_up());

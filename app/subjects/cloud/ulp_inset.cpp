@@ -137,7 +137,7 @@ Rect draw_ulp_inset(Brush& brush, const CloudShown& shown, ImVec2 at) {
   if (!(shown.left->by < kSeenAsItIs * shown.left->extent)) return {};
   const Point3 worst = brush.point(shown.left->worst);
   const ImVec2 source = brush.at(worst);
-  const auto panel = free_place(brush, source, at.y + brush.look.px(kButtons), {});
+  const auto panel = free_place(brush, source, at.y + brush.look.px(kButtons), {}, true);
   if (!panel) return {};
   CloseUp close_up{.at = worst, .panel = *panel, .x = source.x, .y = source.y};
   const Rect picture = picture_of(close_up, brush.look);
