@@ -391,11 +391,16 @@ std::vector<NameBeside> names_beside(const toml::table& toml, const Lesson& less
   return names;
 }
 
-/// A case's source is a section of its own. It is no text of the file's sections, which the checks go through.
-void add_source(Lesson& lesson) {
+Block paragraph_of(const std::string& words) { return {.rows = {{{{.text = words}}}}}; }
+
+/// A case's sentence is its first paragraph, and its source a section of its own. Neither is text of the file's
+/// sections, which the checks go through.
+void add_case_words(Lesson& lesson) {
   if (lesson.source.empty()) return;
+  auto& first = lesson.sections.front().blocks;
+  first.insert(first.begin(), paragraph_of(lesson.summary));
   const std::string words = lesson.source.substr(0, lesson.source.find(" https:"));  // a column is too narrow for more
-  lesson.sections.push_back({.title = "Where it was seen", .blocks = {{.rows = {{{{.text = words}}}}}}});
+  lesson.sections.push_back({.title = "Where it was seen", .blocks = {paragraph_of(words)}});
 }
 
 /// The file's name without folders and .toml.
@@ -421,7 +426,7 @@ Draft read_draft(std::string_view text, std::string_view name, Checked checked, 
   const auto stages = read(*toml, lesson, complaints);
   draft.names_beside = names_beside(*toml, lesson);
   if (stages && check_lesson(lesson, *toml, {checked, mesh, *stages}, complaints)) {
-    add_source(lesson);
+    add_case_words(lesson);
     draft.lesson = std::move(lesson);
   }
   return finished();

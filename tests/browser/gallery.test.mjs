@@ -36,6 +36,7 @@ test("a click opens a case, Back leads to the open gallery, and neither is kept 
   assert.equal(opened.lesson, cases[0].id);
   assert.equal(opened.step, 0);
   assert.equal(await page.locator("#picker-group").textContent(), "Hard cases");
+  await page.locator("#prose p", { hasText: cases[0].says }).waitFor();
   await page.keyboard.press("End");
   assert.ok((await until(page, (now) => now.step === now.steps)).readout.outside_count > 0, "the naive circle leaves points outside");
   await page.goBack();

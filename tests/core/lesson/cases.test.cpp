@@ -65,6 +65,8 @@ TEST_CASE("the cases are listed once each, and each reads as a lesson") {
     const Session session = test::session_of("cases/" + name);
     CHECK(session.lesson().source.find("https://") != std::string::npos);
     CHECK(session.lesson().questions.empty());
+    const Block& first = session.lesson().sections.front().blocks.front();  // its sentence is read beside the stage
+    CHECK(first.rows.front().front().front().text == session.lesson().summary);
   }
 }
 
