@@ -21,10 +21,12 @@ constexpr double kLeastRange = 4;
 /// Every algorithm reads every point. If the time seems to grow by less than this power, most of it is still constant.
 constexpr double kLeastTold = 0.5;
 
+/// time: in ns.
 std::string why_stopped(Index points, double time) {
+  const bool in_seconds = time >= 999.5e6;
   std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "one run of %d points would take about %.2g s", static_cast<int>(points),
-                time / 1e9);
+  std::snprintf(text.data(), text.size(), "one run of %d points would take about %.*g %s", static_cast<int>(points),
+                in_seconds ? 2 : 3, in_seconds ? time / 1e9 : std::round(time / 1e6), in_seconds ? "s" : "ms");
   return text.data();
 }
 

@@ -71,6 +71,10 @@ TEST_CASE("a run that would take longer than is allowed is not begun, and is sai
   CHECK(longest <= 1.001e9);
   CHECK(rows.back().stopped == "one run of 100000 points would take about 10 s");
   CHECK(rows.back().exponent.value() == doctest::Approx(2).epsilon(1e-3));
+  CHECK(run_whole({work_that_takes(0, 1, 2, 1'000'000)}, 1.1e8).back().stopped ==
+        "one run of 31623 points would take about 1 s");
+  CHECK(run_whole({work_that_takes(0, 1, 2, 1'000'000)}, 1.1e7).back().stopped ==
+        "one run of 10000 points would take about 100 ms");
 }
 
 TEST_CASE("sizes go by half decades, and few points have five") {
