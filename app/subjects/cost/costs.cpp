@@ -126,8 +126,9 @@ Index Costs::size(const lesson::Session& session) const {
 }
 
 void Costs::start(const lesson::Session& session) {
-  at_start_ = *session.subject().points();
-  subject_ = whole_ && same(*some_, *at_start_) && view_ != CostView::kTurn ? *whole_ : *at_start_;
+  const AnyPointSet& points = *session.subject().points();
+  at_start_[static_cast<std::size_t>(view_)] = points;
+  subject_ = whole_ && same(*some_, points) && view_ != CostView::kTurn ? *whole_ : points;
   options_.fit.seed = session.seed();
   cost::Provenance about = here_;
   about.points = session.source(), about.scalar = "double", about.dim = session.dim();
@@ -189,13 +190,18 @@ void Costs::work(lesson::Session& session, double budget) {
   if (sheet.done()) finish(session);
 }
 
+bool Costs::started_on_these(const lesson::Session& session, CostView view) const {
+  const auto& then = at_start_[static_cast<std::size_t>(view)];
+  return then && same(*then, *session.subject().points());
+}
+
 /// Reports a complete result to the session, if its points are still the same.
 void Costs::finish(lesson::Session& session) {
   const CostView done = *std::exchange(at_work_, std::nullopt);
   of(done).stop();
   take_rows();
   const bool whole = done == CostView::kAccuracy && accuracy().rows.size() == session.lesson().algorithms.size();
-  if (!whole || !same(*at_start_, *session.subject().points())) return;
+  if (!whole || !started_on_these(session, done)) return;
   session.inform<lesson::CostSubject>([&](lesson::CostSubject& chart) { chart.measured(accuracy().rows); });
 }
 

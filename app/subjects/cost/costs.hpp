@@ -87,6 +87,7 @@ class Costs final : public Cover {
   void take_rows();
   bool look_at(const lesson::Session& session, CostView view);
   [[nodiscard]] bool load_algorithm(lesson::Session& session);
+  [[nodiscard]] bool started_on_these(const lesson::Session& session, CostView view) const;
   /// How many algorithms or updates the selected table has.
   [[nodiscard]] int count() const;
   [[nodiscard]] std::vector<ChartHit> stops(bool to_line) const;
@@ -97,8 +98,9 @@ class Costs final : public Cover {
   cost::Provenance here_;
   cost::CostOptions options_;
   double longest_growing_ = 0;
-  std::optional<AnyPointSet> whole_, some_;        // a large file's points, and the part of them in the session
-  std::optional<AnyPointSet> subject_, at_start_;  // the points of the run, and the session's when it started
+  std::optional<AnyPointSet> whole_, some_;  // a large file's points, and the part of them in the session
+  std::optional<AnyPointSet> subject_;       // the points of the run
+  std::array<std::optional<AnyPointSet>, kCostViews> at_start_;  // the session's points when each chart's run started
   std::array<std::unique_ptr<CostSheet>, kCostViews> sheets_;
   std::optional<CostView> at_work_;
   CostView view_ = CostView::kAccuracy;
