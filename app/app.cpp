@@ -445,7 +445,10 @@ std::string_view App::command_of_key(std::string_view key, bool shift, bool cont
   }
   if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)
     return own;
-  return command_for(key, shift, control, state_->stage.arrows_move());
+  const Stage& stage = state_->stage;
+  const bool little =
+      shift && key.starts_with("Arrow");  // steps nothing, so it moves what a drag left selected as well
+  return command_for(key, shift, control, stage.arrows_move() || (little && stage.selected() != kNoIndex));
 }
 
 Index App::selected() const { return state_->stage.selected(); }

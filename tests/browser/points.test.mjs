@@ -1,6 +1,6 @@
 // Points are dragged, moved, typed, added and taken back, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
-import { assert, drag_by_finger, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points } from "./support.mjs";
+import { assert, drag, drag_by_finger, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points } from "./support.mjs";
 
 before(start);
 after(stop);
@@ -77,6 +77,19 @@ test("arrow keys move the selected point", async (t) => {
   assert.notEqual(moved.trace, chosen.trace);
   await page.keyboard.press("Escape");
   await until(page, (now) => now.selected === null);
+});
+
+test("after a drag an arrow key steps, and with Shift it moves the point a little", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  await drag(page, (await handles(page))[0].id, 24, -16);
+  const dragged = await until(page, (now) => now.selected !== null && now.coordinates);
+  await page.keyboard.press("Shift+ArrowRight");
+  const moved = await until(page, (now, at) => now.coordinates[0] > at[0], dragged.coordinates);
+  assert.equal(moved.coordinates[1], dragged.coordinates[1]);
+  assert.equal(moved.step, dragged.step);
+  await page.keyboard.press("ArrowRight"); // shown whole at first, the run begins
+  const stepped = await until(page, (now, step) => now.step !== step, moved.step);
+  assert.deepEqual(stepped.coordinates, moved.coordinates);
 });
 
 test("a place is typed in numbers", async (t) => {
