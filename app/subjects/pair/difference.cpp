@@ -131,13 +131,16 @@ struct DifferenceInset {
          brush.stroke(0.7f));
     brush.list->PopClipRect();
   }
-  void origin() {
-    const ImVec2 place = at(Point3::Zero());
+  /// Its name stands away from v, whose arrow begins here, unless there is no room on that side.
+  void origin(const Point3& v) {
+    const ImVec2 place = at(Point3::Zero()), to = at(v);
     plus(brush.list, place, 6, brush.p.ink, brush.stroke(0.9f));
     const float words = measure(brush.look, Face::kRegular, 11, "origin").x;
-    const bool before = place.x + 7 + words > panel.x + panel.width - 4;  // if there is no room after it
-    const float x = before ? place.x - 7 - words : place.x + 7;
-    say(Face::kRegular, 11, {{x, place.y + 3}, {x, place.y - 16}}, brush.p.ink, "origin");
+    const float before = place.x - 7 - words, after = place.x + 7, above = place.y - 16, below = place.y + 3;
+    const bool fits_before = before > panel.x + 4, fits_after = after + words < panel.x + panel.width - 4;
+    const float x = to.x > place.x ? (fits_before ? before : after) : (fits_after ? after : before);
+    const bool rises = to.y <= place.y;
+    say(Face::kRegular, 11, {{x, rises ? below : above}, {x, rises ? above : below}}, brush.p.ink, "origin");
   }
 };
 
@@ -195,8 +198,9 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at) {
     for (const DifferenceVertex& vertex : inset.outline)
       if (!simplex.has(vertex.a, vertex.b))
         inset.name(vertex.at, inset.name_of(vertex.a, vertex.b), brush.p.current_text);
-  inset.origin();
-  draw_simplex(inset, simplex, kept, lesson::nearest_of(kept));
+  const Point3 nearest = lesson::nearest_of(kept);
+  inset.origin(nearest);
+  draw_simplex(inset, simplex, kept, nearest);
   return panel;
 }
 
