@@ -32,7 +32,8 @@ void add_costs(std::vector<Figure>& figures, const TreeRun& run, bool done) {
   figures.push_back(at_end("SAH cost as built", "cost_built", number_text(run.cost_built()) + " tests",
                            run.cost_built(), "tests", true));
   figures.push_back(at_end("SAH cost now", "cost", number_text(cost) + " tests", cost, "tests", done));
-  figures.push_back(at_end("Against the rebuilt tree", "of_rebuilt", number_text(share) + " %", share, "%", done));
+  figures.push_back(
+      at_end("Cost relative to the rebuilt tree", "of_rebuilt", number_text(share) + " %", share, "%", done));
 }
 
 std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
@@ -50,14 +51,16 @@ std::vector<Figure> figures_of_growth(const TreeRun& run, int step) {
   const double cost = run.is_whole() ? run.cost() : 0, median = other("top_down_median");
   const double share = 100 * (cost / median);
   figures.push_back(at_end("SAH cost", "cost", number_text(cost) + " tests", cost, "tests", done));
-  figures.push_back(at_end("Against the median tree", "of_median", number_text(share) + " %", share, "%", done));
+  figures.push_back(
+      at_end("Cost relative to the median tree", "of_median", number_text(share) + " %", share, "%", done));
   if (run.is_by_hand()) {
     const double of_sah = 100 * (cost / other("top_down_sah"));
-    figures.push_back(at_end("Against the SAH tree", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
+    figures.push_back(at_end("Cost relative to the SAH tree", "of_sah", number_text(of_sah) + " %", of_sah, "%", done));
   }
   if (run.nodes() == NodeKind::kAabb) return figures;
   const double of_aabb = done ? 100 * tests_of_lines(forest, forest_of(run.tree(), run.boxes())) : 0;
-  figures.push_back(at_end("Against AABBs as nodes", "of_aabb", number_text(of_aabb) + " %", of_aabb, "%", done));
+  figures.push_back(
+      at_end("Tests relative to AABBs as nodes", "of_aabb", number_text(of_aabb) + " %", of_aabb, "%", done));
   return figures;
 }
 
@@ -77,7 +80,7 @@ std::vector<Figure> figures_of_pairing(const TreeRun& run, int step) {
           count("Tests of nodes", "node_tests", state.node_tests),
           count("Tests of boxes", "box_tests", state.box_tests),
           count("Tests in all", "tests", state.tests()),
-          at_end("Against all pairs", "of_all", number_text(share) + " %", share, "%", step == run.steps()),
+          at_end("Tests relative to all pairs", "of_all", number_text(share) + " %", share, "%", step == run.steps()),
           count("Pairs left out untested", "left_out", state.left_out),
           count("Pairs that overlap", "found", static_cast<std::int64_t>(state.found.size()))};
 }
@@ -94,9 +97,9 @@ std::vector<Figure> figures_of_query(const TreeRun& run, int step) {
   if (!run.tests_before()) figures.push_back(count("Boxes taken untested", "taken", taken));
   figures.push_back(count("Boxes met", "found", static_cast<std::int64_t>(state.found().size())));
   if (run.is_steered())
-    figures.push_back(share_of_order(run, step, "ray_nearest", "Against front to back", "of_near_first"));
+    figures.push_back(share_of_order(run, step, "ray_nearest", "Tests relative to front to back", "of_near_first"));
   else if (run.tests_before())
-    figures.push_back(share_of_order(run, step, "ray_far_first", "Against back to front", "of_far_first"));
+    figures.push_back(share_of_order(run, step, "ray_far_first", "Tests relative to back to front", "of_far_first"));
   return figures;
 }
 
