@@ -25,10 +25,11 @@ void draw_knob(Brush& brush, const Point3& foot, const Point3& knob, bool turns)
   brush.list->PathStroke(stalk, 0, brush.stroke(0.7f));
 }
 
-/// A knob is drawn off its face on a stalk; an arc shows that it rotates the box.
+/// A knob is drawn off its face on a stalk; an arc shows that it rotates the box. A task may forbid it.
 void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int i) {
   for (int axis = 0; axis < pair.dim - 1; ++axis) {
     const Index knob = lesson::index_of(pair, {lesson::BoxHandle::Kind::kTurn, i, axis});
+    if (!brush.session.may_move(knob)) continue;
     draw_knob(brush, lesson::beyond_face(pair, i, axis, 0), lesson::at_place(pair, knob), true);
   }
 }

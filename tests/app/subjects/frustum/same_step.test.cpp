@@ -1,4 +1,5 @@
 // At every step of the lessons on a box and a frustum, stage, sentence and figures speak of the same plane.
+#include "../../bench.hpp"
 #include "../every_step.hpp"
 #include "app/subjects/frustum/shown.hpp"
 
@@ -35,6 +36,19 @@ TEST_CASE("the plane on the stage is the one in the sentence and in the figures"
     });
   CHECK(with_plane > 50);
   CHECK(without > 10);
+}
+
+TEST_CASE("knobs that a task forbids are not drawn") {
+  const auto drawn = [](bool forbids) {
+    lesson::Lesson lesson = course_lesson("frustum-sphere", false);
+    REQUIRE_FALSE(lesson.tasks.at(0).only.empty());
+    if (!forbids) lesson.tasks[0].only.clear();
+    Bench bench(std::move(lesson));
+    bench.session().start_task(0);
+    bench.frames(3);
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  CHECK(drawn(true) < drawn(false));
 }
 
 }  // namespace snug::app
