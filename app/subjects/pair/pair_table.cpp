@@ -34,13 +34,15 @@ std::string pair_test_title(const lesson::Kinds& kinds) {
   return std::string(lesson::find_method(lesson::volume_tests(), name)->title);
 }
 
-/// Puts a pair on the stage, with its own test.
+/// Puts a pair on the stage, with its own test, which begins anew unless the result was shown.
 void choose_pair(lesson::Session& session, const lesson::Kinds& kinds) {
+  const bool at_end = session.step() == session.steps();
   auto next = session.subject().clone();
   static_cast<lesson::VolumesSubject&>(*next).choose_kinds(kinds);
   static_cast<void>(session.become(std::move(next)));
   const auto own = query::kPairTestNames[static_cast<std::size_t>(pair_test_of(kinds))];
   if (lesson::is_among(session.lesson().algorithms, own)) static_cast<void>(session.choose(0, own));
+  if (!at_end) session.first();
 }
 
 /// What a test takes: "41", "1.2k".

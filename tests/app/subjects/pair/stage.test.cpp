@@ -1,5 +1,8 @@
 // Two boxes on the stage: its points follow A's frame, and no row stays lit when its table has gone.
 #include "app/stage.hpp"
+
+#include <algorithm>
+
 #include "../../bench.hpp"
 #include "../every_step.hpp"
 #include "app/subjects/pair/axis_table.hpp"
@@ -40,6 +43,24 @@ TEST_CASE("a row that was pointed at is not lit any more when a test without axe
   CHECK(draw_axis_panel(bench.app.look(), session, {}, {0, 0}, 240, &light) == 0);
   ImGui::EndFrame();
   CHECK(light.row(session.dim()) == -1);
+}
+
+TEST_CASE("another pair of the table begins at its first step, or shows its result where a result was shown") {
+  for (const bool at_end : {false, true}) {
+    CAPTURE(at_end);
+    Bench bench(course_lesson("overlap-any", false),
+                {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 280, 900}});
+    bench.session().jump(at_end ? bench.session().steps() : 2);
+    const std::vector<DrawnWords> drawn = bench.drawn_words();
+    const auto cell = std::find_if(drawn.begin(), drawn.end(),
+                                   [](const DrawnWords& one) { return one.low.x >= 800 && one.words == "GJK"; });
+    REQUIRE(cell != drawn.end());
+    bench.press((cell->low.x + cell->high.x) / 2, (cell->low.y + cell->high.y) / 2);
+    bench.release();
+    CHECK(bench.session().edited());
+    CHECK(bench.session().method(0)->name == "gjk");
+    CHECK(bench.session().step() == (at_end ? bench.session().steps() : 0));
+  }
 }
 
 }  // namespace snug::app
