@@ -66,14 +66,23 @@ class TreeView final : public SubjectView {
     if (run.pairing() != nullptr) return {.replaced = "boxes overlap", .best = "left out"};
     return {.grew = "node made", .replaced = run.is_query() ? "box met" : "rotation", .best = "left out or taken"};
   }
+  /// A point query has no second place.
+  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
+    const auto& subject = *lesson::as<lesson::TreeSubject>(session.subject());
+    if (!subject.stage().query || i + 1 < subject.size()) return true;
+    const auto reads = [&](int slot) {
+      const lesson::Method* method = session.method(slot);
+      return method != nullptr && lesson::shape_of_query(method->name) != lesson::QueryShape::kPoint;
+    };
+    return reads(0) || reads(1);
+  }
   /// The places of a query have their names in any crowd: the text tells to drag them.
   void name_marks(PointNames& names) const override {
     const lesson::Session& session = names.brush.session;
     const auto& subject = *lesson::as<lesson::TreeSubject>(session.subject());
     if (subject.stage().query && !answered_on_stage(session)) {
-      const bool point = lesson::shape_of_query(session.method(0)->name) == lesson::QueryShape::kPoint;
-      for (Index i = subject.boxes(); i < subject.size() - (point ? 1 : 0); ++i)
-        names.name(i, session.name_of(i), names.brush.p.ink, Face::kSemiBold, 9, 13);
+      for (Index i = subject.boxes(); i < subject.size(); ++i)
+        if (shows(session, i)) names.name(i, session.name_of(i), names.brush.p.ink, Face::kSemiBold, 9, 13);
     }
     SubjectView::name_marks(names);
   }

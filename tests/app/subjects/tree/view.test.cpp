@@ -41,6 +41,21 @@ TEST_CASE("while a choice of the ray's order is due, its figures are no final re
   CHECK(says(done.words(), "Final result"));
 }
 
+TEST_CASE("a point query has one place on the stage, and every other query two") {
+  for (const char* const algorithm : {"point_query", "box_query", "ray_query", "frustum_query"}) {
+    CAPTURE(algorithm);
+    Bench bench(queried(algorithm));
+    const std::vector<Handle> handles = bench.app.handles();
+    const auto has = [&](std::string_view id) {
+      return std::any_of(handles.begin(), handles.end(), [&](const Handle& handle) { return handle.id == id; });
+    };
+    CHECK(has("Q"));
+    CHECK(has("R") == (std::string_view(algorithm) != "point_query"));
+    const std::vector<std::string> words = bench.words();
+    CHECK((std::find(words.begin(), words.end(), "R") != words.end()) == has("R"));
+  }
+}
+
 TEST_CASE("on a stage that is much wider than high the tree stands beside the boxes") {
   // A leaf and its box have the same letter: of both, the highest and the leftmost are looked at.
   const auto spread = [](const Layout& layout) {
