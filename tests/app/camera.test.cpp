@@ -54,6 +54,18 @@ TEST_CASE("an outline fills the free room by its width or by its height, clear o
   }
 }
 
+TEST_CASE("an outline that wants more room beside it than there is stays in the free room") {
+  Camera camera = framed(2, {V3::Zero(), 1});
+  const Outline outline{.center = {2, 1, 0}, .half_width = 4, .half_height = 1, .left = 400, .below = 300};
+  camera.frame(camera.framing(outline), true);
+  const ScreenPoint low = camera.project(outline.center - V3(4, 1, 0)),
+                    high = camera.project(outline.center + V3(4, 1, 0));
+  CHECK(low.x == doctest::Approx(420));  // half of the room
+  CHECK(high.x == doctest::Approx(700));
+  CHECK(high.y > 90);
+  CHECK(low.y < 270);
+}
+
 TEST_CASE("far from the origin a pixel is still a pixel") {
   const Camera camera = framed(2, {V3(1e8, -1e8, 0), 1});
   const V3 right(1e8 + 0.5, -1e8, 0);
