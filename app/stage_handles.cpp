@@ -173,7 +173,8 @@ void Stage::name_handles(Brush& brush) const {
                must    ? p.current_text
                : signs ? p.ink
                        : p.muted,
-               must || signs ? Face::kSemiBold : Face::kRegular, asked ? 12 : 7, must || signs ? 13 : 12, !must);
+               must || signs ? Face::kSemiBold : Face::kRegular, asked ? 12 : 7, must || signs ? 13 : 12,
+               !must && !view_->needs_name(session, i));
   }
 }
 

@@ -92,6 +92,8 @@ class SubjectView {
   [[nodiscard]] virtual float reach_of(const Brush& brush, Index i) const;
   /// Whether a handle is named if there is room for all names.
   [[nodiscard]] virtual bool bears_name(const lesson::Session& session, Index i) const;
+  /// Whether a handle is named in any crowd, because its name stands elsewhere in the picture as well.
+  [[nodiscard]] virtual bool needs_name(const lesson::Session&, Index) const { return false; }
   /// Whether the view itself writes a handle's name beside what it draws.
   [[nodiscard]] virtual bool writes_name(const lesson::Session&, Index) const { return false; }
   /// Whether only possible answers are named while a question is answered on the stage.

@@ -73,4 +73,21 @@ TEST_CASE("the places of a query are named, however crowded the boxes are") {
     }
 }
 
+TEST_CASE("a box of a tree is named beside its leaf, however many outlines surround it") {
+  for (const char* const id : {"bvh-traverse", "bvh-merge"}) {
+    CAPTURE(id);
+    Bench bench(course_lesson(id, false));
+    for (const int step : {0, 3, 99}) {
+      CAPTURE(step);
+      bench.session().go(std::min(step, bench.session().steps()));
+      bench.frames(2);
+      for (Index i = 0; i < bench.session().size(); ++i) {
+        const std::string name = bench.session().name_of(i);
+        CAPTURE(name);
+        if (name != "Q" && name != "R") CHECK(places_named(bench, name) == 2);  // of the box and of the leaf
+      }
+    }
+  }
+}
+
 }  // namespace snug::app

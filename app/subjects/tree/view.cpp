@@ -76,6 +76,10 @@ class TreeView final : public SubjectView {
     };
     return reads(0) || reads(1);
   }
+  /// Leaves have the names of their boxes.
+  [[nodiscard]] bool needs_name(const lesson::Session& session, Index i) const override {
+    return i < lesson::as<lesson::TreeSubject>(session.subject())->boxes();
+  }
   /// The places of a query have their names in any crowd: the text tells to drag them.
   void name_marks(PointNames& names) const override {
     const lesson::Session& session = names.brush.session;
