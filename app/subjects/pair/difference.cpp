@@ -15,6 +15,12 @@ using lesson::DifferenceVertex;
 constexpr float kInsetRim = 12, kVertexNames = 10;
 constexpr float kInsetShape = 0.8f, kLeastInset = 110;  // height over width, without its head
 constexpr float kNarrowInset = 160;                     // no names in a panel that is narrower
+constexpr float kInsetHead = 22;
+
+/// How wide the panel is if the stage is high enough.
+float inset_width(const Look& look, const Rect& stage) {
+  return stage.width < 440 ? 150 : look.px(stage.width < 900 ? 220 : 272);
+}
 
 /// What GJK knows about the difference at a step.
 struct ShownSimplex {
@@ -176,6 +182,10 @@ void draw_simplex(DifferenceInset& inset, const ShownSimplex& simplex, std::span
 
 }  // namespace
 
+float difference_height(const Look& look, const Rect& stage) {
+  return inset_width(look, stage) * kInsetShape + look.px(kInsetHead);
+}
+
 Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at) {
   if (brush.dim() != 2) return {};
   const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
@@ -186,9 +196,8 @@ Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at) {
 
   const Look& look = brush.look;
   // As large as the stage has room for above a card.
-  const float head = look.px(22), free = brush.canvas.camera.free_bottom() - at.y;
-  const float wanted = brush.rect.width < 440 ? 150 : look.px(brush.rect.width < 900 ? 220 : 272);
-  const float width = std::min(wanted, (free - head) / kInsetShape);
+  const float head = look.px(kInsetHead), free = brush.canvas.camera.free_bottom() - at.y;
+  const float width = std::min(inset_width(look, brush.rect), (free - head) / kInsetShape);
   if (width < kLeastInset) return {};
   const Rect panel{at.x, at.y, width, width * kInsetShape + head};
   DifferenceInset inset(brush, pair, panel, head);

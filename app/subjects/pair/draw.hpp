@@ -39,6 +39,8 @@ void draw_volumes(Brush& brush, lesson::PairSteps steps);
 /// Draws the difference A - B of both cores in the plane, the origin and the simplex, in a corner of the stage below a
 /// height. Returns the room that it takes; empty if there is not enough.
 [[nodiscard]] Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at);
+/// How high it is on a stage that is high enough for it.
+[[nodiscard]] float difference_height(const Look& look, const Rect& stage);
 
 /// A rectangle around a place, across an axis, so many units to each side.
 [[nodiscard]] std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, double half);

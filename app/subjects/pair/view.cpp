@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kRoomForAxis = 1.15;                              // room for the axis with its bars beside the boxes
 constexpr float kRoomForIntervals = 64, kRoomForDifference = 200;  // pixels
+// On a narrower stage the difference is above the volumes, if they have so much height below it.
+constexpr float kStageForBoth = 560, kUnderDifference = 200, kAroundDifference = 12;
 
 class PairView final : public SubjectView {
  public:
@@ -116,6 +118,13 @@ class VolumesView final : public SubjectView {
   [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override {
     return draw_difference(brush, steps_shown(brush.session), at);
   }
+  [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
+                                    const Rect& stage) const override {
+    const float room = difference_height(look, stage) + kAroundDifference;
+    above_ = has_difference(session) && stage.width < kStageForBoth &&
+             stage.height - look.foot - room >= look.px(kUnderDifference);
+    return above_ ? room : 0;
+  }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const lesson::VolumePair& pair = pair_of(session);
@@ -130,7 +139,7 @@ class VolumesView final : public SubjectView {
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     const lesson::VolumePair& pair = pair_of(session);
     const std::string_view test = session.method(0)->name;
-    if (pair.any || test == "separating_axes") return std::nullopt;
+    if ((pair.any && !above_) || test == "separating_axes") return std::nullopt;
     const auto range = [&](const Point3& way) {
       const auto reach = [&](const Point3& along) {
         double most = std::max(lesson::reach_along(pair.held[0], along), lesson::reach_along(pair.held[1], along));
@@ -151,7 +160,7 @@ class VolumesView final : public SubjectView {
                  .half_height = (high - low) / 2};
     if (reports<query::SlabTested>(session))
       seen.left = pair.dim == 3 ? kRoomForIntervals : 0, seen.right = seen.below = kRoomForIntervals;
-    if (pair.dim == 2 && reports<query::NearestFound>(session)) seen.left = kRoomForDifference;
+    if (has_difference(session) && !above_) seen.left = kRoomForDifference;
     return seen;
   }
   [[nodiscard]] bool working() const override { return working_; }
@@ -194,8 +203,13 @@ class VolumesView final : public SubjectView {
                        [](const auto& one) { return std::holds_alternative<Fact>(one.step.fact); });
   }
 
+  static bool has_difference(const lesson::Session& session) {
+    return pair_of(session).dim == 2 && reports<query::NearestFound>(session);
+  }
+
   Shown shown_;
   mutable bool working_ = false;  // on the costs of all pairs
+  mutable bool above_ = false;    // whether the difference is above the volumes
 };
 
 }  // namespace

@@ -33,6 +33,31 @@ TEST_CASE("the points on the stage follow A's frame, there and back") {
   }
 }
 
+TEST_CASE("on a phone the Minkowski difference is above the volumes, which have the stage's whole width") {
+  const Layout phone{
+      .stage = {0, 0, 390, 390}, .timeline = {0, 390, 390, 120}, .inspector = {}, .fingers = true, .tools = 96};
+  for (const char* const id : {"overlap-any", "swept-overlap"}) {
+    CAPTURE(id);
+    Bench bench(course_lesson(id, false), phone);
+    bench.app.settings().prose_in_canvas = false;
+    bench.session().go(2);
+    bench.frames(3);
+    float title = 0;
+    for (const DrawnWords& one : bench.drawn_words())
+      if (one.words.ends_with("A − B")) title = one.low.y;
+    REQUIRE(title > 0);
+    float left = 390, right = 0;
+    for (const Handle& handle : bench.app.handles()) {
+      CAPTURE(handle.id);
+      CHECK(handle.y > title + 125);
+      left = std::min(left, handle.x), right = std::max(right, handle.x);
+    }
+    CHECK(left > 20);
+    CHECK(right < 370);
+    CHECK(left + right == doctest::Approx(390).epsilon(0.15));
+  }
+}
+
 TEST_CASE("a row that was pointed at is not lit any more when a test without axes is chosen") {
   Bench bench(course_lesson("obb-sat", false));
   lesson::Session session = lesson_session("obb-sat", false);
