@@ -285,3 +285,23 @@ test("a figure that would give an answer away says that it is hidden, in the pro
   await go_on(page);
   assert.doesNotMatch(await page.locator("#prose table").textContent(), /hidden/);
 });
+
+test("what ends a phrase stays on the line of the link before it", async (t) => {
+  for (const width of [1280, 1920]) {
+    const page = await visit(t, "?lesson=sphere-ritter", { viewport: { width, height: 800 } });
+    const alone = await page.evaluate(() => {
+      const walker = document.createTreeWalker(document.getElementById("prose"), NodeFilter.SHOW_TEXT);
+      const found = [];
+      for (let text = walker.nextNode(); text; text = walker.nextNode()) {
+        const link = text.previousSibling;
+        if (!/^[.,:;?!)]/.test(text.data) || !link?.matches?.("a, button, :has(> a), :has(> button)")) continue;
+        const range = document.createRange();
+        range.setStart(text, 0), range.setEnd(text, 1);
+        found.push({ words: link.textContent, below: range.getBoundingClientRect().top > link.getBoundingClientRect().bottom - 4 });
+      }
+      return found;
+    });
+    assert.ok(alone.length > 3);
+    assert.deepEqual(alone.filter(({ below }) => below), [], `${width} pixels`);
+  }
+});

@@ -9,6 +9,9 @@ function fill(node, { text, says } = { text: "…", says: "" }) {
   node.replaceChildren(element("span", { "aria-hidden": "true" }, text), element("span", { class: "unseen" }, says));
 }
 
+/** What ends a phrase. After a button, which is a box of its own in a line, it would begin the next line. */
+const kStops = /^[.,:;?!)]+/;
+
 export class Words {
   #formulas;
   #figures = {};
@@ -26,7 +29,14 @@ export class Words {
 
   /** A paragraph's nodes. link(text, link): makes one. */
   of(stretches, link) {
-    return stretches.map((stretch) => this.#stretch(stretch, link));
+    const stops = stretches.map(({ link: linked }, i) => {
+      const next = stretches[i + 1];
+      return linked && next && !next.tex && !next.figure ? kStops.exec(next.text)?.[0] ?? "" : "";
+    });
+    return stretches.map((stretch, i) => {
+      const node = this.#stretch(stops[i - 1] ? { ...stretch, text: stretch.text.slice(stops[i - 1].length) } : stretch, link);
+      return stops[i] ? element("span", { class: "kept" }, node, stops[i]) : node;
+    });
   }
 
   /** A paragraph, a list or a table. */
