@@ -166,3 +166,11 @@ test("a lesson without situations and sliders shows none", async (t) => {
   assert.equal(situation, null);
   assert.deepEqual(sliders, []);
 });
+
+test("a slider's value ends where its row does, below the slider too", async (t) => {
+  const page = await load(t, "?lesson=rounding-sphere&step=1");
+  const ends = await page.evaluate(() => [...document.querySelectorAll(".slider")].map((slider) =>
+    slider.getBoundingClientRect().right - slider.querySelector("output").getBoundingClientRect().right));
+  assert.equal(ends.length, 2);
+  assert.ok(ends.every((gap) => gap < 2), `${ends}`);
+});
