@@ -58,6 +58,8 @@ constexpr auto kLowered = std::to_array<Name>({{"0", "₀"},
                                                {"−", "₋"}});
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/// Of a letter, a Greek one too, or a digit.
+bool is_word(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '\xce' || c == '\xcf'; }
 
 /// Takes one UTF-8 character off the front.
 std::string_view next_character(std::string_view& rest) {
@@ -97,6 +99,7 @@ class Formula {
   /// Reads up to the end, or to the closing brace.
   std::string list(bool in_braces) {
     std::string out;
+    last_ = {};
     while (error_.empty() && !rest_.empty() && rest_.front() != '}') add(out);
     if (in_braces && error_.empty()) {
       if (rest_.empty()) error_ = "a { has no }";
@@ -108,11 +111,19 @@ class Formula {
 
   void add(std::string& out) {
     if (rest_.front() == '_' || rest_.front() == '^') return add_script(out);
+    const Last last = std::exchange(last_, {});
     const std::string atom = this->atom();
+    if (atom.empty()) {
+      last_ = last;
+      return;
+    }
+    // A letter right after a script would be read as a part of it.
+    if (last.script && is_word(atom.front())) out += ' ';
+    last_.base = atom.size() == 1 && is_letter(atom.front()) ? out.size() : std::string::npos;
     if (std::find(kRelations.begin(), kRelations.end(), atom) != kRelations.end()) {
-      const bool begins = out.empty() || out.back() == ' ' || out.back() == '(';
+      const bool begins = out.empty() || (out.back() == ' ' && !last.is_operator) || out.back() == '(';
       const bool sign = begins && (atom == "−" || atom == "+" || atom == "±");  // the sign of a number
-      if (!begins) out += ' ';
+      if (!begins && out.back() != ' ') out += ' ';
       out += atom;
       if (!sign) out += ' ';
     } else if (std::find(kOperators.begin(), kOperators.end(), atom) != kOperators.end()) {
@@ -129,15 +140,23 @@ class Formula {
     while (!rest_.empty() && (rest_.front() == '_' || rest_.front() == '^')) add_script(out);
     const bool called = !rest_.empty() && rest_.front() == '(' && is_letter(name.front());  // max(a, b)
     if (!called) out += ' ';
+    last_ = {.is_operator = true};
   }
 
   void add_script(std::string& out) {
     const bool raised = rest_.front() == '^';
     rest_.remove_prefix(1);
+    const std::size_t base = last_.base;
     const std::string words = argument();
+    last_ = {};
     const std::string script = raised ? in_script(words, kRaised) : in_script(words, kLowered);
-    if (!script.empty()) out += script;
-    else (out += raised ? '^' : '_') += is_compound(words) ? '(' + words + ')' : words;
+    if (!script.empty()) {
+      out += script;
+      return;
+    }
+    if (base != std::string::npos && base > 0 && is_word(out[base - 1])) out.insert(base, 1, ' ');
+    (out += raised ? '^' : '_') += is_compound(words) ? '(' + words + ')' : words;
+    last_.script = true;
   }
 
   /// Reads an argument: a group in braces, or the next atom.
@@ -184,8 +203,16 @@ class Formula {
     return {};
   }
 
+  /// What was appended last.
+  struct Last {
+    bool script = false;                   // in letters of the usual size
+    bool is_operator = false;              // with its scripts and a space
+    std::size_t base = std::string::npos;  // where it begins, if it is a letter
+  };
+
   std::string_view rest_;
   std::string error_;
+  Last last_;
 };
 
 }  // namespace

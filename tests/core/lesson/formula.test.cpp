@@ -31,6 +31,14 @@ TEST_CASE("a formula is written in one line of Unicode") {
       {R"(a_{i+1})", "a_(i + 1)"},
       {R"(\max(a, b))", "max(a,b)"},
       {R"(\text{depth} = \min d)", "depth = min d"},
+      {R"(T = n_{b} C_{b} + n_{f} F)", "T = n_b C_b + n_f F"},
+      {R"(n_{p} (C_{v} + (1 - h) f C_{x}))", "n_p(C_v + (1 − h)f C_x)"},
+      {R"(u_x v_y - u_y v_x)", "u_x v_y − u_y v_x"},
+      {R"(u_i^A v)", "u_i^A v"},
+      {R"(\mu_i \mu_j)", "μ_i μ_j"},
+      {R"(2 x_i)", "2 x_i"},
+      {R"(|t_1R_{11} + t_2R_{21}|)", "|t₁R₁₁ + t₂R₂₁|"},
+      {R"(\mathrm{min}_i + n_i \cdot t)", "min_i + n_i · t"},
       {"", ""},
   });
   for (const Case& one : cases) {
