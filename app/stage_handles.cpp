@@ -169,12 +169,14 @@ void Stage::name_handles(Brush& brush) const {
     const bool must = among(targets, i);  // the possible answers are always named
     if (!view_->bears_name(session, i) || ((alone || !all) && !must)) continue;
     const bool signs = is_of_signs(session.name_of(i));  // signs are thin strokes on a volume's fill
+    const std::size_t named = brush.labels.size();
     names.name(i, session.name_of(i),
                must    ? p.current_text
                : signs ? p.ink
                        : p.muted,
                must || signs ? Face::kSemiBold : Face::kRegular, asked ? 12 : 7, must || signs ? 13 : 12,
                !must && !view_->needs_name(session, i));
+    if (brush.labels.size() > named) brush.labels.back().plate = view_->names_over_bodies(session);
   }
 }
 

@@ -94,6 +94,8 @@ class SubjectView {
   [[nodiscard]] virtual bool bears_name(const lesson::Session& session, Index i) const;
   /// Whether a handle is named in any crowd, because its name stands elsewhere in the picture as well.
   [[nodiscard]] virtual bool needs_name(const lesson::Session&, Index) const { return false; }
+  /// Whether names may stand over opaque bodies, on which a halo is too little.
+  [[nodiscard]] virtual bool names_over_bodies(const lesson::Session&) const { return false; }
   /// Whether the view itself writes a handle's name beside what it draws.
   [[nodiscard]] virtual bool writes_name(const lesson::Session&, Index) const { return false; }
   /// Whether only possible answers are named while a question is answered on the stage.

@@ -55,6 +55,9 @@ class SceneView final : public SubjectView {
     return owner_of(lesson::set_of(session)).of_points;
   }
 
+  [[nodiscard]] bool names_over_bodies(const lesson::Session& session) const override {
+    return owner_of(lesson::set_of(session)).at_points;
+  }
   [[nodiscard]] float reach_of(const Brush& brush, Index i) const override {
     const Owner owner = owner_of(lesson::set_of(brush.session));
     if (!owner.at_points) return 0;
