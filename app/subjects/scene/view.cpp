@@ -62,7 +62,7 @@ class SceneView final : public SubjectView {
     const Owner owner = owner_of(lesson::set_of(brush.session));
     if (!owner.at_points) return 0;
     const double reach = members_of(brush.session)[owner.body + i].shape.reach;
-    return static_cast<float>(0.85 * reach * brush.canvas.camera.scale_at(place_of(brush.session, i)));
+    return static_cast<float>(reach * brush.canvas.camera.scale_at(place_of(brush.session, i)));
   }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
