@@ -17,6 +17,7 @@ using MatrixFound = fit::CovarianceFound<double, 3>;
 
 constexpr float kEntryPad = 10, kEntryHead = 22, kEntryRow = 20;
 constexpr float kEntryNames = 28, kEntryNumbers = 62;  // the columns beside the bars
+constexpr float kEntriesStage = 560;                   // a narrower stage has a narrower panel
 
 /// What the bars show at a step.
 struct EntryBars {
@@ -41,6 +42,16 @@ std::optional<EntryBars> entry_bars_at(const lesson::Session& session) {
   return EntryBars{"Sums of products", sums->sum, std::max(last, sums->sum.cwiseAbs().maxCoeff())};
 }
 
+std::string bar_number(double entry) { return lesson::number_text(entry, 3); }
+
+float widest_entry(const Look& look, const EntryBars& bars, int dim) {
+  float widest = 0;
+  for (int row = 0; row < dim; ++row)
+    for (int column = row; column < dim; ++column)
+      widest = std::max(widest, measure(look, Face::kMono, 12, bar_number(bars.entries(row, column))).x);
+  return widest;
+}
+
 void draw_entry_bar(Brush& brush, const Rect& room, double share) {
   const Palette& p = brush.p;
   const float middle = room.x + room.width / 2, end = middle + static_cast<float>(share) * room.width / 2;
@@ -60,9 +71,11 @@ Rect draw_matrix_inset(Brush& brush, ImVec2 at) {
   const Look& look = brush.look;
   const Palette& p = brush.p;
   const int dim = brush.dim(), rows = dim * (dim + 1) / 2;
-  const float width = look.px(brush.rect.width < 560 ? 168 : 216);
+  const float least = look.px(brush.rect.width < kEntriesStage ? 168 : 216), most = brush.rect.width / 2;
+  const float usual = look.px(kEntryNumbers), numbers = std::max(usual, widest_entry(look, *bars, dim) + look.px(8));
+  const float width = std::min(least + numbers - usual, std::max(least, most));  // the longest number would reach a bar
   const Rect panel{at.x, at.y, width, look.px(kEntryHead) + static_cast<float>(rows) * look.px(kEntryRow) + look.px(6)};
-  if (panel.y + panel.height > brush.canvas.camera.free_bottom() || width > brush.rect.width / 2) return {};
+  if (panel.y + panel.height > brush.canvas.camera.free_bottom() || least > most) return {};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
   brush.list->AddRectFilled(low, high, p.panel, 8);
   brush.list->AddRect(low, high, p.line, 8, 0, 1);
@@ -74,11 +87,9 @@ Rect draw_matrix_inset(Brush& brush, ImVec2 at) {
       const std::string name{"xyz"[row], ' ', "xyz"[column]};
       text(brush.list, look, Face::kMono, 12, {low.x + kEntryPad, y + look.px(3)}, p.ink, name);
       const Rect room{low.x + kEntryPad + look.px(kEntryNames), y + look.px(5),
-                      panel.width - 2 * kEntryPad - look.px(kEntryNames) - look.px(kEntryNumbers),
-                      look.px(kEntryRow) - look.px(9)};
+                      panel.width - 2 * kEntryPad - look.px(kEntryNames) - numbers, look.px(kEntryRow) - look.px(9)};
       draw_entry_bar(brush, room, bars->longest > 0 ? entry / bars->longest : 0);
-      text_right(brush.list, look, Face::kMono, 12, {high.x - kEntryPad, y + look.px(3)}, p.ink,
-                 lesson::number_text(entry, 3));
+      text_right(brush.list, look, Face::kMono, 12, {high.x - kEntryPad, y + look.px(3)}, p.ink, bar_number(entry));
       y += look.px(kEntryRow);
     }
   return panel;
