@@ -18,6 +18,7 @@ using MatrixFound = fit::CovarianceFound<double, 3>;
 constexpr float kEntryPad = 10, kEntryHead = 22, kEntryRow = 20;
 constexpr float kEntryNames = 28, kEntryNumbers = 62;  // the columns beside the bars
 constexpr float kEntriesStage = 560;                   // a narrower stage has a narrower panel
+constexpr float kUnderEntries = 200;                   // height for the picture where the panel is above it
 
 /// What the bars show at a step.
 struct EntryBars {
@@ -63,18 +64,28 @@ void draw_entry_bar(Brush& brush, const Rect& room, double share) {
   line(brush.list, {middle, room.y - 3}, {middle, room.y + room.height + 3}, Stroke::kSolid, p.ink, 1);
 }
 
+float entries_height(const Look& look, int dim) {
+  return look.px(kEntryHead) + static_cast<float>(dim * (dim + 1) / 2) * look.px(kEntryRow) + look.px(6);
+}
+
 }  // namespace
+
+float matrix_room(const Look& look, const lesson::Session& session, const Rect& stage) {
+  if (session.dim() != 3 || stage.width >= kEntriesStage || !entry_bars_at(session)) return 0;
+  const float room = entries_height(look, 3) + 12;
+  return stage.height - look.foot - room < look.px(kUnderEntries) ? 0 : room;
+}
 
 Rect draw_matrix_inset(Brush& brush, ImVec2 at) {
   const auto bars = entry_bars_at(brush.session);
   if (!bars) return {};
   const Look& look = brush.look;
   const Palette& p = brush.p;
-  const int dim = brush.dim(), rows = dim * (dim + 1) / 2;
+  const int dim = brush.dim();
   const float least = look.px(brush.rect.width < kEntriesStage ? 168 : 216), most = brush.rect.width / 2;
   const float usual = look.px(kEntryNumbers), numbers = std::max(usual, widest_entry(look, *bars, dim) + look.px(8));
   const float width = std::min(least + numbers - usual, std::max(least, most));  // the longest number would reach a bar
-  const Rect panel{at.x, at.y, width, look.px(kEntryHead) + static_cast<float>(rows) * look.px(kEntryRow) + look.px(6)};
+  const Rect panel{at.x, at.y, width, entries_height(look, dim)};
   if (panel.y + panel.height > brush.canvas.camera.free_bottom() || least > most) return {};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
   brush.list->AddRectFilled(low, high, p.panel, 8);

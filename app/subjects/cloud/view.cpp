@@ -62,6 +62,10 @@ class CloudView final : public SubjectView {
     if (!(inset.width > 0)) inset = draw_matrix_inset(brush, at);
     return inset.width > 0 ? inset : draw_ulp_inset(brush, shown_, at);
   }
+  [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
+                                    const Rect& stage) const override {
+    return matrix_room(look, session, stage);
+  }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     fit::Sphere3 all = with_hand(session, with_left_outside(SubjectView::extent(session), session));
     if (!shows_calls(session)) return all;
