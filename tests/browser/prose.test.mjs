@@ -305,3 +305,18 @@ test("what ends a phrase stays on the line of the link before it", async (t) => 
     assert.deepEqual(alone.filter(({ below }) => below), [], `${width} pixels`);
   }
 });
+
+test("a number and its per cent sign stay on one line of the step's sentence", async (t) => {
+  const page = await visit(t, "?lesson=scene-updates&step=119");
+  const lines = await page.locator("#caption").evaluate((caption) => {
+    const range = document.createRange(), walker = document.createTreeWalker(caption, NodeFilter.SHOW_TEXT);
+    for (let text = walker.nextNode(); text; text = walker.nextNode()) {
+      const at = text.data.indexOf(" %");
+      if (at < 0) continue;
+      range.setStart(text, at - 1), range.setEnd(text, at + 2);
+      return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size;
+    }
+    return 0;
+  });
+  assert.equal(lines, 1);
+});

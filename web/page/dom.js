@@ -30,11 +30,13 @@ export const followed_here = (follow) => (event) => {
   follow(event);
 };
 
-/** Words as they are read: their names whole, and r_A with a subscript, p^T with a superscript, as on the canvas. */
+/** Words as they are read: their names whole, r_A with a subscript and p^T with a superscript, as on the canvas, and "5 %"
+ *  on one line. */
 export const spelled = (text) =>
-  whole_names(text).split(/((?<!\w)[A-Za-z]_[A-Za-z0-9]{1,3}(?!\w)|(?<=[\w)])\^[A-Z](?!\w))/).filter(Boolean).flatMap((piece) => {
+  whole_names(text).split(/((?<!\w)[A-Za-z]_[A-Za-z0-9]{1,3}(?!\w)|(?<=[\w)])\^[A-Z](?!\w)|\d %)/).filter(Boolean).flatMap((piece) => {
     const name = /^([A-Za-z])_([A-Za-z0-9]{1,3})$/.exec(piece);
     if (name) return [name[1], element("sub", {}, name[2])];
+    if (/^\d %$/.test(piece)) return [element("span", { class: "kept" }, piece)];
     return /^\^[A-Z]$/.test(piece) ? [element("sup", {}, piece[1])] : [piece];
   });
 
