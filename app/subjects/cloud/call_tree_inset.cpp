@@ -35,6 +35,12 @@ class TreeInset {
     brush_.list->AddRect(low, high, p_.line, 8, 0, 1);
     text(brush_.list, brush_.look, Face::kSemiBold, kNameSize, {low.x + kPad, low.y + brush_.look.px(6)}, p_.muted,
          "Calls");
+    if (now_.calls.empty()) {
+      const ImVec2 middle{panel_.x + panel_.width / 2,
+                          panel_.y + (panel_.height + head(brush_.look) - foot(brush_.look)) / 2};
+      text_middle(brush_.list, brush_.look, Face::kRegular, kNameSize,
+                  {middle.x, middle_of(middle.y, brush_.look.px(kNameSize))}, p_.muted, "none yet");
+    }
     draw_branches();
     const bool marked = whole_.calls.size() <= kMostMarked && whole_.deepest <= kDeepestMarked;
     for (std::size_t i = 0; i < now_.calls.size(); ++i)
@@ -103,10 +109,11 @@ class TreeInset {
       return width * std::min(1.0f, static_cast<float>(calls) / static_cast<float>(fit::kWelzlDepthLimit));
     };
     brush_.list->AddRectFilled({x, y}, {x + width, y + kMeter}, p_.track, kMeter / 2);
-    brush_.list->AddRectFilled({x, y}, {x + std::max(kMeter, across(open)), y + kMeter},
-                               now_.stopped_at > 0 ? p_.wrong : p_.current, kMeter / 2);
+    if (open > 0)
+      brush_.list->AddRectFilled({x, y}, {x + std::max(kMeter, across(open)), y + kMeter},
+                                 now_.stopped_at > 0 ? p_.wrong : p_.current, kMeter / 2);
     const float tick = x + across(now_.deepest);
-    brush_.list->AddLine({tick, y - 3}, {tick, y + kMeter + 3}, p_.support, 2);
+    if (now_.deepest > 0) brush_.list->AddLine({tick, y - 3}, {tick, y + kMeter + 3}, p_.support, 2);
     const std::string limit = lesson::count_text(fit::kWelzlDepthLimit);
     const std::string words = now_.stopped_at > 0 ? "stopped at " + limit
                               : narrow()          ? lesson::count_text(open) + " of " + limit
