@@ -191,7 +191,10 @@ void name_vertex(Brush& brush, const Inset& inset, const Point3& seen, bool high
   diamond(brush.list, at, 4, brush.p.support, brush.p.panel);
   const float above = (inset.flat() ? image.y : at.y - 3) - look.px(15),
               below = (inset.flat() ? image.y + image.height : at.y) + 4;
-  text_middle(brush.list, look, Face::kSemiBold, 12, {at.x, higher ? above : below}, brush.p.support_text, word);
+  // Where the panel ends there, it stands beside its vertex.
+  const float wanted = higher ? above : below, y = std::clamp(wanted, low.y + inset.head, high.y - look.px(15));
+  const float shift = std::abs(y - wanted) < 1 ? 0.0f : look.px(at.x < (low.x + high.x) / 2 ? 11.0f : -11.0f);
+  text_middle(brush.list, look, Face::kSemiBold, 12, {at.x + shift, y}, brush.p.support_text, word);
 }
 
 /// Names the p- and n-vertex. They may lie in one line of sight, so the higher one is named above, the other below.
