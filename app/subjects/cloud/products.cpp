@@ -69,6 +69,10 @@ void draw_products(Brush& brush, const CloudShown& shown) {
                                       brush.at(Point3(from[0], to[1], 0))};
   brush.list->AddConvexPolyFilled(corners.data(), 4, with_alpha(color, 0.16f));
   path(brush.list, corners, true, lowers ? Stroke::kDashed : Stroke::kSolid, color, brush.stroke(0.8f));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ImVec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+    brush.canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
+  }
   const ImVec2 middle{(corners[0].x + corners[2].x) / 2, (corners[0].y + corners[2].y) / 2};
   const std::string says = product == 0 ? "0" : (product > 0 ? "+" : "") + lesson::number_text(product);
   brush.label(middle, 2, {0, -1}, says, words);
