@@ -96,6 +96,7 @@ float sweep_room(const Look& look, const lesson::Session& session, const Rect& s
   if (search != scene::PairSearch::kSweepAndPrune || lesson::set_of(session).graph || stage.width < kSweepStage ||
       bodies == 0 || bodies > kMostSwept)
     return 0;
+  if (lesson::frame_of(session)->swept.empty()) return 0;  // before the first frame
   const float room = sweep_height(look, bodies) + 8;
   return stage.height - look.foot - room < look.px(kLeastUnderSweep) ? 0 : room;
 }
