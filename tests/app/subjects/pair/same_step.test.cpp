@@ -66,4 +66,26 @@ TEST_CASE("a question about an axis shows its direction, and what the step has s
   CHECK(lesson::axis_text(2, shown.axis->axis) == "A x");
 }
 
+TEST_CASE("a bound that a sentence of GJK gives is the one in the figures, or is said to be weaker") {
+  lesson::Session session = lesson_session("overlap-any", false);
+  const std::string bounds = " are at least ", weaker = "weaker than the one so far, ";
+  int new_ones = 0, weaker_ones = 0;
+  for (int step = 1; step < session.steps(); ++step) {
+    session.jump(step);
+    const std::string caption = session.caption(), lower = figure(session, "lower");
+    CAPTURE(caption);
+    const std::string number = lower.substr(0, lower.find(' '));
+    if (caption.find(bounds) != std::string::npos) {
+      ++new_ones;
+      CHECK(caption.find(bounds + number + " apart.") != std::string::npos);
+    }
+    if (caption.find(weaker) != std::string::npos) {
+      ++weaker_ones;
+      CHECK(caption.find(weaker + number + ".") != std::string::npos);
+    }
+  }
+  CHECK(new_ones == 3);
+  CHECK(weaker_ones == 1);
+}
+
 }  // namespace snug::app
