@@ -108,7 +108,7 @@ TEST_CASE("a handle selected in one situation selects none in another") {
   Bench bench(course_lesson("bvh-traverse"));
   REQUIRE(bench.session().show_situation("copies").has_value());
   bench.frames(2);
-  bench.click("R");
+  bench.click("Q");
   CHECK(bench.app.selected() != kNoIndex);
   REQUIRE(bench.session().show_situation("misled").has_value());
   bench.frames(2);
