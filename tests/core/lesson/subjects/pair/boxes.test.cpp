@@ -168,6 +168,14 @@ TEST_CASE("a task that was done is said to be solved before where another situat
   CHECK(task_says(session, 1) == "Solved before. " + session.grade(1).says);
 }
 
+TEST_CASE("a lesson that is opened again goes on with the first task that was not done") {
+  Session session = session_of("obb-sat");
+  session.take_up_tasks({0});
+  CHECK(session.task() == 1);
+  session.take_up_tasks({1});
+  CHECK(session.task() == 1);  // there is none left
+}
+
 TEST_CASE("a task that was done stays done while the next one is built") {
   Session session = session_of("obb-sat");
   REQUIRE(session.lesson().tasks.size() == 2);
