@@ -44,8 +44,8 @@ std::vector<float> widths_for(const Brush& brush, bool may_shrink) {
   return widths;
 }
 
-/// Where a panel of that width may be, the best places first.
-std::vector<Rect> places_for(const Brush& brush, float width, float top) {
+/// Where a panel of that width may be, the best places first; in_middle: there too.
+std::vector<Rect> places_for(const Brush& brush, float width, float top, bool in_middle) {
   const Rect& stage = brush.rect;
   const Look& look = brush.look;
   const float height = width * kPanelAspect + head_of(look);
@@ -61,6 +61,7 @@ std::vector<Rect> places_for(const Brush& brush, float width, float top) {
     const bool at_cross = brush.dim() == 3 && x == left && y == low;
     if (low >= top && !at_cross) places.push_back({x, y, width, height});
   }
+  if (in_middle && low >= top) places.push_back({(left + right) / 2, (top + low) / 2, width, height});
   return places;
 }
 
@@ -87,7 +88,7 @@ std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, con
   for (const float width : widths_for(brush, may_shrink)) {
     std::optional<Rect> best;
     int least = 0;
-    for (const Rect& place : places_for(brush, width, top)) {
+    for (const Rect& place : places_for(brush, width, top, may_shrink)) {
       if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(place, other); })) continue;
       const int covered = 2 * covered_by(place, brush, source) - (place.x == last.x && place.y == last.y ? 1 : 0);
       if (!best || covered < least) best = place, least = covered;

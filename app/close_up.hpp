@@ -20,7 +20,7 @@ namespace snug::app {
 [[nodiscard]] std::optional<CloseUp> close_up_of(const Brush& brush, float top, const Rect& last);
 
 /// Where a panel covers the fewest handles, none where there is no room. source: what it shows, on the screen;
-/// may_shrink: to a smaller panel, if only that covers no handle.
+/// may_shrink: to a smaller panel, or into the middle, if only that covers no handle.
 [[nodiscard]] std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, const Rect& last,
                                              bool may_shrink);
 

@@ -118,10 +118,10 @@ TEST_CASE("a close-up says billions, whose zeros would be wider than it") {
 }
 
 TEST_CASE("the close-up of a point left outside covers no point, though all around the circle are marked") {
-  for (const float width : {628.0f, 1000.0f}) {
-    CAPTURE(width);
-    Bench bench(course_lesson("cases/cocircular", false),
-                {.stage = {0, 0, width, width * 0.9f}, .timeline = {0, width * 0.9f, width, 160}});
+  const Layout page{.stage = {0, 0, 628, 565}, .timeline = {0, 565, 628, 160}};
+  for (const Layout& layout : {page, kPhone}) {
+    CAPTURE(layout.stage.width);
+    Bench bench(course_lesson("cases/cocircular", false), layout);
     bench.session().jump(bench.session().steps());
     bench.frames(2);
     std::optional<Rect> panel;
