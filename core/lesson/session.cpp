@@ -162,7 +162,7 @@ std::vector<int> Session::done_tasks() const {
 void Session::take_up_tasks(const std::vector<int>& done) {
   for (const int task : done)
     if (task >= 0 && task < std::ssize(done_)) done_[task] = true;
-  const auto open = std::ranges::find(done_, false);  // the student goes on with the first that is left
+  const auto open = std::find(done_.begin(), done_.end(), false);  // the student goes on with the first that is left
   if (open != done_.end()) task_ = open - done_.begin();
 }
 

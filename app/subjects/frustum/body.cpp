@@ -79,7 +79,7 @@ void draw_moved(Brush& brush, const BoxPair& pair, const MovedPlanes& moved) {
   const ImVec2 end = brush.at(solid.corners[label_at]), middle = brush.at(pair.boxes[1].center);
   const ImVec2 away{end.x - middle.x, end.y - middle.y};
   brush.label(end, 8, out ? away : ImVec2{-away.x, -away.y}, out ? "planes moved out by r" : "moved in by r: wrong",
-              out ? p.previous_text : p.wrong_text, Face::kRegular, 13, !moved.tested || out);
+              out ? p.previous_text : p.wrong_text, Face::kRegular, 13, out);
 }
 
 /// In 2-D, draws where the centre of a ball is that just touches the frustum.
