@@ -74,11 +74,11 @@ TEST_CASE("another pair of the table begins at its first step, or shows its resu
   for (const bool at_end : {false, true}) {
     CAPTURE(at_end);
     Bench bench(course_lesson("overlap-any", false),
-                {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 280, 900}});
+                {.stage = {280, 0, 800, 600}, .timeline = {280, 600, 800, 100}, .inspector = {0, 0, 280, 700}});
     bench.session().jump(at_end ? bench.session().steps() : 2);
     const std::vector<DrawnWords> drawn = bench.drawn_words();
     const auto cell = std::find_if(drawn.begin(), drawn.end(),
-                                   [](const DrawnWords& one) { return one.low.x >= 800 && one.words == "GJK"; });
+                                   [](const DrawnWords& one) { return one.high.x <= 280 && one.words == "GJK"; });
     REQUIRE(cell != drawn.end());
     bench.press((cell->low.x + cell->high.x) / 2, (cell->low.y + cell->high.y) / 2);
     bench.release();
