@@ -446,9 +446,10 @@ std::string_view App::command_of_key(std::string_view key, bool shift, bool cont
   if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)
     return own;
   const Stage& stage = state_->stage;
-  const bool little =
-      shift && key.starts_with("Arrow");  // steps nothing, so it moves what a drag left selected as well
-  return command_for(key, shift, control, stage.arrows_move() || (little && stage.selected() != kNoIndex));
+  // After a drag the arrows step; with Shift they move what it left selected.
+  const bool little = shift && key.starts_with("Arrow") && stage.selected() != kNoIndex && state_->session &&
+                      state_->session->asked() == nullptr && state_->session->may_move(stage.selected());
+  return command_for(key, shift, control, stage.arrows_move() || little);
 }
 
 Index App::selected() const { return state_->stage.selected(); }

@@ -93,7 +93,7 @@ std::optional<Rect> free_place(const Brush& brush, ImVec2 source, float top, con
       const int covered = 2 * covered_by(place, brush, source) - (place.x == last.x && place.y == last.y ? 1 : 0);
       if (!best || covered < least) best = place, least = covered;
     }
-    if (!best || least <= 0) return best ? best : widest;
+    if (best && least <= 0) return best;
     if (!widest) widest = best;
   }
   return widest;

@@ -44,6 +44,7 @@ void PointNames::name(Index i, std::string words, Color color, Face face, float 
   const ImVec2 at = brush.at(brush.point(i));
   brush.label(at, std::max(gap, brush.view.reach_of(brush, i)), {at.x - middle_.x, at.y - middle_.y}, std::move(words),
               color, face, size, optional);
+  if (brush.view.names_over_bodies(brush.session)) brush.labels.back().plate = true;
 }
 
 void PointNames::plain(Index i) {

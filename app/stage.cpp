@@ -166,7 +166,9 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   }
   keep_framed(session);
   const bool elsewhere = std::exchange(situation_, session.situation()) != session.situation();
-  if (elsewhere || hands_.selected >= session.size()) select(kNoIndex);  // another handle would have its number
+  const bool gone =
+      hands_.selected >= session.size() || (hands_.selected != kNoIndex && !view_->shows(session, hands_.selected));
+  if (elsewhere || gone) select(kNoIndex);  // another handle would have its number
   upload_points(session);
 }
 
@@ -205,12 +207,14 @@ void Stage::keep_framed(const lesson::Session& session) {
   }
 }
 
-/// An outline that fills the free room is framed again whenever the room has changed, as by a card that comes or goes.
+/// An outline that fills the free room is framed again whenever the room has changed, as by a card that comes or goes;
+/// and so is what has lost its outline, because the room has become too narrow for it.
 void Stage::keep_outline_framed(const lesson::Session& session) {
   const std::array<double, 2> room = camera_.room();
   if (room == framed_room_ || hands_.dragging || !camera_.framed()) return;
-  framed_room_ = room;
-  if (!view_->outline(session, camera_)) return;
+  const bool outlined = view_->outline(session, camera_).has_value(), was_outlined = framed_room_[0] > 0;
+  if (!outlined && !was_outlined) return;
+  framed_room_ = outlined ? room : std::array<double, 2>{};
   framed_ball_ = aimed_at(session);
   camera_.frame(framed_ball_, !camera_.moving());
 }

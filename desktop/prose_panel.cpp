@@ -58,7 +58,8 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
   else app::ring(column.list(), {column.x() + 6, middle}, 5, look->muted, 1.5f);
   Column beside(look, column.x() + 22, column.y(), column.width() - 22);
   beside.words(lesson::task_says(session, number), Face::kRegular, 14,
-               session.grade(number).done ? look->optimum_text : look->muted);  // green where it is solved as it stands
+               done && session.grade(number).done ? look->optimum_text
+                                                  : look->muted);  // green where it is solved as it stands
   column.gap(beside.y() - column.y() + 8);
   const bool hint_shown = shell.hint_of == static_cast<int>(number);
   std::vector<std::string> buttons{lesson::start_task_text(session, task)};

@@ -180,7 +180,7 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
     return std::nullopt;
   }
   if (run.is_rounding(asked.fact)) {
-    why = "step " + gate.fact + " is a matter of rounding on these points";
+    why = "on these points, step " + gate.fact + " happens only by rounding";
     return std::nullopt;
   }
   asked.asking = find_asking(question.asks, row, run, asked.fact);

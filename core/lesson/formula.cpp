@@ -59,7 +59,10 @@ constexpr auto kLowered = std::to_array<Name>({{"0", "₀"},
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 /// Of a letter, a Greek one too, or a digit.
-bool is_word(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '\xce' || c == '\xcf'; }
+/// Of a Greek letter either byte.
+bool is_word(char c) {
+  return is_letter(c) || (c >= '0' && c <= '9') || c == '\xce' || c == '\xcf' || (c & 0xc0) == 0x80;
+}
 
 /// Takes one UTF-8 character off the front.
 std::string_view next_character(std::string_view& rest) {

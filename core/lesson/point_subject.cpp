@@ -200,8 +200,7 @@ Done PointSubject::set_rows(const Rows& rows) {
   std::vector<Point3> all;
   for (const std::vector<double>& row : rows) {
     if (row.size() != static_cast<std::size_t>(dim) || dim < 2 || dim > 3)
-      return tl::unexpected(
-          InputError{.what = "a point must have two or three numbers, and each as many as the first"});
+      return tl::unexpected(InputError{.what = "points must have two or three numbers each, and all the same number"});
     all.emplace_back(row[0], row[1], dim == 3 ? row[2] : 0);
   }
   return take(all, dim, all.size() == static_cast<std::size_t>(count()) ? triangles_ : nullptr);

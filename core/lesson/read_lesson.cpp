@@ -391,16 +391,18 @@ std::vector<NameBeside> names_beside(const toml::table& toml, const Lesson& less
   return names;
 }
 
-Block paragraph_of(const std::string& words) { return {.rows = {{{{.text = words}}}}}; }
+Block plain_block(const std::string& words) { return {.rows = {{{{.text = words}}}}}; }
 
 /// A case's sentence is its first paragraph, and its source a section of its own. Neither is text of the file's
 /// sections, which the checks go through.
 void add_case_words(Lesson& lesson) {
   if (lesson.source.empty()) return;
-  auto& first = lesson.sections.front().blocks;
-  first.insert(first.begin(), paragraph_of(lesson.summary));
+  if (!lesson.sections.empty()) {  // a file without any is refused, but not before this
+    auto& first = lesson.sections.front().blocks;
+    first.insert(first.begin(), plain_block(lesson.summary));
+  }
   const std::string words = lesson.source.substr(0, lesson.source.find(" https:"));  // a column is too narrow for more
-  lesson.sections.push_back({.title = "Where it was seen", .blocks = {paragraph_of(words)}});
+  lesson.sections.push_back({.title = "Where it was seen", .blocks = {plain_block(words)}});
 }
 
 /// The file's name without folders and .toml.

@@ -115,6 +115,19 @@ TEST_CASE("a handle selected in one situation selects none in another") {
   CHECK(bench.app.selected() == kNoIndex);
 }
 
+TEST_CASE("a handle that another algorithm does not read is selected no more") {
+  Bench bench(course_lesson("bvh-traverse"));
+  REQUIRE(bench.session().choose(0, "box_query").has_value());
+  bench.frames(2);
+  bench.click("R");
+  CHECK(bench.app.selected() != kNoIndex);
+  REQUIRE(bench.session().choose(0, "point_query").has_value());
+  bench.frames(2);
+  CHECK(bench.app.selected() == kNoIndex);
+  const std::vector<std::string> words = bench.words();
+  CHECK(std::find(words.begin(), words.end(), "R") == words.end());
+}
+
 TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed and the right one ticked") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));

@@ -22,7 +22,7 @@ function renderer() {
 /** Whether the processor draws instead of a graphics card: several samples per pixel then cost a third of a frame. */
 const drawn_by_processor = (name) => /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 /** Whether the browser lays the page's layers over each other on the processor as well. */
-const composited_by_processor = (name) => /swiftshader/i.test(name);
+const composited_by_processor = (name) => /swiftshader|basic render/i.test(name);
 
 export class Stage {
   #door;

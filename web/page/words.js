@@ -31,7 +31,7 @@ export class Words {
   of(stretches, link) {
     const stops = stretches.map(({ link: linked }, i) => {
       const next = stretches[i + 1];
-      return linked && next && !next.tex && !next.figure ? kStops.exec(next.text)?.[0] ?? "" : "";
+      return linked && next && !next.tex && !next.figure && !next.link && !next.code ? kStops.exec(next.text)?.[0] ?? "" : "";
     });
     return stretches.map((stretch, i) => {
       const node = this.#stretch(stops[i - 1] ? { ...stretch, text: stretch.text.slice(stops[i - 1].length) } : stretch, link);

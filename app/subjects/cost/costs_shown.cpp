@@ -101,7 +101,7 @@ std::string Costs::status(const lesson::Session& session) const {
   if (running() && *at_work_ == view_) says = "Measuring " + (growth ? "10 points and more." : points + ".");
   else if (sheet().rows() > 0) says = std::to_string(count()) + " measured. Points: " + on + ".";
   else says = "Now press Measure: " + (growth ? "10 points and more." : points + ".");
-  if (sheet().rows() > 0 && !growth && !started_on_these(session, view_)) says += " They have changed since.";
+  if (sheet().rows() > 0 && !growth && !started_on_these(session, view_)) says += " The points have changed since.";
   if (const cost::Provenance* then = sheet().then()) says += " Hollow marks: " + then->points + ", an earlier result.";
   return says;
 }

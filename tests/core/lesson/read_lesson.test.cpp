@@ -162,6 +162,17 @@ TEST_CASE("each mistake in a lesson file is told with its line") {
   }
 }
 
+TEST_CASE("a case without a section is refused, and not read beyond that") {
+  const std::string text = small_lesson_with("minutes = 3", "minutes = 3\nsource = \"A page. https://example.org\"");
+  REQUIRE(read_lesson(text, "small.toml").has_value());
+  std::string bare = text;
+  for (auto at = bare.find("[[section]]"); at != std::string::npos; at = bare.find("[[section]]"))
+    bare.replace(at, 11, "[[sektion]]");
+  const auto refused = read_lesson(bare, "small.toml");
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_MESSAGE(refused.error().what.find("section") != std::string::npos, refused.error().what);
+}
+
 TEST_CASE("all mistakes of a lesson file are told, in its order, each with line and column") {
   std::string text(kSmallLesson);
   const auto put = [&](std::string_view from, std::string_view to) {

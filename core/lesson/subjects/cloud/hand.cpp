@@ -162,7 +162,7 @@ Rows Hand::rows() const {
 Done Hand::set_rows(std::span<const std::vector<double>> rows, const AnyPointSet& points) {
   if (rows.empty()) return {};
   if (rows.size() != parts_.size() + (axes_ ? 1 : 0))
-    return tl::unexpected(InputError{.what = "there must be as many volumes set by hand as the lesson has"});
+    return tl::unexpected(InputError{.what = "the number of volumes set by hand must be the lesson's"});
   std::vector<HeldVolume> next;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     auto held = with_row(parts_[i].held, rows[i]);

@@ -50,7 +50,7 @@ void check_cost_task(const Lesson& lesson, const Task& task, const Subject& own,
   auto model = own.clone();
   if (const Done made = model->set_rows(task.model); !made) return complaints.add(task.model_place, made.error().what);
   if (cheapest_of(task, counted_costs(lesson, *model->points())).empty())
-    complaints.add(task.model_place, "on the model no algorithm's result is as much smaller as the task asks");
+    complaints.add(task.model_place, "on the model, no algorithm's result is smaller by as much as the task asks");
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& lesson, std::optional<io::PointFile> mesh,

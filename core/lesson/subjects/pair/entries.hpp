@@ -289,9 +289,9 @@ struct Entry<query::SupportFound> : EntryDefaults {
     const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
     const double known = proved_before(where);
     if (!(fact.gap > 0)) return found + ", beyond the origin: nothing is proved " + (known > 0 ? "by it." : "yet.");
-    const std::string gap = number_text(fact.gap);
-    if (fact.gap < known)
-      return found + ": a bound of " + gap + ", weaker than the one so far, " + number_text(known) + ".";
+    const std::string gap = number_text(fact.gap), best = number_text(known);
+    if (fact.gap < known && gap != best)
+      return found + ": a bound of " + gap + ", weaker than the one so far, " + best + ".";
     return found + ": the " + where.compared() + " are at least " + gap + " apart.";
   }
   static std::vector<Index> handles(const Fact& fact, const PairWhere& where) {

@@ -253,12 +253,12 @@ tl::expected<TreeStage, InputError> with_rows(const TreeStage& like, const Rows&
   const std::span<const std::vector<double>> rows(all_rows.data(), all_rows.size() - hands);
   if (like.by_hand) {
     auto pairs = pairs_in(all_rows[rows.size()]);
-    if (!pairs) return refused("mergers must be given as their number, and two groups for each");
+    if (!pairs) return refused("mergers must be given as a count, then two groups for each");
     next.by_hand = *std::move(pairs);
   }
   if (like.order) {
     auto order = order_in(all_rows.back());
-    if (!order) return refused("an order must be given as the number of its choices, and 0 or 1 for each");
+    if (!order) return refused("an order must be given as a count, then 0 or 1 for each choice");
     next.order = *std::move(order);
   }
   next.boxes.assign(rows.size() - own, HeldBox());

@@ -106,12 +106,12 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
   finish(costs, session);
   CHECK(costs.accuracy().rows.size() == 2);
   CHECK(lesson::costs_of(session) == nullptr);
-  CHECK(costs.status(session) == "2 measured. Points: own. They have changed since.");
+  CHECK(costs.status(session) == "2 measured. Points: own. The points have changed since.");
   REQUIRE(costs.command(session, "measure"));
   finish(costs, session);
   CHECK(costs.status(session) == "2 measured. Points: own.");
   REQUIRE(session.move(0, {8, 7, 0}).has_value());
-  CHECK(costs.status(session) == "2 measured. Points: own. They have changed since.");
+  CHECK(costs.status(session) == "2 measured. Points: own. The points have changed since.");
 }
 
 TEST_CASE("a large file is measured whole and shown in part; above two million points it is refused") {
