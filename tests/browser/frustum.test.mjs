@@ -92,7 +92,7 @@ test("the tools speak of a box and a frustum, and take numbers for both but no f
   const before = await until(page, (now) => now.numbers[0].rows[0].values[0] === 0.5);
   await page.getByLabel("Half sizes: x depth, y far face x of the frustum").fill("0");
   await page.keyboard.press("Tab");
-  await page.getByText(/a depth and a far face above 0/i).last().waitFor();
+  await page.getByText(/depth and far face must be above 0/i).last().waitFor();
   assert.deepEqual(boxes_of(await state(page)), boxes_of(before));
   const other = await visit(t, "?lesson=obb-sat");
   await other.getByRole("tab", { name: "Boxes" }).click();
