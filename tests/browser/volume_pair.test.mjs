@@ -160,6 +160,7 @@ test("all 28 pairs are measured, each cell is tinted, and a row of HTML has what
   // tests/command/overlap.test.mjs holds to the same numbers.
   assert.deepEqual(rows.map((row) => Math.round(0.24 * parseFloat(row[4]))), [7, 11, 9, 9, 11, 12, 13, 15, 15, 16, 16, 15, 17, 14, 15, 15, 16, 18, 16, 16, 15, 17, 16, 16, 18, 16, 17, 20], "of 24 pairs of bodies");
   const after = await pixels_of(page, await table.boundingBox());
-  const tinted = (pixels) => pixels.reduce((sum, _, i) => sum + (i % 4 === 0 && pixels[i] > 240 && pixels[i + 2] < 235 ? 1 : 0), 0);
-  assert.ok(tinted(after) > tinted(before) + 2000, `${tinted(before)} to ${tinted(after)} pixels in the tint of costs`);
+  // The palest tint is that of the cheapest pair: one that was measured badly makes all others pale.
+  const tinted = (pixels) => pixels.reduce((sum, _, i) => sum + (i % 4 === 0 && pixels[i] > pixels[i + 2] + 6 ? 1 : 0), 0);
+  assert.ok(tinted(after) > tinted(before) + 5000, `${tinted(before)} to ${tinted(after)} pixels in the tint of costs`);
 });

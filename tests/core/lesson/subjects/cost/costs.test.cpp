@@ -136,7 +136,7 @@ TEST_CASE("what such a lesson gets wrong is said with its line") {
   };
   CHECK(line(with("asks = \"slowest\"", "asks = \"point\"")).find("chart.toml:25: ") == 0);
   CHECK(line(with("chart = \"cost\"", "chart = \"pie\"")).find("chart.toml:6: ") == 0);
-  CHECK(line(with("at_least = 5", "at_least = 90")).find("no algorithm's result is as much smaller") !=
+  CHECK(line(with("at_least = 5", "at_least = 90")).find("no algorithm's result is smaller by as much") !=
         std::string::npos);
   CHECK(line(with("chart = \"cost\"\n", "")).find("chart.toml:") == 0);
 }
