@@ -167,7 +167,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   keep_framed(session);
   const bool elsewhere = std::exchange(situation_, session.situation()) != session.situation();
   const bool gone =
-      hands_.selected >= session.size() || (hands_.selected != kNoIndex && !view_->shows(session, hands_.selected));
+      hands_.selected >= session.size() || (hands_.selected != kNoIndex && !view_->draws(session, hands_.selected));
   if (elsewhere || gone) select(kNoIndex);  // another handle would have its number
   upload_points(session);
 }

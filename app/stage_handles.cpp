@@ -118,7 +118,7 @@ void Stage::draw_lit(Brush& brush) const {
   draw_all(p.ground, brush.stroke(2) + 4, brush.point_radius + 5);
   draw_all(p.support, brush.stroke(2), brush.point_radius + 3);
   for (const Index i : lesson::marked_handles(brush.session, lit_)) {
-    if (!view_->shows(brush.session, i)) continue;
+    if (!view_->draws(brush.session, i)) continue;
     const ImVec2 at = brush.at(brush.point(i));
     const float radius = std::max(brush.point_radius, 4.0f) + 9;
     ring(brush.list, at, radius, p.ground, brush.stroke() + 4);
@@ -160,7 +160,7 @@ void Stage::name_handles(Brush& brush) const {
       names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
   if (!lit_.empty())
     for (const Index i : lesson::marked_handles(session, lit_))
-      if (view_->shows(session, i) && !view_->writes_name(session, i))
+      if (view_->draws(session, i) && !view_->writes_name(session, i))
         names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
   for (const Index i : view_->shown().spoken_of) names.plain(i);
   if (session.size() > kNameAll) return;
@@ -169,7 +169,7 @@ void Stage::name_handles(Brush& brush) const {
   const std::vector<Index> targets = alone || (asked && !all) ? session.targets() : std::vector<Index>{};
   for (Index i = 0; i < session.size(); ++i) {
     const bool must = among(targets, i);  // the possible answers are always named
-    if (!view_->bears_name(session, i) || ((alone || !all) && !must)) continue;
+    if (!view_->draws(session, i) || !view_->bears_name(session, i) || ((alone || !all) && !must)) continue;
     const bool signs = is_of_signs(session.name_of(i));  // signs are thin strokes on a volume's fill
     names.name(i, session.name_of(i),
                must    ? p.current_text

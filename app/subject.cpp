@@ -39,6 +39,10 @@ fit::Sphere3 SubjectView::extent(const lesson::Session& session) {
   return shown().volume ? ball_around(result, ball_around(*shown().volume, session.dim())) : result;
 }
 
+float room_over_picture(const Look& look, const Rect& stage, float height, float least) {
+  return stage.height - look.foot - height < look.px(least) ? 0 : height;
+}
+
 int SubjectView::axis_in_use(const lesson::Session&) const { return -1; }
 Point3 SubjectView::place_of(const lesson::Session& session, Index i) const { return session.point(i); }
 bool SubjectView::can_move(const lesson::Session& session) const { return session.subject().moves_at(session.step()); }

@@ -22,6 +22,10 @@ struct MarkWords {
   std::string grew = "first volume", replaced = "new support", best = "best so far", wrong = "first wrong test";
 };
 
+/// What a second picture so many pixels high takes from the first (SubjectView::room_of_inset): nothing, and they
+/// overlap, if that left the first less than so much height.
+[[nodiscard]] float room_over_picture(const Look& look, const Rect& stage, float height, float least);
+
 /// The view of a subject; one is made for each opened lesson. By default it shows points, the volume fitted to them,
 /// and the handles that the step names.
 class SubjectView {
@@ -86,6 +90,10 @@ class SubjectView {
   [[nodiscard]] virtual bool shows(const lesson::Session& session, Index i) const;
   /// Whether a handle is a point, or else something that the view draws itself.
   [[nodiscard]] virtual bool is_point(const lesson::Session& session, Index i) const;
+  /// Whether anything is at a handle: a point stands there even while no hand can take it, as A's in A's frame.
+  [[nodiscard]] bool draws(const lesson::Session& session, Index i) const {
+    return shows(session, i) || is_point(session, i);
+  }
   /// Whether the points are drawn.
   [[nodiscard]] virtual bool shows_points(const lesson::Session& session) const;
   /// How far what is at a handle reaches on the screen, pixels, beside which its name is placed; 0 for a point.

@@ -72,8 +72,7 @@ float entries_height(const Look& look, int dim) {
 
 float matrix_room(const Look& look, const lesson::Session& session, const Rect& stage) {
   if (session.dim() != 3 || stage.width >= kEntriesStage || !entry_bars_at(session)) return 0;
-  const float room = entries_height(look, 3) + 12;
-  return stage.height - look.foot - room < look.px(kUnderEntries) ? 0 : room;
+  return room_over_picture(look, stage, entries_height(look, 3) + 12, kUnderEntries);
 }
 
 Rect draw_matrix_inset(Brush& brush, ImVec2 at) {

@@ -120,10 +120,12 @@ class VolumesView final : public SubjectView {
   }
   [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
                                     const Rect& stage) const override {
-    const float room = difference_height(look, stage) + kAroundDifference;
-    above_ = has_difference(session) && stage.width < kStageForBoth &&
-             stage.height - look.foot - room >= look.px(kUnderDifference);
-    return above_ ? room : 0;
+    const float room =
+        has_difference(session) && stage.width < kStageForBoth
+            ? room_over_picture(look, stage, difference_height(look, stage) + kAroundDifference, kUnderDifference)
+            : 0;
+    above_ = room > 0;
+    return room;
   }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {

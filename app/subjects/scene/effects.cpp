@@ -72,8 +72,7 @@ void draw_effects(Brush& brush, const lesson::SceneFrame& frame) {
 float graph_room(const Look& look, const lesson::Session& session, const Rect& stage) {
   const float height = graph_size(look, session, kMostWidth).y;
   if (height == 0 || stage.width < kLeastStage) return 0;
-  const float room = height + 2 * kGraphPad + 8;
-  return stage.height - look.foot - room < look.px(kLeastForBodies) ? 0 : room;
+  return room_over_picture(look, stage, height + 2 * kGraphPad + 8, kLeastForBodies);
 }
 
 Rect draw_graph_inset(Brush& brush, ImVec2 at) {

@@ -97,8 +97,7 @@ float sweep_room(const Look& look, const lesson::Session& session, const Rect& s
       bodies == 0 || bodies > kMostSwept)
     return 0;
   if (lesson::frame_of(session)->swept.empty()) return 0;  // before the first frame
-  const float room = sweep_height(look, bodies) + 8;
-  return stage.height - look.foot - room < look.px(kLeastUnderSweep) ? 0 : room;
+  return room_over_picture(look, stage, sweep_height(look, bodies) + 8, kLeastUnderSweep);
 }
 
 Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& shown, ImVec2 at) {

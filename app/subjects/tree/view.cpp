@@ -77,7 +77,6 @@ class TreeView final : public SubjectView {
     return reads(0) || reads(1);
   }
   [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override { return shows(session, i); }
-  [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override { return shows(session, i); }
   /// Leaves have the names of their boxes.
   [[nodiscard]] bool needs_name(const lesson::Session& session, Index i) const override {
     return i < lesson::as<lesson::TreeSubject>(session.subject())->boxes();

@@ -33,6 +33,23 @@ TEST_CASE("the points on the stage follow A's frame, there and back") {
   }
 }
 
+TEST_CASE("in A's frame A's centre is still lit, though no hand can take it") {
+  Bench bench(course_lesson("obb-sat", false));
+  const std::vector<DrawnWords> drawn = bench.drawn_words();
+  const auto button =
+      std::find_if(drawn.begin(), drawn.end(), [](const DrawnWords& one) { return one.words == "A's frame"; });
+  REQUIRE(button != drawn.end());
+  bench.press((button->low.x + button->high.x) / 2, (button->low.y + button->high.y) / 2);
+  bench.release();
+  const auto handles = bench.app.handles();
+  REQUIRE(std::none_of(handles.begin(), handles.end(), [](const Handle& handle) { return handle.id == "A"; }));
+  bench.move(20, 20);
+  const int before = ImGui::GetDrawData()->TotalVtxCount;
+  bench.app.light("A");
+  bench.frames(2);
+  CHECK(ImGui::GetDrawData()->TotalVtxCount > before);
+}
+
 TEST_CASE("on a phone the Minkowski difference is above the volumes, which have the stage's whole width") {
   const Layout phone{
       .stage = {0, 0, 390, 390}, .timeline = {0, 390, 390, 120}, .inspector = {}, .fingers = true, .tools = 96};
