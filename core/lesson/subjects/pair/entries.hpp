@@ -273,21 +273,13 @@ struct Entry<query::NearestFound> : EntryDefaults {
   }
 };
 
-/// The largest lower bound on the distance that the steps before have proved; 0 if there is none.
-[[nodiscard]] inline double proved_before(const PairWhere& where) {
-  double most = 0;
-  for (const auto& entry : where.run.trace().first(static_cast<std::size_t>(where.i)))
-    if (const auto* found = std::get_if<query::SupportFound>(&entry.step.fact)) most = std::max(most, found->gap);
-  return most;
-}
-
 template <>
 struct Entry<query::SupportFound> : EntryDefaults {
   using Fact = query::SupportFound;
   static constexpr std::array kAskings{Asking{"next_vertex", &offer_difference, &next_vertex_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
-    const double known = proved_before(where);
+    const double known = proved_distance(where.run.trace().first(where.i)).value_or(0);
     if (!(fact.gap > 0)) return found + ", beyond the origin: nothing is proved " + (known > 0 ? "by it." : "yet.");
     const std::string gap = number_text(fact.gap), best = number_text(known);
     if (fact.gap < known && gap != best)

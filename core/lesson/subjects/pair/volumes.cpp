@@ -35,15 +35,14 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_volumes(const Lesson& le
 struct SoFar {
   int tests = 0, simplices = 0;
   double radii = 0;
-  std::optional<double> lower, upper;  // bounds on the cores' distance
+  std::optional<double> upper;  // bound on the cores' distance
   const query::SlabTested* slab = nullptr;
   std::optional<double> gap;  // once they are known to be apart
 
   void operator()(const query::SlabTested& fact) { ++tests, slab = &fact; }
   void operator()(const query::AxisTested<double, 3>&) { ++tests; }
-  void operator()(const query::CoresCompared& fact) { tests += fact.tests, lower = upper = fact.distance; }
+  void operator()(const query::CoresCompared& fact) { tests += fact.tests, upper = fact.distance; }
   void operator()(const query::NearestFound& fact) { ++simplices, upper = fact.distance; }
-  void operator()(const query::SupportFound& fact) { lower = std::max(lower.value_or(0), fact.gap); }
   void operator()(const query::Verdict<double, 3>& fact) {
     if (!fact.result.overlap) gap = fact.result.axis.gap;
   }
@@ -386,6 +385,16 @@ std::string VolumesSubject::refusal(const Method& method) const {
   return std::string(method.title) + " is not a test of these two volumes";
 }
 
+std::optional<double> proved_distance(PairSteps steps) {
+  std::optional<double> most;
+  for (const auto& entry : steps) {
+    if (const auto* found = std::get_if<query::SupportFound>(&entry.step.fact))
+      most = std::max(most.value_or(0), found->gap);
+    if (const auto* compared = std::get_if<query::CoresCompared>(&entry.step.fact)) most = compared->distance;
+  }
+  return most;
+}
+
 std::unique_ptr<Run> VolumesSubject::run(const Method& method, std::unique_ptr<Run>) const {
   return std::make_unique<PairRun>(dim(), record(method.name, pair_), vertices(), compared_in(pair_));
 }
@@ -421,7 +430,8 @@ std::vector<Figure> VolumesSubject::figures(const View& view) const {
   });
   if (cores) {
     if (gjk) {
-      figures.push_back(length(capital(compared) + " apart, at least", "lower", standing.lower));
+      figures.push_back(
+          length(capital(compared) + " apart, at least", "lower", proved_distance(steps.first(view.step))));
       figures.push_back(length(capital(compared) + " apart, at most", "upper", standing.upper));
     } else {
       figures.push_back(length("Distance between the " + compared, "cores", standing.upper));

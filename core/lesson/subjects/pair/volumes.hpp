@@ -50,6 +50,8 @@ using Kinds = std::array<std::size_t, 2>;
 [[nodiscard]] PairTrace record(std::string_view test, const VolumePair& pair);
 /// How many operations these steps took, all kinds together.
 [[nodiscard]] std::int64_t operations_in(PairSteps steps);
+/// The largest lower bound on the distance of the cores that these steps have proved; none before the first.
+[[nodiscard]] std::optional<double> proved_distance(PairSteps steps);
 
 /// The vertices of a volume's core, as GJK knows them; none of a smooth one.
 [[nodiscard]] std::vector<Point3> core_of(const HeldVolume& held);
