@@ -58,10 +58,12 @@ constexpr auto kLowered = std::to_array<Name>({{"0", "₀"},
                                                {"−", "₋"}});
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-/// Of a letter, a Greek one too, or a digit.
-/// Of a Greek letter either byte.
-bool is_word(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9') || c == '\xce' || c == '\xcf' || (c & 0xc0) == 0x80;
+/// Whether a byte begins a Greek letter, which has two bytes.
+bool is_greek(char c) { return c == '\xce' || c == '\xcf'; }
+/// Whether a byte is a digit, or begins a letter.
+bool is_word(char c) { return is_letter(c) || (c >= '0' && c <= '9') || is_greek(c); }
+bool ends_in_word(std::string_view text) {
+  return !text.empty() && (is_word(text.back()) || (text.size() > 1 && is_greek(text[text.size() - 2])));
 }
 
 /// Takes one UTF-8 character off the front.
@@ -157,7 +159,7 @@ class Formula {
       out += script;
       return;
     }
-    if (base != std::string::npos && base > 0 && is_word(out[base - 1])) out.insert(base, 1, ' ');
+    if (base != std::string::npos && ends_in_word(std::string_view(out).substr(0, base))) out.insert(base, 1, ' ');
     (out += raised ? '^' : '_') += is_compound(words) ? '(' + words + ')' : words;
     last_.script = true;
   }

@@ -38,6 +38,7 @@ TEST_CASE("a formula is written in one line of Unicode") {
       {R"(\mu_i \mu_j)", "μ_i μ_j"},
       {R"(2 x_i)", "2 x_i"},
       {R"(\mu n_b)", "μ n_b"},
+      {R"(\lVert n_b \rVert)", "‖n_b‖"},
       {R"(|t_1R_{11} + t_2R_{21}|)", "|t₁R₁₁ + t₂R₂₁|"},
       {R"(\mathrm{min}_i + n_i \cdot t)", "min_i + n_i · t"},
       {"", ""},
