@@ -16,8 +16,7 @@ using namespace snug;
 
 namespace {
 
-/// This process's time, so that others on the machine do not change it, told ten times as long, so that a batch is full
-/// after a tenth of its runs.
+/// Ten times this process's time: other processes do not change it, and a batch is full after a tenth of its runs.
 cost::Clock own_clock() {
   return [] { return static_cast<double>(std::clock()) * (1e10 / CLOCKS_PER_SEC); };
 }
@@ -205,7 +204,6 @@ TEST_CASE("in slices the rows are those of one go") {
 }
 
 TEST_CASE("what would take longer than a slice is measured on fewer points, and says so") {
-  const auto about = [](double ns) { return doctest::Approx(ns).epsilon(0.1); };  // the clock ticks as well
   const fit::Algorithm square = test::slow_algorithm<256, 4>("square");
   const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 640, 3));
   cost::CostRun run(points, {&square},
@@ -221,8 +219,8 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
   const cost::CostRow& row = run.rows().at(0);
   CHECK(row.points == 64);
   CHECK(row.of == 640);
-  CHECK(row.whole_ns.value() == about(256.0 * 640 * 640));
-  CHECK(row.time.median == about(256.0 * 64 * 64));
+  CHECK(row.whole_ns.value() == doctest::Approx(256.0 * 640 * 640));
+  CHECK(row.time.median == doctest::Approx(256.0 * 64 * 64));
   CHECK(row.tightness.value() >= 1);
   CHECK(cost::pareto_front(run.rows()).empty());  // what was measured on fewer points is no rival
 
@@ -232,7 +230,7 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
                         {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 2e6, .longest_watched = 1e9}},
                         test::ticking_clock());
   finish(bounded);
-  CHECK(bounded.rows().at(0).whole_ns.value() == about(256.0 * 64 * 640));
+  CHECK(bounded.rows().at(0).whole_ns.value() == doctest::Approx(256.0 * 64 * 640));
 
   cost::CostRun watched(points, {&square},
                         {.timing = {.repeats = 3, .batch = 0}, .limits = {.longest = 1e9, .longest_watched = 1e6}},
