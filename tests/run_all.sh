@@ -41,13 +41,13 @@ outcomes() { # CTest's results: a line "suite run" or "suite fail" of each
 # more, alone; both outcomes are told, and the first log is kept. No suite that needs no screen has a second try, nor one
 # that was alone already; and where more than three failed, it is no accident.
 readonly most_tried_again=3
-readonly alone_already='browser[.](cost|cost_chart|field)|desktop[.](cost_lesson|criteria|idle|preview)'
 again_alone() { # preset suite
+    local suite=(ctest --test-dir "build/$1" -R "^${2//./[.]}\$" -L '^(desktop|browser)$' -LE '^alone$' --no-tests=error)
+    "${suite[@]}" -N | grep -q '^Total Tests: 1$' || return
     say "$2 failed beside other suites:"
     cp "build/logs/$1-$2.log" "build/logs/$1-$2-beside.log"
     why "$1-$2-beside"
-    SNUG_DIGEST= ctest --test-dir "build/$1" -R "^${2//./[.]}\$" --no-tests=error --timeout 900 &>/dev/null </dev/null ||
-        return
+    SNUG_DIGEST= "${suite[@]}" --timeout 900 &>/dev/null </dev/null || return
     say "$2 passed when it was run again, alone."
     tried_again=$((tried_again + 1))
 }
@@ -65,10 +65,7 @@ suites() { # preset, options of CTest: it writes a line for each suite as it end
     local status lost
     lost=$(outcomes "$results" | grep -vc ' run$') || true
     while read -r suite status; do
-        if [[ $status != run && $suite =~ ^(desktop|browser|engines)[.] && ! $suite =~ ^($alone_already)$ ]] &&
-            ((lost <= most_tried_again)) && again_alone "$1" "$suite"; then
-            status=run
-        fi
+        if [[ $status != run ]] && ((lost <= most_tried_again)) && again_alone "$1" "$suite"; then status=run; fi
         add_suite "$1-$suite" "$status"
     done < <(outcomes "$results")
     say "$1: $passed passed so far, $failed failed (minute $((SECONDS / 60)))"

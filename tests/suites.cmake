@@ -1,5 +1,5 @@
 # What CTest runs: `ctest -j3 --test-dir build/release`, or one of them with -R core.fit, those of a label with -L desktop.
-# Labels: native, wasm or sanitize, and command, desktop, browser.
+# Labels: native, wasm or sanitize; command, desktop, browser; alone: beside no other.
 if(EMSCRIPTEN)
   set(kind wasm)
 elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
@@ -26,7 +26,7 @@ function(snug_suites prefix label)
     get_filename_component(name ${file} NAME_WE)
     snug_suite(${prefix}.${name} LABELS ${label} COMMAND ${suites_LAUNCHER} ${file})
     if(name IN_LIST suites_MEASURING)
-      set_tests_properties(${prefix}.${name} PROPERTIES RUN_SERIAL ON)
+      set_tests_properties(${prefix}.${name} PROPERTIES RUN_SERIAL ON LABELS "${kind};${label};alone")
     endif()
   endforeach()
 endfunction()
