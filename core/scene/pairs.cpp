@@ -14,7 +14,7 @@ using Box = Aabb<double, 3>;
 
 Pair pair_of(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 
-/// For a search in which nobody needs to know which pairs are compared.
+/// Ignores which pairs a search compares.
 struct Unseen {
   void operator()(Index, Index) const {}
 };
