@@ -64,8 +64,8 @@ inline constexpr double kSoundProjection = 0x1p-960;
 /// rounding of the sizes. Held by "a capsule and a lozenge hold a point just where rational arithmetic says".
 inline constexpr double kSweptDistance = 10 * kRoundoff<double>;
 
-/// By what part of its length a rotation matrix from geometry/turn.hpp or pose.hpp, or the same rounded to Scalar, may
-/// lengthen a vector: the quaternion's length is off by 2u, and computing each entry adds 4u. Held by "a rotation
+/// A rotation matrix from geometry/turn.hpp or pose.hpp, or the same rounded to Scalar, lengthens a vector by at most
+/// this part of its length: the quaternion's length is off by 2u, and computing each entry adds 4u. Held by "a rotation
 /// matrix, and the same rounded to float, lengthens nothing by more than its tolerance says".
 template <class Scalar>
 inline constexpr Scalar kRotation = 16 * kRoundoff<Scalar>;
