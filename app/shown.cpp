@@ -7,7 +7,7 @@ namespace {
 std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& answer) {
   if (answer.kind == lesson::Answer::Kind::kPoint) return {answer.value};
   if (answer.kind == lesson::Answer::Kind::kPoints) return {answer.list.begin(), answer.list.end()};
-  const auto choice = static_cast<std::size_t>(answer.value);
+  const std::size_t choice = answer.value;
   if (answer.kind != lesson::Answer::Kind::kChoice || choice >= asked.choice_handles.size()) return {};
   return asked.choice_handles[choice];
 }

@@ -224,7 +224,7 @@ void Stage::project_points(const lesson::Session& session) {
   const bool surface = !scene_.normals.empty();
   const Point3f eye = surface ? frame_.to_stage(camera_.eye()) : Point3f::Zero();
   for (Index i = 0; i < session.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const std::size_t k = i;
     screen_[k] = camera_.project(view_->place_of(session, i));
     // A vertex on the far side of a closed surface can be neither seen nor picked.
     if (surface && k < scene_.normals.size() && scene_.normals[k].dot(eye - scene_.points[k]) < 0)

@@ -39,7 +39,7 @@ Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::opt
 std::size_t Shell::course_size() const {
   const auto first =
       std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& file) { return file.is_case; });
-  return static_cast<std::size_t>(first - lessons_.begin());
+  return first - lessons_.begin();
 }
 
 tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
@@ -123,7 +123,7 @@ std::optional<std::size_t> Shell::beside(int by) const {
 std::optional<std::size_t> Shell::playground() const {
   const auto found =
       std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& one) { return one.is_playground; });
-  const auto at = static_cast<std::size_t>(found - lessons_.begin());
+  const std::size_t at = found - lessons_.begin();
   return found == lessons_.end() || at == open_ ? std::nullopt : std::optional(at);
 }
 

@@ -17,8 +17,8 @@ struct HullNeighbors {
   std::vector<Index> facets;
 
   [[nodiscard]] std::span<const Index> of(Index vertex) const {
-    const auto from = static_cast<std::size_t>(begin[vertex]);
-    const auto to = static_cast<std::size_t>(begin[vertex + 1]);
+    const std::size_t from = begin[vertex];
+    const std::size_t to = begin[vertex + 1];
     return {ends.data() + from, to - from};
   }
   /// The index in ends of the edge from one vertex to another; kNoIndex if there is none. O(log degree) time.

@@ -36,7 +36,7 @@ void fields_of(const Lozenge<Scalar, Dim>& lozenge, auto&& see) {
 /// The bounds that are used.
 template <class Scalar, int Dim>
 void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
-  const auto slabs = static_cast<std::size_t>(kdop.k / 2);
+  const std::size_t slabs = kdop.k / 2;
   const std::vector<Scalar> min(kdop.min.begin(), kdop.min.begin() + slabs),
       max(kdop.max.begin(), kdop.max.begin() + slabs);
   see("k", kdop.k), see("min", min), see("max", max);

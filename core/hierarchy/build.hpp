@@ -36,7 +36,7 @@ void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& obser
       node.volume = body(node.first);
       for (Index k = 1; k < node.count; ++k) node.volume = fit::merge(node.volume, body(node.first + k));
     } else {
-      const auto left = static_cast<std::size_t>(node.first);
+      const std::size_t left = node.first;
       node.volume = fit::merge(tree.nodes[left].volume, tree.nodes[left + 1].volume);
     }
     observe(Step{line, VolumeMade{static_cast<Index>(i)}});

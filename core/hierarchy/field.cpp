@@ -127,7 +127,7 @@ struct TreeTeller {
   void tested(Place place, PlaneSet planes, const CullResult& result) {
     cost.planes += result.planes_tested, cost.products += products_of(result);
     if (record == nullptr) return;
-    const auto at = static_cast<std::size_t>(place.index);
+    const std::size_t at = place.index;
     const int level = place.is_body ? field.leaf_levels[at] + 1 : field.levels[at];
     LevelTests& tests = record->levels[level];
     const PlaneSet reached =
@@ -180,7 +180,7 @@ Field::Field(std::vector<Box> all) : boxes(std::move(all)), lanes(boxes) {
   levels.assign(tree.nodes.size(), 0);
   leaf_levels.assign(boxes.size(), 0);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const auto first = static_cast<std::size_t>(tree.nodes[i].first);
+    const std::size_t first = tree.nodes[i].first;
     if (!tree.nodes[i].is_leaf()) levels[first] = levels[first + 1] = levels[i] + 1;
     else
       for (const Index body : tree.bodies_below(static_cast<Index>(i))) leaf_levels[body] = levels[i];

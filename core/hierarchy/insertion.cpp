@@ -29,8 +29,7 @@ class Insertion {
     const auto bodies = static_cast<Index>(groups_.size());
     for (Index body = 0; body < bodies; ++body) insert(body);
     std::vector<std::array<Index, 2>> pairs;
-    for (std::size_t i = static_cast<std::size_t>(bodies); i < groups_.size(); ++i)
-      pairs.push_back(groups_[i].children);
+    for (std::size_t i = bodies; i < groups_.size(); ++i) pairs.push_back(groups_[i].children);
     return shape_of(pairs, bodies, root_);
   }
 

@@ -45,7 +45,7 @@ struct Tree {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       most = std::max(most, depths[i]);
       if (nodes[i].is_leaf()) continue;
-      const auto left = static_cast<std::size_t>(nodes[i].first);
+      const std::size_t left = nodes[i].first;
       depths[left] = depths[left + 1] = depths[i] + 1;
     }
     return most;

@@ -273,7 +273,7 @@ bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
   if (!is_one(a) || !is_one(b)) return false;
   const Answer& choice = a.kind == Kind::kChoice ? a : b;
   const Answer& handle = a.kind == Kind::kChoice ? b : a;
-  const auto at = static_cast<std::size_t>(choice.value);
+  const std::size_t at = choice.value;
   return at < asked.choice_handles.size() && asked.choice_handles[at].size() == 1 &&
          asked.choice_handles[at].front() == handle.value;
 }

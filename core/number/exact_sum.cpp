@@ -25,7 +25,7 @@ constexpr std::uint64_t kLow = 0xffffffffu;
 }  // namespace
 
 void ExactSum::add_shifted(std::uint64_t value, int position, bool negative) noexcept {
-  const auto digit = static_cast<std::size_t>(position / 32);
+  const std::size_t digit = position / 32;
   const int shift = position % 32;
   const std::uint64_t low = (value & kLow) << shift;
   const std::uint64_t high = (value >> 32) << shift;

@@ -136,7 +136,7 @@ void aim(const System& system, ContactRow& row, const Surface& surface, double a
 std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
   std::vector<ContactRow> rows;
   for (const Contact& contact : system.contacts) {
-    const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
+    const std::size_t a = contact.pair.a, b = contact.pair.b;
     if (!system.awake(a) && !system.awake(b)) continue;
     const Manifold manifold = manifold_of(system.members[a].shape, pose_of(system.bodies[a]), system.members[b].shape,
                                           pose_of(system.bodies[b]), system.margin(a) + system.margin(b));

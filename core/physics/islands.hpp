@@ -33,7 +33,7 @@ class Islands {
 [[nodiscard]] inline Islands islands_of(const System& system) {
   Islands islands(system.size());
   for (const Contact& contact : system.contacts) {
-    const auto a = static_cast<std::size_t>(contact.pair.a), b = static_cast<std::size_t>(contact.pair.b);
+    const std::size_t a = contact.pair.a, b = contact.pair.b;
     if (system.members[a].moves() && system.members[b].moves()) islands.join(a, b);
   }
   return islands;
@@ -41,7 +41,7 @@ class Islands {
 
 /// The island of a pair in which at least one body moves.
 [[nodiscard]] inline std::size_t island_of(const System& system, Islands& islands, const Pair& pair) {
-  const auto a = static_cast<std::size_t>(pair.a);
+  const std::size_t a = pair.a;
   return islands.of(system.members[a].moves() ? a : static_cast<std::size_t>(pair.b));
 }
 

@@ -60,7 +60,7 @@ std::vector<Contact> contacts_at_start(const System& system) {
   std::vector<Contact> contacts;
   for (Index a = 0; a < static_cast<Index>(system.size()); ++a)
     for (Index b = a + 1; b < static_cast<Index>(system.size()); ++b) {
-      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+      const std::size_t i = a, j = b;
       if (!system.members[i].moves() && !system.members[j].moves()) continue;
       const double separation = separation_at_start(system, i, j);
       if (separation <= system.slop({a, b})) contacts.push_back({{a, b}, separation <= 0});

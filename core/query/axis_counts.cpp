@@ -8,10 +8,8 @@ namespace {
 
 template <int Dim>
 std::size_t row_of(const SatAxis<double, Dim>& axis) {
-  const int row = axis.kind == AxisKind::kFaceA   ? axis.i
-                  : axis.kind == AxisKind::kFaceB ? Dim + axis.j
-                                                  : 2 * Dim + Dim * axis.i + axis.j;
-  return static_cast<std::size_t>(row);
+  if (axis.kind == AxisKind::kFaceA) return axis.i;
+  return axis.kind == AxisKind::kFaceB ? Dim + axis.j : 2 * Dim + Dim * axis.i + axis.j;
 }
 
 }  // namespace

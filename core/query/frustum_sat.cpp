@@ -98,7 +98,7 @@ Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box,
     own_size();
     if (Dim == 3) axis.size += 4;  // for the products of unit axes
   } else if constexpr (Dim == 3) {
-    const auto rest = static_cast<std::size_t>(place - 9);
+    const std::size_t rest = place - 9;
     const auto [i, j] = planes_of_edge(rest % kPairsOfSides);
     const auto n = normal(i), m = normal(j);
     axis.direction = cross(box.axes[rest / kPairsOfSides], cross(n, m));

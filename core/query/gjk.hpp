@@ -159,7 +159,7 @@ class Gjk {
       if (decided() || size_ == 4) return;
       const Pair added = support();
       if (decided() || std::find(pairs_.begin(), pairs_.begin() + size_, added) != pairs_.begin() + size_) return;
-      const auto end = static_cast<std::size_t>(size_);
+      const std::size_t end = size_;
       pairs_[end] = added;
       simplex.corners[end] = corner<Real>(added);
       simplex.size = ++size_;
@@ -177,7 +177,7 @@ class Gjk {
     simplex.size = size_ = nearest.size;
     on_a = on_b = Point::Zero();
     for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
-      const auto place = static_cast<std::size_t>(nearest.corners[i]);
+      const std::size_t place = nearest.corners[i];
       pairs_[i] = pairs[place];
       simplex.corners[i] = corners[place];
       on_a += rounded(nearest.weights[i]) * pairs_[i].a.at;

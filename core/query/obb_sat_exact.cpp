@@ -44,7 +44,7 @@ class Pair {
     template <class Scalar>
     explicit Box(const Obb<Scalar, Dim>& box) {
       for (int k = 0; k < Dim; ++k) {
-        const auto at = static_cast<std::size_t>(k);
+        const std::size_t at = k;
         center[at] = static_cast<double>(box.center[k]);
         half[at] = static_cast<double>(box.half_extents[k]);
         for (int row = 0; row < Dim; ++row) axes[at][row] = static_cast<double>(box.axes(row, k));

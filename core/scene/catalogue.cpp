@@ -125,7 +125,7 @@ std::size_t Settings::word(std::string_view key, std::span<const std::string_vie
   const Setting* setting = find(key);
   if (setting == nullptr) return 0;
   const auto found = std::find(words.begin(), words.end(), setting->text);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  if (found != words.end()) return found - words.begin();
   std::string known;
   for (const std::string_view word : words) known.append(known.empty() ? "" : ", ").append(word);
   wrong(key, "is none of " + known);

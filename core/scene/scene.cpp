@@ -185,7 +185,7 @@ void Scene::restore(const Snapshot& snapshot) {
 std::size_t Scene::snapshot_before(int frame) const {
   const auto after = std::upper_bound(snapshots_.begin(), snapshots_.end(), frame,
                                       [](int wanted, const Snapshot& one) { return wanted < one.state.frame; });
-  return static_cast<std::size_t>(after - snapshots_.begin()) - 1;
+  return after - snapshots_.begin() - 1;
 }
 
 int Scene::start_of(int frame) const {

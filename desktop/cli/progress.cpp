@@ -26,7 +26,7 @@ void Progress::advance() {
   if (!terminal_ || Clock::now() < due_) return;
   due_ = Clock::now() + kBetween;
   shown_ = true;
-  const auto filled = static_cast<std::size_t>(std::int64_t{kWidth} * done_ / total_);
+  const std::size_t filled = std::int64_t{kWidth} * done_ / total_;
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
   std::fprintf(stderr, "\r%s [%s] %d of %d", label_, bar.c_str(), done_, total_);
   std::fflush(stderr);

@@ -71,7 +71,7 @@ Pose<double, 3> pose_at(const UpdateOptions& options, int dim, double share) {
 }
 
 std::optional<std::string> wrong_with(const UpdateOptions& options, int dim) {
-  const auto size = static_cast<std::size_t>(dim);
+  const std::size_t size = dim;
   if (options.axis.size() != 3) return "--axis takes three numbers";
   if (options.axis[0] == 0 && options.axis[1] == 0 && options.axis[2] == 0)
     return "--axis has no direction: all three numbers are 0";

@@ -158,7 +158,7 @@ class Fields {
 /// Reads axes as rows that are unit, perpendicular and right-handed: kept if they are so within rounding, else made so.
 Matrix<double, 3> axes_of(Fields& fields, std::string_view field) {
   const std::vector<Point> rows = fields.points(field);
-  const auto dim = static_cast<std::size_t>(fields.dim());
+  const std::size_t dim = fields.dim();
   const std::string name = fields.field(field);
   if (rows.size() != dim)
     fields.fail(name + " has " + counted(rows.size(), "row") + " instead of " + std::to_string(dim));
@@ -209,7 +209,7 @@ struct FieldReader {
   void operator()(std::string_view, int& number) { number = k = fields.k(); }
   void operator()(std::string_view name, std::array<double, kMostSlabs<3>>& bounds) const {
     const std::vector<double> numbers = fields.numbers(name);
-    const auto slabs = static_cast<std::size_t>(k / 2);
+    const std::size_t slabs = k / 2;
     if (numbers.size() != slabs)
       fields.fail(fields.field(name) + " has " + counted(numbers.size(), "number") + ", and a " + std::to_string(k) +
                   "-DOP has " + counted(slabs, "slab"));

@@ -1,7 +1,8 @@
 // axe-core finds nothing to complain of: in the idle state of every lesson, at every question, beside every outcome, be it
 // right, wrong or skipped, at its task as it is set and as it is done. One lesson of each kind is played in all its
-// situations, and on a laptop the whole page is looked at; in the others, what changes from question to question. On a phone
-// the same parts stand in another place: one lesson of each kind is at rest and played there.
+// situations; on a laptop the whole page is looked at whenever an element of a new kind stands on it; in the others, what
+// changes from question to question. On a phone the same parts stand in another place: one lesson of each kind is at rest
+// and played there.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
@@ -78,9 +79,10 @@ for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScal
   test(`on a ${name} lessons are clean at rest, at each question, beside each outcome and at their end`, async (t) => {
     const seen = new Set();
     const whole = new Set((await kinds()).map(({ id }) => id)), elements = new Set(), of_page = new Set();
+    const look_at_page = (page) => violations_of_new(page, of_page, ["body"]);
     for (const { id } of name === "phone" ? await kinds() : await lessons()) {
-      const look = name === "laptop" && whole.has(id) ? violations : (page) => violations_of_new(page, elements);
-      const look_at_all = whole.has(id) ? violations : (page) => violations_of_new(page, of_page, ["body"]);
+      const look = name === "laptop" && whole.has(id) ? look_at_page : (page) => violations_of_new(page, elements);
+      const look_at_all = whole.has(id) ? violations : look_at_page;
       const page = await visit(t, `?lesson=${id}&step=0`, size);
       assert.deepEqual(await look_at_all(page), [], `${id}, at rest`);
       const { questions, of, situations } = await play(page, id, seen, look);

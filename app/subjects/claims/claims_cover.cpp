@@ -88,7 +88,7 @@ const cost::TrialRow* ClaimsCover::focused() const {
 void ClaimsCover::move_focus(int line, int point) {
   if (chart_.series.empty()) return;
   const auto wrapped = [](std::size_t at, int by, std::size_t n) {
-    return static_cast<std::size_t>((static_cast<int>(at) + by + static_cast<int>(n)) % static_cast<int>(n));
+    return (static_cast<int>(at) + by + static_cast<int>(n)) % static_cast<int>(n);
   };
   ChartHit to = focus_.value_or(ChartHit{});
   to.series = wrapped(to.series, line, chart_.series.size());

@@ -68,7 +68,7 @@ class TreeInset {
     std::iota(bottom.begin(), bottom.end(), std::size_t{0});
     for (std::size_t i = bottom.size(); i-- > 0;) {  // a call stands after the one that made it
       const TreeCall& call = now_.calls[i];
-      const auto caller = static_cast<std::size_t>(std::max(call.parent, 0));
+      const std::size_t caller = std::max(call.parent, 0);
       const bool goes_on = call.parent >= 0 && made[caller] == 1 && call.open == now_.calls[caller].open;
       if (goes_on) {
         bottom[caller] = bottom[i];
@@ -146,7 +146,7 @@ std::vector<float> columns_of(const CallTree& tree) {
     const float own = (first[i] + last[i]) / 2;
     if (leaves > 1) columns[i] = own / (leaves - 1);
     if (tree.calls[i].parent < 0) continue;
-    const auto caller = static_cast<std::size_t>(tree.calls[i].parent);
+    const std::size_t caller = tree.calls[i].parent;
     if (last[caller] < 0) last[caller] = own;
     first[caller] = own;
   }

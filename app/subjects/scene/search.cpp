@@ -37,7 +37,7 @@ void draw_nodes_around(Brush& brush, const SceneFrame& frame, Index body) {
                {around ? Stroke::kSolid : Stroke::kDashed,
                 around ? brush.p.support : with_alpha(brush.p.previous, 0.7f), brush.stroke(around ? 0.7f : 0.5f)});
     if (node.is_leaf()) continue;
-    const auto left = static_cast<std::size_t>(node.first);
+    const std::size_t left = node.first;
     levels[left] = levels[left + 1] = levels[i] + 1;
   }
 }

@@ -86,14 +86,14 @@ void draw_merged(Brush& brush, const TreeShown& shown) {
     draw_volume(brush.canvas, volume, style);
   };
   for (const Index i : shown.forest().there()) {
-    const auto at = static_cast<std::size_t>(i);
+    const std::size_t at = i;
     if (shown.forest().at(i).boxes.size() < 2 || i == shown.branch) continue;
     if (run.has_volume(i, shown.step))
       draw(merged[at], {Stroke::kSolid, with_alpha(p.current, 0.55f), brush.stroke(0.6f), 0});
     else draw_rim(brush, on_screen(brush, run.before().at(i).box, 0), Stroke::kDotted, p.previous, brush.stroke(0.7f));
   }
   if (shown.branch == kNoIndex || !run.has_volume(shown.branch, shown.step)) return;
-  const auto at = static_cast<std::size_t>(shown.branch);
+  const std::size_t at = shown.branch;
   if (shown.forest().at(shown.branch).divides())
     for (const Index child : shown.forest().at(shown.branch).children)
       draw(merged[child], {Stroke::kSolid, p.current, brush.stroke(0.8f), 0});

@@ -19,7 +19,7 @@ constexpr double kMostOfScale = 1000;  // %, for a body whose tightest volume is
 /// The step of the turn at which the body stands: in space the curve begins where it is.
 std::size_t step_now(const lesson::UpdateSubject& body) {
   const double degrees = body.dim() == 2 ? body.degrees() : 0;
-  return static_cast<std::size_t>(std::lround((degrees + 180) / 360 * kPosesOfTurn));
+  return std::lround((degrees + 180) / 360 * kPosesOfTurn);
 }
 
 PanelCurve curve_over_turn(const lesson::UpdateSubject& body, const lesson::Method& method, bool chosen) {

@@ -113,7 +113,7 @@ class Surface {
       }
     return true;
   }
-  [[nodiscard]] std::size_t left_of(Index edge) const { return static_cast<std::size_t>(neighbors_.facets[edge]); }
+  [[nodiscard]] std::size_t left_of(Index edge) const { return neighbors_.facets[edge]; }
 
   bool bends_outward() {
     bent_edges_.assign(corners_.size(), 0);

@@ -62,7 +62,7 @@ PairTally EdgePairSearch::search(Index edge, Count& count) {
       with_a_[i] = first->a.dot(solid_.normals()[i]);
       with_b_[i] = first->b.dot(solid_.normals()[i]);
     }
-    const auto later = static_cast<std::size_t>(end - arcs.begin());
+    const std::size_t later = end - arcs.begin();
     count.count(Operation::kDotProducts, 2 * std::ssize(solid_.normals()));
     count.count(Operation::kComparisons, 4 * static_cast<std::int64_t>(arcs.size() - later));  // signs at the four ends
     for (std::size_t second = later; second < arcs.size(); ++second) {

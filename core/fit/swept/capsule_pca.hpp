@@ -107,7 +107,7 @@ Fit<Capsule<Scalar, Dim>> capsule_pca(PointSpan<Scalar, Dim> points, const Optio
   Capsule<Scalar, Dim> capsule{on_line(ends.far[0]), on_line(ends.far[1]), circle.radius / frame.scale};
   observe(Step{3, true, capsule, LineFound{circle.support, static_cast<double>(capsule.radius)}});
   for (int end = 0; end < 2; ++end) {
-    const auto e = static_cast<std::size_t>(end);
+    const std::size_t e = end;
     (end == 0 ? capsule.a : capsule.b) = on_line(ends.near[e]);
     const double by = std::abs(static_cast<double>(ends.near[e]) - static_cast<double>(ends.far[e]));
     observe(Step{4, true, capsule, EndPulledIn{end, ends.touching[e], by / static_cast<double>(frame.scale)}});

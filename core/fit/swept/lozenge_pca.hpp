@@ -72,7 +72,7 @@ class LozengeMaker {
 
   /// Pulls a side in: side 2 e is the start of edge e, 2 e + 1 its end. It must stay within the reach of each point.
   SidePulledIn pull_in(int side) {
-    const auto edge = static_cast<std::size_t>(side / 2);
+    const std::size_t edge = side / 2;
     const bool is_end = side % 2 == 1;
     Scalar& bound = is_end ? high_[edge] : low_[edge];
     const Scalar sign = is_end ? Scalar{1} : Scalar{-1};

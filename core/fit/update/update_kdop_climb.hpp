@@ -34,7 +34,7 @@ Updated<Kdop<Scalar, Dim>> update_kdop_climb(HillClimb<Scalar, Dim>& climb, int 
   const Vector<Scalar, Dim> reach =
       turned<Scalar, Dim>(pose.rotation.cwiseAbs(), climb.largest()) + pose.translation.cwiseAbs();
   for (int side = 0; side < k; ++side) {
-    const auto slab = static_cast<std::size_t>(side / 2);
+    const std::size_t slab = side / 2;
     const bool greatest = side % 2 == 1;
     KdopAxis<Dim> outward = axes[slab];
     KdopAxis<Dim> sizes{};

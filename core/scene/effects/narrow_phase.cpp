@@ -14,7 +14,7 @@ class NarrowPhase final : public Effect {
     state.near.clear();
     state.funnel.touching = 0;
     for (const Pair& pair : state.pairs) {
-      const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+      const std::size_t a = pair.a, b = pair.b;
       if (!near(world, a, b)) continue;
       state.near.push_back(pair);
       const bool touching =

@@ -26,7 +26,7 @@ Truth verdict_truth(const Asked& asked, const Run&) {
   const auto* const found = std::find(kVerdicts.begin(), kVerdicts.end(), tally.verdict());
   Truth truth{.pending = found == kVerdicts.end()};
   if (truth.pending) return truth;
-  const auto verdict = static_cast<std::size_t>(found - kVerdicts.begin());
+  const std::size_t verdict = found - kVerdicts.begin();
   truth.choices.push_back(static_cast<int>(verdict));
   truth.happened = kVerdictChoices[verdict];
   truth.sentence = "It holds on " + tally_text(tally) + ".";

@@ -32,7 +32,7 @@ std::span<const WrongTest> FitRun::wrong_at(int i) const {
   const auto before = [](const WrongTest& test, int step) { return test.step < step; };
   const auto from = std::lower_bound(wrong_->begin(), wrong_->end(), i, before);
   const auto to = std::lower_bound(from, wrong_->end(), i + 1, before);
-  const auto first = static_cast<std::size_t>(from - wrong_->begin());
+  const std::size_t first = from - wrong_->begin();
   return std::span<const WrongTest>(*wrong_).subspan(first, to - from);
 }
 

@@ -100,7 +100,7 @@ struct HullFollower {
 
 /// The facet of the next farthest point, if points have just been assigned.
 Index next_facet(FitTrace trace, int steps) {
-  const auto at = static_cast<std::size_t>(steps);
+  const std::size_t at = steps;
   if (!std::holds_alternative<PointsAssigned>(trace[at - 1].step.fact) || at >= trace.size()) return kNoIndex;
   const auto* eye = std::get_if<EyeChosen>(&trace[at].step.fact);
   return eye != nullptr ? eye->facet : kNoIndex;

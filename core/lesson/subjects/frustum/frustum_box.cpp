@@ -83,7 +83,7 @@ std::string body_word(const BoxPair& pair) {
 }
 
 std::string plane_name(int dim, int plane) {
-  const auto at = static_cast<std::size_t>(plane);
+  const std::size_t at = plane;
   return std::string(dim == 2 ? kFrustumPlaneNames<2>[at] : kFrustumPlaneNames<3>[at]);
 }
 

@@ -440,7 +440,7 @@ const SceneRecording* recorded_scene(const Session& session, int slot) {
 
 const SceneFrame* frame_of(const Session& session) {
   const SceneRecording* run = recorded_scene(session, 0);
-  const auto at = static_cast<std::size_t>(session.step());
+  const std::size_t at = session.step();
   return run != nullptr && at < run->frames.size() ? &run->frames[at] : nullptr;
 }
 

@@ -47,7 +47,7 @@ struct SceneSet : Tables {
   /// The body at the first of the points.
   [[nodiscard]] std::size_t first_at_points() const {
     const auto found = std::find_if(bodies.begin(), bodies.end(), [](const SceneBody& body) { return body.at_points; });
-    return static_cast<std::size_t>(found - bodies.begin());
+    return found - bodies.begin();
   }
   /// Whether a body stands at each of the points.
   [[nodiscard]] bool at_points() const {

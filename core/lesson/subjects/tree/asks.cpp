@@ -166,7 +166,7 @@ Truth left_out_truth(const Asked& asked, const Run& run) {
   return no("The query meets the node's box, so what is below has to be looked at.");
 }
 double merging_loss(const TreeRun& run, Index node) {
-  const auto at = static_cast<std::size_t>(node);
+  const std::size_t at = node;
   const double merged = fit::measure_of(run.volumes().merged[at], 2),
                tight = fit::measure_of(run.volumes().tight[at], 2);
   return tight > 0 && merged > tight * (1 + tolerance::kBoxProof) ? merged / tight - 1 : 0;

@@ -115,7 +115,7 @@ UpdateRecording record_update(const fit::UpdateStrategy& strategy, const AnyPoin
 Point3 UpdateRun::axis(int axis) const {
   if (strategy_.k == 0) return Point3::Unit(axis);
   Point3 direction = Point3::Zero();
-  const auto slab = static_cast<std::size_t>(axis);
+  const std::size_t slab = axis;
   for (int i = 0; i < dim(); ++i)
     direction[i] = dim() == 2 ? kdop_axes<2>(strategy_.k)[slab][i] : kdop_axes<3>(strategy_.k)[slab][i];
   return direction;
