@@ -30,7 +30,7 @@ std::string says_of(const ScalarsCompared& compared, const std::function<std::st
   const auto says = [&](const LeftOutside& left) {
     if (!left.dents.empty() && left.points.empty()) return "the hull has a dent at " + name_of(left.dents.front());
     if (left.points.empty()) return std::string("no point is outside");
-    return name_of(left.worst) + " is outside by " + ulps_text(left.ulps()) + compared.of;
+    return name_of(left.worst) + " is outside by " + worst_text(left, compared.of);
   };
   return "In float, " + says(compared.in_float) + "; in double, " + says(compared.in_double) + ".";
 }

@@ -195,7 +195,7 @@ Truth left_outside_truth(const Asked& asked, const Run& run) {
   for (const Index i : left.points) truth.choices.push_back(static_cast<int>(i) + 1);
   truth.sentence = truth.happened + (left.points.size() == 1 ? " is" : " are") + " left outside" +
                    (left.points.size() == 1 ? " by " : ", " + asked.subject->name_of(left.worst) + " by ") +
-                   ulps_text(left.ulps()) + of_ulps(own.recording().result) + ".";
+                   worst_text(left, of_ulps(own.recording().result)) + ".";
   return truth;
 }
 

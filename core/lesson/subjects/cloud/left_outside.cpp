@@ -29,7 +29,8 @@ LeftOutside left_outside_of(const PointSet<Scalar, Dim>& set, const fit::Sphere3
     const double by = outside_by(fit::point_of(set, i), sphere);
     if (left.worst == kNoIndex || by > left.by) left.worst = i, left.by = by;
   }
-  left.extent = sphere.radius, left.radius_ulp = ulp_in<Scalar>(sphere.radius), left.size_ulp = ulp_in<Scalar>(largest);
+  left.extent = sphere.radius, left.radius_ulp = sphere.radius > 0 ? ulp_in<Scalar>(sphere.radius) : 0;
+  left.size_ulp = ulp_in<Scalar>(largest);
   return left;
 }
 
@@ -141,6 +142,11 @@ LeftOutside left_outside(const AnyPointSet& points, const fit::Sphere3& sphere) 
 std::string ulps_text(double ulps) {
   if (ulps == 0) return "0 ulps";
   return number_text(ulps, 3) + (ulps == 1 ? " ulp" : " ulps");
+}
+
+std::string worst_text(const LeftOutside& left, std::string_view of) {
+  if (!std::isfinite(left.ulps())) return number_text(left.by, 3) + " units";
+  return ulps_text(left.ulps()) + std::string(of);
 }
 
 const char* of_ulps(const fit::Result& result) {

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lesson/subjects/cloud/fit_run.hpp"
@@ -16,12 +18,13 @@ struct LeftOutside {
   Index worst = kNoIndex;
   double by = 0;  // scene units
   // An ulp, the distance to the next number, in the scalar of the points; scene units:
-  double radius_ulp = 0;          // of the radius; of a hull the same as the next
+  double radius_ulp = 0;          // of the radius, none of a radius of 0; of a hull the same as the next
   double size_ulp = 0;            // of the largest coordinate of the points
   double extent = 0;              // the radius, or half of a hull's width; scene units
   std::vector<Index> dents = {};  // of a hull: the vertices at which its outline turns inward
   [[nodiscard]] bool none() const { return points.empty() && dents.empty(); }
-  [[nodiscard]] double ulps() const { return by / radius_ulp; }
+  /// Infinite where a radius of 0 has no ulp.
+  [[nodiscard]] double ulps() const { return by > 0 ? by / radius_ulp : 0; }
 };
 
 /// Whether the points are held in float.
@@ -40,6 +43,10 @@ struct LeftOutside {
 
 /// "0.62 ulps", "1 ulp".
 [[nodiscard]] std::string ulps_text(double ulps);
+
+/// How far the worst point is outside: "0.62 ulps of the radius"; in units where the radius has no ulp.
+/// of: what an ulp is of.
+[[nodiscard]] std::string worst_text(const LeftOutside& left, std::string_view of);
 
 /// What an ulp is of: " of the radius", " of the coordinates".
 [[nodiscard]] const char* of_ulps(const fit::Result& result);

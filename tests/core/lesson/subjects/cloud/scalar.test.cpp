@@ -128,6 +128,18 @@ TEST_CASE_TEMPLATE("how far a point is outside is told in ulps of the radius and
   CHECK(left_outside(near, {Point3(0, 0, 0), 1 + 3 * static_cast<double>(step)}).points.empty());
 }
 
+TEST_CASE_TEMPLATE("a radius of 0 has no ulp, so how far a point is outside it is told in units", Scalar, float,
+                   double) {
+  const AnyPointSet points = *PointSet<Scalar, 2>::make({{0, 0}, {Scalar(0.25), 0}});
+  const LeftOutside left = left_outside(points, {Point3(0, 0, 0), 0});
+  CHECK(left.points == std::vector<Index>{1});
+  CHECK(std::isinf(left.ulps()));
+  CHECK(worst_text(left, " of the radius") == "0.25 units");
+  CHECK(worst_text(left_outside(points, {Point3(0, 0, 0), 0.125}), " of the radius").ends_with(" ulps of the radius"));
+  const AnyPointSet one_place = *PointSet<Scalar, 2>::make({{1, 1}, {1, 1}});
+  CHECK(left_outside(one_place, {Point3(1, 1, 0), 0}).ulps() == 0);
+}
+
 TEST_CASE("a ball that a distance's own rounding would call right is told by exact arithmetic") {
   // The point lies outside by a few thousandths of an ulp, which no distance in double shows.
   const double radius = std::sqrt(2.0);
