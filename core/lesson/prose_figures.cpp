@@ -59,6 +59,7 @@ FigureNow ProseFigures::look_up(const RunFigure& figure) {
     if (!session_.subject().suits(*method)) return {std::string(kHiddenFigure), kFigureRefused};
     if (hides_result(session_, *method, figure.key)) return hidden;
     found = figure_of_key(session_.result(*method), figure.key);
+    if (found != nullptr && !found->known) return {"—", kFigureNone};  // nor later
   }
   if (found == nullptr || !found->known) return unknown;
   return {on_one_line(figure.count ? number_alone(*found) : found->text), {}};

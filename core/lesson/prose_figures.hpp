@@ -19,7 +19,7 @@ struct FigureNow {
 };
 
 inline constexpr std::string_view kFigureHidden = "hidden until you answer", kFigureUnknown = "not known yet",
-                                  kFigureRefused = "not for these points";
+                                  kFigureRefused = "not for these points", kFigureNone = "none";
 
 /// Looks the figures of one moment up, each once.
 class ProseFigures {

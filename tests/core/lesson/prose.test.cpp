@@ -245,6 +245,15 @@ TEST_CASE("an algorithm that cannot take the points has no figures") {
   CHECK(now(session, "radius brute_force") == "… not for these points");
 }
 
+TEST_CASE("what a result has none of is not called unknown: it will not be known later either") {
+  std::string text =
+      small_lesson_with("over two lines.", "over {first_wrong welzl_naive} and {wrong_tests welzl_naive}.");
+  text.replace(text.find("brute_force"), 11, "welzl_naive");
+  Session session = open(text);
+  CHECK(now(session, "wrong_tests welzl_naive") == "0");
+  CHECK(now(session, "first_wrong welzl_naive") == "— none");
+}
+
 TEST_CASE("prompts are plain words where there is no markup, and a search finds no figures") {
   Session session = open(small_lesson_with("\"Which pair?\"", "\"Which *pair* of {count radius welzl}?\""));
   ProseFigures figures(session);
