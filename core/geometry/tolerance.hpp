@@ -51,6 +51,10 @@ inline constexpr double kOptimalityRoundoffs = 16;
 /// The same, for a support point to count as lying on the boundary.
 inline constexpr double kBoundaryRoundoffs = 16;
 
+/// A point outside a ball by more than this share of the radius is seen outside, so no rounding of far coordinates
+/// excuses it. Held by "a point that is seen outside is counted, however much rounding would excuse".
+inline constexpr double kSeenOutside = 0x1p-5;
+
 /// A projection (p - c) . u carries one rounding per difference, one per product and two for the sum: 4u of the sum of
 /// the terms' sizes. 6u leaves room for the rounding of that sum and of what it is compared with. Held by "a box holds
 /// a point just where its slabs do in rational arithmetic".

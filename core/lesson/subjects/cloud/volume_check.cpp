@@ -20,7 +20,9 @@ double roundoff(const fit::Sphere3& ball) {
 template <class Scalar, int Dim>
 Index outside(const PointSet<Scalar, Dim>& set, const fit::Sphere3& ball) {
   const Vector<double, Dim> center = ball.center.head<Dim>();
-  const double limit = ball.radius + tolerance::kBoundaryRoundoffs * roundoff<Scalar>(ball);
+  const double seen = tolerance::kSeenOutside * ball.radius + tolerance::roundoff<double>(ball.radius);
+  const double excused = std::min(tolerance::kBoundaryRoundoffs * roundoff<Scalar>(ball), seen);
+  const double limit = ball.radius + excused;
   Index outside = 0;
   for (const auto& point : set.span())
     if (scaled_norm<double, Dim>(point.template cast<double>() - center) > limit) ++outside;

@@ -5,7 +5,8 @@
 
 namespace snug::lesson {
 
-/// How many points lie outside by more than rounding: a ball that has just grown to a point may miss it by an ulp.
+/// How many points lie outside by more than rounding: a ball that has just grown to a point may miss it by an ulp. A
+/// point that is seen outside counts, wherever the points lie.
 [[nodiscard]] Index count_outside(const AnyPointSet& points, const fit::Volume3& volume);
 
 /// What is true of a ball at a step, and of its support set.

@@ -6,6 +6,7 @@
 #include "fit/catalogue.hpp"
 #include "geometry/random.hpp"
 #include "lesson/subjects/cloud/break_it.hpp"
+#include "lesson/subjects/cloud/volume_check.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -138,6 +139,16 @@ TEST_CASE_TEMPLATE("a radius of 0 has no ulp, so how far a point is outside it i
   CHECK(worst_text(left_outside(points, {Point3(0, 0, 0), 0.125}), " of the radius").ends_with(" ulps of the radius"));
   const AnyPointSet one_place = *PointSet<Scalar, 2>::make({{1, 1}, {1, 1}});
   CHECK(left_outside(one_place, {Point3(1, 1, 0), 0}).ulps() == 0);
+}
+
+TEST_CASE("a point that is seen outside is counted, however much rounding would excuse") {
+  const float far = 1e7f;  // an ulp is 1
+  const AnyPointSet points = *PointSet<float, 2>::make({{far, 0}, {far + 2, 0}, {far + 1, 2}});
+  CHECK(count_outside(points, fit::Sphere3{Point3(1e7 + 1, 0, 0), 1}) == 1);
+  const AnyPointSet near = *PointSet<float, 2>::make({{1, 1}, {1, 1}, {1 + 0x1p-21f, 1}});
+  CHECK(count_outside(near, fit::Sphere3{Point3(1, 1, 0), 0}) == 1);
+  const AnyPointSet unit = *PointSet<float, 2>::make({{-1, 0}, {1, 0}, {0, 1}});
+  CHECK(count_outside(unit, fit::Sphere3{Point3(0, 0, 0), 1 - 0x1p-24}) == 0);  // by an ulp
 }
 
 TEST_CASE("a ball that a distance's own rounding would call right is told by exact arithmetic") {
