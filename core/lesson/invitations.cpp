@@ -16,6 +16,7 @@ std::optional<Invited> Invitations::due(const Session& session, bool playing) {
   const bool told = session.asked() != nullptr || session.deciding() != nullptr || session.outcome() != nullptr;
   if (followed_ >= kAll || told || session.at_summary() || session.previewing()) return std::nullopt;
   if (followed_ == 0 && session.step() > 0) return std::nullopt;
+  if (static_cast<Invited>(followed_) == Invited::kStep && session.step() >= session.steps()) return std::nullopt;
   if (shown_at_ < 0) shown_at_ = session.step();
   return static_cast<Invited>(followed_);
 }

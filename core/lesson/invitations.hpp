@@ -21,7 +21,7 @@ class Invitations {
   /// How many were followed.
   [[nodiscard]] int followed() const { return followed_; }
   /// The one that is due: none beside a question and what is said of it, nor before the player was used on a result
-  /// that is shown first. What was shown before and has been done since is followed.
+  /// that is shown first, nor to step after the last step. What was shown before and has been done since is followed.
   std::optional<Invited> due(const Session& session, bool playing);
 
  private:

@@ -44,6 +44,20 @@ TEST_CASE("what was done before an invitation was shown follows none") {
   CHECK(invitations.followed() == 0);
 }
 
+TEST_CASE("none invites to step where no step is left") {
+  Session session = open_small();
+  Invitations invitations(0);
+  REQUIRE(invitations.due(session, false) == Invited::kDrag);
+  session.jump(session.steps());
+  REQUIRE(session.move(5, {0.4, 0.1, 0}));
+  REQUIRE(session.step() == session.steps());
+  if (session.at_summary()) session.close_summary();
+  CHECK_FALSE(invitations.due(session, false));
+  CHECK(invitations.followed() == 1);
+  session.first();
+  CHECK(invitations.due(session, false) == Invited::kStep);
+}
+
 TEST_CASE("those that were followed before are not shown again") {
   Session session = open_small();
   Invitations second(1);
