@@ -38,7 +38,8 @@ bool grow_to_hold(Sphere<Scalar, Dim>& ball, const Vector<Scalar, Dim>& point, I
   return true;
 }
 
-/// Ends a growing algorithm: widens the radius if rounding left a point outside.
+/// Ends a growing algorithm: widens the radius if rounding left a point outside. The farthest point joins the support
+/// set: where two points touch the ball, the pass may have ended with either, and rounding decides which is farther.
 template <class Scalar, int Dim, class Observer>
 Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support, PointSpan<Scalar, Dim> points,
                                       int line, Observer& observe) {
@@ -47,6 +48,7 @@ Fit<Sphere<Scalar, Dim>> finish_grown(Sphere<Scalar, Dim> ball, Support support,
   const Scalar enclosing = enclosing_radius(ball.center, points, far);
   const bool widened = enclosing > ball.radius;
   ball.radius = std::max(ball.radius, enclosing);
+  if (!support.contains(far.overall.point)) support.add(far.overall.point);
   observe.count(Operation::kPointsTouched, points.size());
   observe.count(Operation::kDistanceTests, points.size());
   observe(Step{line, true, ball, RadiusChecked{far.overall.point, widened}});

@@ -1,6 +1,7 @@
 // What sphere fitters promise beyond what all fitters do (promises.test.cpp).
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/fit/promises.hpp"
@@ -88,6 +89,19 @@ TEST_CASE("traces have equal hashes for equal seeds, and others for others") {
                         algorithm.name == "pivot" || algorithm.name == "welzl_recursive" || algorithm.naive;
     CHECK((hash(1) != hash(2)) == random);
   }
+}
+
+TEST_CASE("the point that the last check finds farthest is among those that a grown sphere touches") {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed)
+    for (const char* name : {"ritter", "ritter_iterative", "pca"}) {
+      const AnyPointSet set = test::set_of<double, 2>(test::generated<double, 2>("gaussian", 9, seed));
+      const auto run = fit::find_algorithm("sphere", name)->record(set, {seed});
+      const auto& support = run.result.support;
+      for (const auto& entry : run.steps)
+        if (const auto* checked = std::get_if<fit::RadiusChecked>(&entry.step.fact))
+          CHECK(std::find(support.begin(), support.end(), checked->farthest) != support.end());
+      CHECK(run.certificate.on_boundary);
+    }
 }
 
 TEST_CASE("counts grow along a trace and end at the whole run's") {
