@@ -70,7 +70,7 @@ class FitBoard {
     of_all("Points outside", "outside", outside);
     const auto holding = static_cast<int>(run_.support(view_.step).size());
     // Before the end there may be no support set yet: a dash is shown then.
-    add(run_.exact() ? "Support set" : "On the boundary", "support",
+    add(run_.exact() ? "Support set" : "Found on the boundary", "support",
         holding > 0 ? things_text(holding, "point", "points") : "—", holding, "points");
     figures_.back().known = holding > 0;
   }

@@ -83,7 +83,7 @@ TEST_CASE("the figures of a place in the run") {
   CHECK(figure(session, "seen").text == "5 of 6");
   CHECK(figure(session, "outside_by").value == doctest::Approx(0.5));
   CHECK(figure(session, "support").text == "2 points");
-  CHECK(figure(session, "support").name == "On the boundary");  // of a circle that claims no more than to hold them
+  CHECK(figure(session, "support").name == "Found on the boundary");  // others may lie there too
 
   session.jump(8);  // the circle grew to it
   CHECK(figure(session, "radius").value == 2.25);
