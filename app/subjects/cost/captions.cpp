@@ -76,8 +76,11 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
       slow == table.rows.end() ? ""
                                : phrase(" %s was too slow here to measure on all points, and is left out of the front.",
                                         algorithm_title(slow->volume, slow->algorithm).c_str());
-  return phrase("%d of %d %s on the front.%s Choose a mark to load its volume.", static_cast<int>(front),
-                static_cast<int>(table.rows.size()), front == 1 ? "lies" : "lie", left_out.c_str());
+  const bool doubtful = std::any_of(table.rows.begin(), table.rows.end(),
+                                    [](const cost::CostRow& row) { return row.points == row.of && !row.time.trusted; });
+  return phrase("%d of %d %s on the front%s.%s Choose a mark to load its volume.", static_cast<int>(front),
+                static_cast<int>(table.rows.size()), front == 1 ? "lies" : "lie",
+                doubtful ? ", if the hollow marks can be trusted" : "", left_out.c_str());
 }
 
 std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, std::size_t point) {

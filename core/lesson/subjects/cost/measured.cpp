@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "fit/catalogue.hpp"
+#include "lesson/names.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cost/asks.hpp"
@@ -81,12 +84,13 @@ std::string slower_sentence(const Lesson& lesson, Costs rows) {
          foretold(most);
 }
 
-/// A row with an unreliable time that could change the front; null if there is none. The slowest is slowest by far, but
-/// the front depends on any two that are close.
-const cost::CostRow* doubtful_row(Costs rows) {
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [](const cost::CostRow& row) { return row.points == row.of && is_unreliable(row); });
-  return found == rows.end() ? nullptr : &*found;
+/// The titles of the rows with an unreliable time that could change the front. The slowest is slowest by far, but the
+/// front depends on any two that are close.
+std::vector<std::string> doubtful_titles(const Lesson& lesson, Costs rows) {
+  std::vector<std::string> titles;
+  for (const cost::CostRow& row : rows)
+    if (row.points == row.of && is_unreliable(row)) titles.push_back(title_of(lesson, row));
+  return titles;
 }
 
 bool of_same_points(const cost::CostRow& a, const cost::CostRow& b) { return a.points == b.points; }
@@ -142,8 +146,8 @@ const char* offer_times(Asked& asked, const Run&) {
 Truth front_truth(const Asked& asked, const Run&) {
   const Costs rows = rows_of(asked);
   if (rows.size() != asked.choices.size()) return unknown();
-  if (const cost::CostRow* row = doubtful_row(rows))
-    return unknown(" " + title_of(*asked.lesson, *row) +
+  if (const auto doubtful = doubtful_titles(*asked.lesson, rows); !doubtful.empty())
+    return unknown(" " + listed(doubtful, " and ") +
                    " could not be measured reliably, so the front is not decided: measure again.");
   Truth truth;
   const auto front = cost::pareto_front(rows);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "app/subjects/cost/captions.hpp"
 #include "app/subjects/cost/charts.hpp"
 #include "lesson/subjects/cost/cost.hpp"
 
@@ -89,6 +90,17 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK(costs.command(session, "chart_load"));
   CHECK_FALSE(costs.shown());
   CHECK(session.step() == session.steps());
+}
+
+TEST_CASE("a front with a time that could not be measured reliably is told with a reservation") {
+  cost::CostRow row{.volume = "sphere", .algorithm = "ritter", .on_front = true};
+  row.points = row.of = 5;
+  row.time.trusted = true;
+  cost::Table<cost::CostRow> table;
+  table.rows = {row, row};
+  CHECK(accuracy_caption(table).starts_with("2 of 2 lie on the front. "));
+  table.rows[1].time.trusted = false;
+  CHECK(accuracy_caption(table).starts_with("2 of 2 lie on the front, if the hollow marks can be trusted. "));
 }
 
 TEST_CASE("what is ready stays when it is stopped, and other points are other figures") {

@@ -193,7 +193,11 @@ TEST_CASE("a later measurement decides anew, and a front with an unreliable time
   CHECK(session.outcomes()[0].pending);
   CHECK(session.outcomes()[0].happened.empty());
   CHECK(session.outcomes()[0].says.find(" could not be measured reliably") != std::string::npos);
-  CHECK_FALSE(session.outcomes()[1].pending);  // the slowest is so by far
+  CHECK(session.outcomes()[0].says.find(" and ") == std::string::npos);
+  doubtful[1].time.trusted = false;
+  measured(session, doubtful);
+  CHECK(session.outcomes()[0].says.find(" and ") != std::string::npos);  // it names both
+  CHECK_FALSE(session.outcomes()[1].pending);                            // the slowest is so by far
   measured(session, rows());
   CHECK(session.outcomes()[0].right);
 }
