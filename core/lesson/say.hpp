@@ -24,7 +24,7 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kTryOrderAgain = "Not in that order. Try once more.",
                                   kTryThoseAgain = "Not those. Try once more.",
-                                  kTriedAlready = "You have tried that one. Choose another.",
+                                  kTriedAlready = "You have tried that one. Try another.",
                                   kPressToSkip = "Press again to skip this question.",
                                   kSkipHint = "Page Down twice skips.",
                                   kWatching = "Watch how it comes about. Any key or tap goes to the end.";

@@ -59,7 +59,7 @@ TEST_CASE("a first wrong answer is told to be wrong, and nothing else") {
   REQUIRE(session.tried() != nullptr);
   CHECK(session.tried()->value == 3);
   CHECK_FALSE(session.pick(point(3)));
-  CHECK(session.answer_says() == "You have tried that one. Choose another.");
+  CHECK(session.answer_says() == "You have tried that one. Try another.");
   SUBCASE("right on the second try") {
     REQUIRE(give(session, point(4)));
     CHECK(session.outcome()->right);

@@ -317,7 +317,7 @@ TEST_CASE("a choice that names a point and a tap on that point are the same answ
   REQUIRE(session.tried() != nullptr);  // it was given, and is wrong
   CHECK(session.answer_says() == "Not that one. Try once more.");
   CHECK_FALSE(session.pick(point(std::stoi(name.substr(1)))));
-  CHECK(session.answer_says() == "You have tried that one. Choose another.");
+  CHECK(session.answer_says() == "You have tried that one. Try another.");
 }
 
 TEST_CASE("skipped, wrong and right are counted apart") {
