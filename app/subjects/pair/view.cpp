@@ -17,8 +17,9 @@ namespace {
 
 constexpr double kRoomForAxis = 1.15;                              // room for the axis with its bars beside the boxes
 constexpr float kRoomForIntervals = 64, kRoomForDifference = 200;  // pixels
-// On a narrower stage the difference is above the volumes, if they have so much height below it.
-constexpr float kStageForBoth = 560, kUnderDifference = 200, kAroundDifference = 12;
+// On a narrower stage the difference is above the volumes, if they have so much height below it. Between the two is
+// room for the marks on the uppermost vertex.
+constexpr float kStageForBoth = 560, kUnderDifference = 178, kAroundDifference = 34;
 
 class PairView final : public SubjectView {
  public:

@@ -66,7 +66,7 @@ TEST_CASE("on a phone the Minkowski difference is above the volumes, which have 
     float left = 390, right = 0;
     for (const Handle& handle : bench.app.handles()) {
       CAPTURE(handle.id);
-      CHECK(handle.y > title + 125);
+      CHECK(handle.y > title + 150);  // its lower rim, and the mark of a wrong answer on a vertex
       left = std::min(left, handle.x), right = std::max(right, handle.x);
     }
     CHECK(left > 20);
