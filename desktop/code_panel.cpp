@@ -12,21 +12,31 @@ namespace {
 
 using app::Face;
 
-/// A choice with its label before it or, where its titles are too long for that, above it: none is cut off.
-int draw_labelled(Column& column, std::string_view label, const std::vector<std::string>& words, int chosen) {
+/// The width of the labels where they stand before their choices.
+float label_width(const app::Look& look) {
+  return std::max(app::measure(look, Face::kRegular, 13, lesson::kAlgorithmWord).x,
+                  app::measure(look, Face::kRegular, 13, lesson::kCompareWord).x) +
+         12;
+}
+
+/// Whether a title is too long for a choice beside its label. All labels then stand above their choices: no title is
+/// cut off, and the choices are one below the other.
+bool stand_above(const Column& column, const std::vector<std::string>& titles) {
   constexpr float kAround = 44;  // pixels of a chooser's width that no words have
-  const app::Look& look = column.look();
-  const float row = look.px(34);
-  float before = std::max(app::measure(look, Face::kRegular, 13, lesson::kAlgorithmWord).x,
-                          app::measure(look, Face::kRegular, 13, lesson::kCompareWord).x) +
-                 12;
-  const bool above = std::any_of(words.begin(), words.end(), [&](const std::string& title) {
-    return app::measure(look, Face::kSemiBold, 14, title).x + kAround > column.width() - before;
+  const float width = column.width() - label_width(column.look());
+  return std::any_of(titles.begin(), titles.end(), [&](const std::string& title) {
+    return app::measure(column.look(), Face::kSemiBold, 14, title).x + kAround > width;
   });
-  const float height = above ? look.px(20) : row;
+}
+
+/// A choice with its label before it or above it.
+int draw_labelled(Column& column, std::string_view label, const std::vector<std::string>& words, int chosen,
+                  bool above) {
+  const app::Look& look = column.look();
+  const float row = look.px(34), height = above ? look.px(20) : row, before = above ? 0 : label_width(look);
   app::text(column.list(), look, Face::kRegular, 13, {column.x(), app::middle_of(column.y() + height / 2, look.px(13))},
             look->muted, label);
-  if (above) before = 0, column.gap(height);
+  if (above) column.gap(height);
   const int clicked = column.chooser(std::string(label).c_str(), before, column.width() - before, words, chosen);
   column.gap(row + 6);
   return clicked;
@@ -46,10 +56,11 @@ void draw_algorithms(Shell& shell, Column& column) {
     if (algorithm == session.method(1)) second = static_cast<int>(beside.size());
     beside.push_back(lesson::title_in(session.lesson(), *algorithm)), beside_names.push_back(name);
   }
-  if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main); chosen >= 0)
+  const bool above = stand_above(column, titles);
+  if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main, above); chosen >= 0)
     shell.tell(session.choose(0, names[chosen]));
   if (names.size() < 2) return;
-  if (const int chosen = draw_labelled(column, lesson::kCompareWord, beside, second); chosen >= 0)
+  if (const int chosen = draw_labelled(column, lesson::kCompareWord, beside, second, above); chosen >= 0)
     shell.tell(session.choose(1, beside_names[chosen]));
 }
 

@@ -34,3 +34,8 @@ has answered '#007A5A' || fail "the outcome is not told as right"
 "$snug" render obb-pca --algorithm exact --step end -o "$work/end.png"
 "$snug" render obb-pca --step end -o "$work/other.png"
 [[ $(compare -metric AE "$work/end.png" "$work/other.png" null: 2>&1) != 0 ]] || fail "another algorithm draws the same"
+# One title is too long for a choice beside its label: both choices of algorithms stand below theirs, in one column. A
+# chooser's left border is 18 such pixels high there.
+"$snug" render sphere-iterative --step end --size 1280x800 -o "$work/choices.png"
+borders=$(convert "$work/choices.png" -crop 1x360+1025+400 +repage txt:- | grep -c '#F7F5F2' || true)
+((borders == 36)) || fail "the choices of algorithms are not one below the other: $borders pixels of their borders"
