@@ -77,6 +77,16 @@ test("a conversation goes on where it stood: before the second try, on the way, 
   assert.ok(await page.locator(".summary").isVisible());
 });
 
+test("a wrong first answer before the first step is kept too", async (t) => {
+  const page = await load(t, "?lesson=kdop-slabs");
+  await until(page, (now) => now.asked?.id === "tightest" && now.step === 0);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("1"); // the 8-DOP, which is not the tightest
+  await page.keyboard.press("Enter");
+  const { asked } = await until(page, (now) => now.asked?.tried);
+  assert.deepEqual((await reload(page)).asked.tried, asked.tried);
+});
+
 test("an address with a step wins over the step that is kept", async (t) => {
   const page = await load(t, `${kFirst}&step=0`);
   await page.keyboard.press("ArrowRight");

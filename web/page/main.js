@@ -383,7 +383,7 @@ class Page {
     const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
     if (address === this.#erased_at && outcomes.length === 0) return;
     this.#erased_at = null;
-    const begun = !previewing && (step > 0 || outcomes.length > 0 || edited);
+    const begun = !previewing && (step > 0 || outcomes.length > 0 || edited || Boolean(asked?.tried));
     if (!begun && !this.#kept.lesson(this.#lesson.id)) return;
     const before = this.#kept.lesson(this.#lesson.id);
     this.#kept.keep_lesson(this.#lesson.id, {
