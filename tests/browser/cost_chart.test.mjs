@@ -171,6 +171,20 @@ test("two million points and one are refused; six thousand are measured whole an
   assert.ok(cover.work[0].enabled);
 });
 
+test("on a phone the canvas draws the numbers, and covers nothing of the measurement above them", async (t) => {
+  const page = await visit(t, kLesson, kPhone);
+  await skip_all(page);
+  await page.getByRole("tab", { name: "Numbers" }).click();
+  await still(page);
+  const covered = await page.evaluate(() => {
+    document.querySelector(".cover").scrollIntoView({ block: "center" });
+    const above = ({ x, y, width, height }) => document.elementFromPoint(x + width / 2, y + height / 2);
+    const parts = [...document.querySelectorAll(".cover :is(button, p)")].filter((part) => part.checkVisibility());
+    return parts.filter((part) => !above(part.getBoundingClientRect())?.closest(".cover")).map(({ textContent }) => textContent);
+  });
+  assert.deepEqual(covered, []);
+});
+
 test("five per cent tighter: the fastest that is so does the task, on the student's own shape", async (t) => {
   const page = await visit(t, kLesson, kPhone);
   await skip_all(page);
