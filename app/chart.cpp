@@ -283,12 +283,15 @@ struct Plot {
     const std::array way{ImVec2(frame.x, height), ImVec2(frame.x + frame.width, height)};
     pen.path(way, Stroke::kDashed, look->optimum, look->stroke * 0.7f);
   }
-  /// Names it where rising lines leave room: at its left end, or where it is at the chart's foot, farther in.
+  /// Names it where rising lines leave room: at its left end, or where it is at the chart's foot, farther in; and above
+  /// it, or where it is at the chart's top, below.
   void name_limit() const {
     if (!has_limit()) return;
     const float height = y.at(*chart.limit), size = look.px(kSize), clear = kMark * look->mark + 6;
     const bool at_foot = frame.y + frame.height - height < 0.15f * frame.height;
-    pen.halo_words(look, Face::kSemiBold, kSize, {frame.x + (at_foot ? 0.25f * frame.width : 8), height - clear - size},
+    const float above = height - clear - size;
+    pen.halo_words(look, Face::kSemiBold, kSize,
+                   {frame.x + (at_foot ? 0.25f * frame.width : 8), above < frame.y ? height + 6 : above},
                    look->optimum_text, look->ground, chart.limit_name);
   }
   [[nodiscard]] bool has_limit() const { return chart.limit && !chart.series.empty(); }

@@ -41,18 +41,22 @@ std::string escaped_words(std::string words) {
   return words;
 }
 
-/// The words that the screen's pen draws.
-std::vector<std::string> words_on_screen(Bench& bench, const Chart& chart) {
+/// The words that the screen's pen draws, with their places.
+std::vector<DrawnWords> drawn_on_screen(Bench& bench, const Chart& chart, const Rect& rect) {
   std::vector<DrawnWords> drawn;
   ImGui::NewFrame();
   Look look = bench.app.look();
   look.drawn = &drawn;
   ScreenPen pen(ImGui::GetBackgroundDrawList());
   ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
-  draw_chart(pen, look, {0, 0, 960, 600}, chart);
+  draw_chart(pen, look, rect, chart);
   ImGui::EndFrame();
+  return drawn;
+}
+
+std::vector<std::string> words_on_screen(Bench& bench, const Chart& chart) {
   std::vector<std::string> words;
-  for (const DrawnWords& one : drawn) words.push_back(one.words);
+  for (const DrawnWords& one : drawn_on_screen(bench, chart, {0, 0, 960, 600})) words.push_back(one.words);
   return words;
 }
 
@@ -120,6 +124,20 @@ TEST_CASE("a claim's chart has a line for each kind of cloud, and each mark is t
     CHECK(series.figure == std::to_string(held) + " of 40");
   }
   CHECK(trial_chart(claim, {}).series.empty());
+}
+
+TEST_CASE("what is claimed stands below its line where the line is at the chart's top, and over no words") {
+  Bench bench(test::flat_kdop());
+  const Chart chart = trial_chart(*cost::find_trial("as_much_memory"), cost::all_trials());
+  const auto drawn = drawn_on_screen(bench, chart, {0, 0, 390, 390});
+  const auto claimed =
+      std::find_if(drawn.begin(), drawn.end(), [&](const DrawnWords& one) { return one.words == chart.limit_name; });
+  REQUIRE(claimed != drawn.end());
+  for (const DrawnWords& one : drawn) {
+    const bool apart = one.high.x <= claimed->low.x || claimed->high.x <= one.low.x || one.high.y <= claimed->low.y ||
+                       claimed->high.y <= one.low.y;
+    if (one.words != chart.limit_name) CHECK_MESSAGE(apart, one.words);
+  }
 }
 
 }  // namespace snug::app
