@@ -62,6 +62,9 @@ test("each claim is answered before it is tried, and decided by its clouds", asy
   assert.ok(done.outcomes[0].right, "the first claim is false on most clouds");
   assert.match(done.outcomes[0].says, /^It holds on 91 of 240 clouds\.$/);
   assert.equal(await page.locator(".cover tbody tr").count(), 10);
+  const last = page.locator("#told .outcome").last(); // unfolded, it says which claim it is about
+  await last.locator("summary").click();
+  assert.equal(await last.locator(".asked").innerText(), done.predictions.at(-1).prompt);
 });
 
 test("a chart is saved as SVG with real words, as PNG at its own size, and as a table", async (t) => {

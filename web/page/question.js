@@ -70,7 +70,8 @@ export class QuestionCard {
     this.#waiting = view.waiting;
     if (!asked) this.#choices = [];
     box.replaceChildren(...(card ? [card] : []));
-    by_id("told").replaceChildren(...told.map((each) => this.#told_card(each)),
+    const prompt_of = ({ question }) => view.predictions.find(({ id }) => id === question)?.prompt ?? "";
+    by_id("told").replaceChildren(...told.map((each) => this.#told_card(each, prompt_of(each))),
       ...(score && !this.#door.lesson().asksOfSteps ? [this.#score_card(score)] : []));
     box.scrollTop = 0;
     if (had_focus) (first_in(box) ?? by_id("canvas")).focus({ preventScroll: true });
@@ -229,14 +230,15 @@ export class QuestionCard {
   }
 
   /** Where all are decided at once: one line each, to unfold. */
-  #told_card(outcome) {
+  #told_card(outcome, prompt) {
     const { verdict, right, kind, pending, happened, says, becauseWords, skipped } = outcome;
     if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
     // Beside "Not quite", what happened alone would read as the prediction.
     const line = right ? happened : `${this.#words.answer}: ${happened}`;
     return element("div", { class: `card outcome told ${kind}` },
       element("details", {}, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
-        ...this.#said(outcome), element("p", {}, ...spelled(says)), element("p", {}, ...this.#texts.of(becauseWords))));
+        element("p", { class: "asked" }, ...spelled(prompt)), ...this.#said(outcome), element("p", {}, ...spelled(says)),
+        element("p", {}, ...this.#texts.of(becauseWords))));
   }
 
   #score_card(score) {
