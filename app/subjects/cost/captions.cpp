@@ -80,7 +80,7 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
                                     [](const cost::CostRow& row) { return row.points == row.of && !row.time.trusted; });
   return phrase("%d of %d %s on the front%s.%s Choose a mark to load its volume.", static_cast<int>(front),
                 static_cast<int>(table.rows.size()), front == 1 ? "lies" : "lie",
-                doubtful ? ", if the hollow marks can be trusted" : "", left_out.c_str());
+                doubtful ? ", as far as the times can be trusted" : "", left_out.c_str());
 }
 
 std::string growth_caption(const cost::Table<cost::GrowthRow>& table, int line, std::size_t point) {

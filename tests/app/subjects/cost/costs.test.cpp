@@ -100,7 +100,7 @@ TEST_CASE("a front with a time that could not be measured reliably is told with 
   table.rows = {row, row};
   CHECK(accuracy_caption(table).starts_with("2 of 2 lie on the front. "));
   table.rows[1].time.trusted = false;
-  CHECK(accuracy_caption(table).starts_with("2 of 2 lie on the front, if the hollow marks can be trusted. "));
+  CHECK(accuracy_caption(table).starts_with("2 of 2 lie on the front, as far as the times can be trusted. "));
 }
 
 TEST_CASE("what is ready stays when it is stopped, and other points are other figures") {
