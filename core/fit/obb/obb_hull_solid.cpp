@@ -189,6 +189,7 @@ std::vector<Index> HullSolid::outline(const Point& direction, Count& count) cons
 Index HullSolid::far(const Point& direction) const {
   int axis = 0;
   const double largest = direction.cwiseAbs().maxCoeff(&axis);
+  if (!(largest > 0)) return table_.front();  // (0, 0, 0): any vertex will do
   const auto cell = [&](int side) {
     const double place = (direction[(axis + side) % 3] / largest + 1) / 2 * cells_;
     return std::clamp(static_cast<int>(place), 0, cells_ - 1);
