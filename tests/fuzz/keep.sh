@@ -14,4 +14,5 @@ build/fuzz/tests/"fuzz_$name" -merge=1 -set_cover_merge=1 -use_counters=0 -max_l
 mapfile -t named < <(find "$kept" -type f -regextype posix-extended ! -regex '.*/[0-9a-f]{40}')
 find "$kept" -type f -regextype posix-extended -regex '.*/[0-9a-f]{40}' -delete
 ((${#named[@]} == 0)) || for input in $(sha1sum "${named[@]}" | cut -d' ' -f1); do rm -f "$chosen/$input"; done
-find "$chosen" -type f -printf '%s %p\n' | sort -n | head -n "$most" | cut -d' ' -f2 | xargs -r cp -t "$kept"
+find "$chosen" -type f -printf '%s %p\n' | sort -n |
+    awk -v most="$most" 'NR <= most { print $2 }' | xargs -r cp -t "$kept" # head would end before sort does
