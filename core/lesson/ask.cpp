@@ -15,8 +15,6 @@
 namespace snug::lesson {
 namespace {
 
-using Kind = Answer::Kind;
-
 bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
 
 /// The index of the n-th step of that name that counts; the number of steps if there is none.
@@ -76,15 +74,15 @@ bool same_set(std::vector<int> a, std::vector<int> b) {
 
 bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
   switch (answer.kind) {
-    case Kind::kSkipped: return false;
-    case Kind::kPoint: return contains(truth.points, answer.value);
-    case Kind::kPoints: return same_set(answer.list, {truth.points.begin(), truth.points.end()});
-    case Kind::kNumber: return std::abs(answer.number - truth.number) <= truth.tolerance;
-    case Kind::kOrder: {
+    case Answer::Kind::kSkipped: return false;
+    case Answer::Kind::kPoint: return contains(truth.points, answer.value);
+    case Answer::Kind::kPoints: return same_set(answer.list, {truth.points.begin(), truth.points.end()});
+    case Answer::Kind::kNumber: return std::abs(answer.number - truth.number) <= truth.tolerance;
+    case Answer::Kind::kOrder: {
       const auto before = [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; };
       return std::is_sorted(answer.list.begin(), answer.list.end(), before);
     }
-    case Kind::kChoice: break;
+    case Answer::Kind::kChoice: break;
   }
   if (!asked.many) return contains(truth.choices, answer.value);
   int all = 0;
@@ -95,16 +93,16 @@ bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
 /// What an answer says, in words.
 std::string said_by(const Asked& asked, const Answer& answer, const Truth& truth) {
   switch (answer.kind) {
-    case Kind::kSkipped: return {};
-    case Kind::kPoint: return said_by_handle(asked, truth, answer.value);
-    case Kind::kPoints: return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end()));
-    case Kind::kNumber: return with_unit(answer.number, asked.unit);
-    case Kind::kOrder: {
+    case Answer::Kind::kSkipped: return {};
+    case Answer::Kind::kPoint: return said_by_handle(asked, truth, answer.value);
+    case Answer::Kind::kPoints: return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end()));
+    case Answer::Kind::kNumber: return with_unit(answer.number, asked.unit);
+    case Answer::Kind::kOrder: {
       std::string text;
       for (const int choice : answer.list) text += (text.empty() ? "" : ", ") + asked.choices[choice];
       return text;
     }
-    case Kind::kChoice: break;
+    case Answer::Kind::kChoice: break;
   }
   return asked.many ? names_of_bits(asked, answer.value) : asked.choices[answer.value];
 }
@@ -247,52 +245,54 @@ bool answers(const Asked& asked, const Answer& answer) {
     return std::adjacent_find(list.begin(), list.end()) == list.end();
   };
   switch (answer.kind) {
-    case Kind::kSkipped: return true;
-    case Kind::kChoice: {
+    case Answer::Kind::kSkipped: return true;
+    case Answer::Kind::kChoice: {
       const int choices = static_cast<int>(asked.choices.size());
       return !asked.ordered && answer.value >= 0 && answer.value < (asked.many ? 1 << choices : choices);
     }
-    case Kind::kPoint: return asked.on_stage && !asked.many && is_target(answer.value);
-    case Kind::kPoints:
+    case Answer::Kind::kPoint: return asked.on_stage && !asked.many && is_target(answer.value);
+    case Answer::Kind::kPoints:
       return asked.on_stage && asked.many && !answer.list.empty() &&
              std::all_of(answer.list.begin(), answer.list.end(), is_target) && is_set(answer.list);
-    case Kind::kOrder: {
+    case Answer::Kind::kOrder: {
       const auto choices = asked.choices.size();
       const auto is_choice = [&](int i) { return i >= 0 && i < static_cast<int>(choices); };
       return asked.ordered && answer.list.size() == choices && is_set(answer.list) &&
              std::all_of(answer.list.begin(), answer.list.end(), is_choice);
     }
-    case Kind::kNumber: return asked.number && std::isfinite(answer.number);
+    case Answer::Kind::kNumber: return asked.number && std::isfinite(answer.number);
   }
   return false;
 }
 
 bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
   if (a.kind == b.kind) return a == b;
-  const auto is_one = [](const Answer& answer) { return answer.kind == Kind::kPoint || answer.kind == Kind::kChoice; };
+  const auto is_one = [](const Answer& answer) {
+    return answer.kind == Answer::Kind::kPoint || answer.kind == Answer::Kind::kChoice;
+  };
   if (!is_one(a) || !is_one(b)) return false;
-  const Answer& choice = a.kind == Kind::kChoice ? a : b;
-  const Answer& handle = a.kind == Kind::kChoice ? b : a;
+  const Answer& choice = a.kind == Answer::Kind::kChoice ? a : b;
+  const Answer& handle = a.kind == Answer::Kind::kChoice ? b : a;
   const std::size_t at = choice.value;
   return at < asked.choice_handles.size() && asked.choice_handles[at].size() == 1 &&
          asked.choice_handles[at].front() == handle.value;
 }
 
 bool is_picked(const Asked& asked, const Answer& picked, int choice) {
-  if (picked.kind == Kind::kOrder) return contains(picked.list, choice);
+  if (picked.kind == Answer::Kind::kOrder) return contains(picked.list, choice);
   if (asked.many) return (picked.value >> choice & 1) != 0;
-  return same_answer(asked, picked, {Kind::kChoice, choice});
+  return same_answer(asked, picked, {Answer::Kind::kChoice, choice});
 }
 
 int place_in_order(const Answer& picked, int choice) {
-  if (picked.kind != Kind::kOrder) return 0;
+  if (picked.kind != Answer::Kind::kOrder) return 0;
   const auto at = std::find(picked.list.begin(), picked.list.end(), choice);
   return at == picked.list.end() ? 0 : static_cast<int>(at - picked.list.begin()) + 1;
 }
 
 bool names_handle(const Answer& picked, Index handle) {
-  if (picked.kind == Kind::kPoints) return contains(picked.list, static_cast<int>(handle));
-  return picked.kind == Kind::kPoint && picked.value == handle;
+  if (picked.kind == Answer::Kind::kPoints) return contains(picked.list, static_cast<int>(handle));
+  return picked.kind == Answer::Kind::kPoint && picked.value == handle;
 }
 
 bool can_be_said(const Asked& asked, std::string_view answer) {
@@ -304,7 +304,7 @@ bool can_be_said(const Asked& asked, std::string_view answer) {
 
 std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth) {
   const auto is_given = [&](const std::string& what) {
-    if (answer.kind == Kind::kNumber) {
+    if (answer.kind == Answer::Kind::kNumber) {
       const auto number = typed_number(what, asked.unit);
       return number && std::abs(*number - answer.number) <= truth.tolerance;
     }
@@ -319,7 +319,7 @@ std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& tr
     return asked.own_run || asked.number || !handle_named(*asked.subject, meaning.answer);
   };
   for (const Meaning& meaning : asked.question->meanings)
-    if (answer.kind != Kind::kSkipped && is_said(meaning) && is_given(meaning.answer))
+    if (answer.kind != Answer::Kind::kSkipped && is_said(meaning) && is_given(meaning.answer))
       return in_words_of(asked.dim, meaning.says);
   return {};
 }
@@ -378,7 +378,7 @@ Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
   Outcome outcome;
   outcome.question = asked.question->id;
   outcome.given = answer;
-  outcome.skipped = answer.kind == Kind::kSkipped;
+  outcome.skipped = answer.kind == Answer::Kind::kSkipped;
   outcome.tries = outcome.skipped ? 0 : 1;
   outcome.pending = truth.pending;
   outcome.from_step = asked.step;
@@ -399,19 +399,19 @@ Answer model_answer(const Asked& asked, const Run& run) {
     std::vector<int> all(truth.points.begin(), truth.points.end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    return {.kind = Kind::kPoints, .list = std::move(all)};
+    return {.kind = Answer::Kind::kPoints, .list = std::move(all)};
   }
   if (asked.many) {
     int all = 0;
     for (const int choice : truth.choices) all |= 1 << choice;
-    return {Kind::kChoice, all};
+    return {Answer::Kind::kChoice, all};
   }
   // Less than a millionth of the tolerance is rounding, and is reported as 0.
   const bool nothing = std::abs(truth.number) < 1e-6 * truth.tolerance;
-  if (asked.number) return {.kind = Kind::kNumber, .number = nothing ? 0 : truth.number};
-  if (asked.ordered) return {.kind = Kind::kOrder, .list = truth.choices};
-  if (!truth.choices.empty()) return {Kind::kChoice, truth.choices.front()};
-  return {Kind::kPoint, truth.points.empty() ? 0 : truth.points.front()};
+  if (asked.number) return {.kind = Answer::Kind::kNumber, .number = nothing ? 0 : truth.number};
+  if (asked.ordered) return {.kind = Answer::Kind::kOrder, .list = truth.choices};
+  if (!truth.choices.empty()) return {Answer::Kind::kChoice, truth.choices.front()};
+  return {Answer::Kind::kPoint, truth.points.empty() ? 0 : truth.points.front()};
 }
 
 }  // namespace snug::lesson

@@ -7,8 +7,6 @@
 namespace snug::lesson {
 namespace {
 
-using Kind = Block::Kind;
-
 /// A line of the text: where its first letter is, and where it ends.
 struct SourceLine {
   std::size_t begin, end;
@@ -17,7 +15,7 @@ struct SourceLine {
 
 /// Where a list's item begins.
 struct ItemStart {
-  Kind kind;
+  Block::Kind kind;
   std::size_t words;   // where its words begin
   std::string number;  // of a numbered list
 };
@@ -62,10 +60,10 @@ class Reader {
   [[nodiscard]] std::optional<ItemStart> item_at(std::size_t line) const {
     constexpr std::size_t kMostDigits = 3;
     const std::string_view words = words_of(line);
-    if (words.substr(0, 2) == "- ") return ItemStart{Kind::kBullets, lines_[line].begin + 2, {}};
+    if (words.substr(0, 2) == "- ") return ItemStart{Block::Kind::kBullets, lines_[line].begin + 2, {}};
     const std::size_t digits = std::min(words.find_first_not_of("0123456789"), words.size());
     if (digits == 0 || digits > kMostDigits || words.substr(digits, 2) != ". ") return std::nullopt;
-    return ItemStart{Kind::kNumbers, lines_[line].begin + digits + 2, std::string(words.substr(0, digits))};
+    return ItemStart{Block::Kind::kNumbers, lines_[line].begin + digits + 2, std::string(words.substr(0, digits))};
   }
 
   /// Whether a formula or code that began before a line goes on there: then the line begins nothing of its own.
@@ -97,7 +95,7 @@ class Reader {
     blocks_.push_back({.rows = {{paragraph_of(text_.substr(from, end - from), faults_, Within::kSection, from)}}});
   }
 
-  void list(Kind kind) {
+  void list(Block::Kind kind) {
     const std::size_t indent = lines_[next_].indent;
     const bool continues =
         !blocks_.empty() && blocks_.back().kind == kind && item_at(next_)->number != "1";  // after an empty line
@@ -106,7 +104,7 @@ class Reader {
          item = next_ < lines_.size() && !is_empty(next_) ? item_at(next_) : std::nullopt) {
       auto& rows = blocks_.back().rows;
       const std::string due = std::to_string(rows.size() + 1);
-      if (kind == Kind::kNumbers && item->number != due)
+      if (kind == Block::Kind::kNumbers && item->number != due)
         complain("has a list whose numbers are not in order: here comes " + due, lines_[next_].begin);
       if (lines_[next_].indent > indent) complain("has a list within a list", lines_[next_].begin);
       const std::size_t end = end_of_words(item->words, true);
@@ -144,7 +142,7 @@ class Reader {
   }
 
   void table() {
-    Block table{.kind = Kind::kTable};
+    Block table{.kind = Block::Kind::kTable};
     const std::size_t head = next_, faults = faults_.size();
     for (; next_ < lines_.size() && is_row(next_); ++next_) {
       if (next_ == head + 1) {

@@ -1,6 +1,6 @@
 // The close-up that a lesson's file asks for: it is on the stage, magnifies the gap, follows a drag and covers no handle.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, drag, drag_by_finger, handles, kPhone, kWide, start, state, still, stop, until, visit } from "./support.mjs";
+import { add_lesson, assert, drag, drag_by_finger, handles, kPhone, kWide, start_for_pictures, state, still, stop, until, visit } from "./support.mjs";
 
 const lesson = `version = 2
 title = "A small gap"
@@ -23,7 +23,7 @@ text = "It is small."
 `;
 
 before(async () => {
-  await start();
+  await start_for_pictures();
   await add_lesson("small-gap", lesson);
 });
 after(stop);

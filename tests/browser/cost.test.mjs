@@ -1,10 +1,10 @@
 // What the page costs: bytes on the wire, the way from lesson to lesson, and the program's time for a frame while dragging and
 // while 2,000 bodies move (told, and held to no time).
 import { after, before, test } from "node:test";
-import { assert, choose, handles, kinds, lesson_with, load, pixels_of, start, state, still, stop, text_of, until } from "./support.mjs";
+import { assert, choose, handles, kinds, lesson_with, load, pixels_of, start_for_pictures, state, still, stop, text_of, until } from "./support.mjs";
 
 let site;
-before(async () => (site = await start()));
+before(async () => (site = await start_for_pictures()));
 after(stop);
 
 test("a first view is at most 1,440 kB on the wire", async (t) => {

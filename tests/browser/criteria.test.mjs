@@ -1,8 +1,8 @@
 // Which volume when: all volumes in small pictures that one drag turns, the measured table, the sliders, the playground.
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, start, state, still, stop, until, until_within, visit } from "./support.mjs";
+import { assert, handles, kPhone, start_for_pictures, state, still, stop, until, until_within, visit } from "./support.mjs";
 
-before(start);
+before(start_for_pictures);
 after(stop);
 
 const kLesson = "?lesson=which-volume";

@@ -1,10 +1,10 @@
 // From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays, and
 // what is the page's or the student's does.
 import { after, before, test } from "node:test";
-import { assert, choose, handles, kinds, lessons, load, pixels_of, ready, start, state, still, stop, text_of, until } from "./support.mjs";
+import { assert, choose, handles, kinds, lessons, load, pixels_of, ready, start_for_pictures, state, still, stop, text_of, until } from "./support.mjs";
 
 let site;
-before(async () => (site = await start()));
+before(async () => (site = await start_for_pictures()));
 after(stop);
 
 const mesh_of = (toml) => /^mesh = "(\w+)"/m.exec(toml)?.[1];

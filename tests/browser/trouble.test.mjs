@@ -1,9 +1,9 @@
 // What goes wrong is said plainly, and mended where it can be.
 import { after, before, test } from "node:test";
-import { assert, handles, kFirst, lessons, load, pixels_of, ready, start, state, still, stop, until } from "./support.mjs";
+import { assert, handles, kFirst, lessons, load, pixels_of, ready, start_for_pictures, state, still, stop, until } from "./support.mjs";
 
 let site;
-before(async () => (site = await start()));
+before(async () => (site = await start_for_pictures()));
 after(stop);
 
 test("a lost context is said and comes back", async (t) => {

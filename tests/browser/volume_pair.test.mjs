@@ -1,6 +1,6 @@
 // Any two volumes: their handles are dragged, the test answers at once, and its steps are drawn.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, panel_tables, pixels_of, pixels_of_volume, ready, start, state, still, stop, until, until_within, visit } from "./support.mjs";
+import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, panel_tables, pixels_of, pixels_of_volume, ready, start_for_pictures, state, still, stop, until, until_within, visit } from "./support.mjs";
 
 const kFlatVolumes = {
   sphere: "{ sphere = { center = [1.3, 0.1], radius = 0.6 } }",
@@ -39,7 +39,7 @@ text = "They are tested."
 `;
 
 before(async () => {
-  await start();
+  await start_for_pictures();
   for (const [dim, volumes, center] of kEach)
     for (const [volume, fields] of Object.entries(volumes)) await add_lesson(`pair-${volume}-${dim}`, small_lesson(dim, center, fields));
 });

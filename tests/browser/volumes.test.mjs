@@ -1,10 +1,10 @@
 // What `snug lesson check` accepts, the page opens: a small lesson of each volume in both dimensions, whatever the site's
 // own lessons have.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, pixels_of_volume, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import { add_lesson, assert, pixels_of_volume, ready, start_for_pictures, state, still, stop, until, visit } from "./support.mjs";
 
 before(async () => {
-  await start();
+  await start_for_pictures();
   for (const [dim, volumes] of kEach)
     for (const [volume, algorithm] of Object.entries(volumes)) await add_lesson(`test-${volume}-${dim}`, small_lesson(volume, algorithm, dim));
   await add_lesson("test-broken", small_lesson("sphere", "welzl", 3).replace("count = 24", "count = 0"));
