@@ -1,8 +1,7 @@
 // axe-core finds nothing to complain of: in the idle state of every lesson, at every question, beside every outcome, be it
 // right, wrong or skipped, at its task as it is set and as it is done. One lesson of each kind is played in all its
-// situations, and on a laptop the whole page is looked at whenever there is an element of a new kind on it; in the others,
-// what changes from question to question. On a phone the same parts stand in another place: one lesson of each kind is at
-// rest and played there.
+// situations, and on a laptop the whole page is looked at; in the others, what changes from question to question. On a phone
+// the same parts stand in another place: one lesson of each kind is at rest and played there.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
@@ -26,18 +25,17 @@ async function violations(page, parts = null) {
 
 /** Where questions, what comes of them and the step's words stand. */
 const kSpoken = ["#ask", "#told", "#caption", "#figures"];
-const kWhole = ["body"];
 
 /** What axe finds wrong with those parts. Other words in elements that it has seen there make no difference to it: it looks
  *  once there is an element of another kind. seen: receives the kinds of elements. */
-async function violations_of_new(page, parts, seen) {
+async function violations_of_new(page, seen) {
   const elements = await page.evaluate((parts) => [...document.querySelectorAll(parts.map((part) => `${part}, ${part} *`).join())].map((node) => {
     const attributes = [...node.attributes].map(({ name, value }) => (/^(class|role|type|aria-(pressed|current|checked))$/.test(name) ? `${name}=${value}` : name));
     return [node.parentElement.tagName, node.parentElement.className, node.tagName, ...attributes, node.textContent.trim() !== ""].join(" ");
-  }), parts);
+  }), kSpoken);
   if (elements.every((element) => seen.has(element))) return [];
   for (const element of elements) seen.add(element);
-  return violations(page, parts);
+  return violations(page, kSpoken);
 }
 
 /** Answers what is asked by its number-th choice, as far as digits reach, or by the name of the number-th handle that can be the answer. */
@@ -79,9 +77,9 @@ async function play(page, name, seen, look) {
 for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScaleFactor: 1 }]]) {
   test(`on a ${name} lessons are clean at rest, at each question, beside each outcome and at their end`, async (t) => {
     const seen = new Set();
-    const whole = new Set((await kinds()).map(({ id }) => id)), spoken = new Set(), everything = new Set();
+    const whole = new Set((await kinds()).map(({ id }) => id)), elements = new Set();
     for (const { id } of name === "phone" ? await kinds() : await lessons()) {
-      const look = (page) => (name === "laptop" && whole.has(id) ? violations_of_new(page, kWhole, everything) : violations_of_new(page, kSpoken, spoken));
+      const look = name === "laptop" && whole.has(id) ? violations : (page) => violations_of_new(page, elements);
       const page = await visit(t, `?lesson=${id}&step=0`, size);
       assert.deepEqual(await violations(page), [], `${id}, at rest`);
       const { questions, of, situations } = await play(page, id, seen, look);
