@@ -16,11 +16,11 @@ const kTypes = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/j
   ".json": "application/json", ".png": "image/png", ".toml": "text/plain", ".otf": "font/otf", ".ttf": "font/ttf" };
 const kPacked = new Set([".png"]);
 // Mesa draws the stage and the processor the page: less work than SwiftShader.
-const kFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-rasterization",
+const kPictureFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-rasterization",
   "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
-// The processor also puts the stage into the page, which takes half as long as Mesa does; but pictures of the page then lack
-// parts of the canvas.
-const kNoPictures = "--disable-gpu-compositing";
+// The processor also puts the stage into the page. That takes nearly half off what a frame costs, but pictures of the page
+// then lack parts of the canvas.
+const kFlags = [...kPictureFlags, "--disable-gpu-compositing"];
 
 /** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503; add: texts by
  *  the paths that they stand at, in place of files. */
@@ -63,10 +63,10 @@ export async function serve_drafts(lessons) {
 }
 
 /** For a file's before and after hooks. */
-export const start = () => start_on(serve_site, [...kFlags, kNoPictures]);
+export const start = () => start_on(serve_site);
 
 /** The same for a file whose tests look at pictures of the page. */
-export const start_for_pictures = () => start_on(serve_site);
+export const start_for_pictures = () => start_on(serve_site, kPictureFlags);
 
 /** The same where the browser has no graphics card, nor Mesa in its place. */
 export const start_without_card = () => start_on(serve_site, ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]);
