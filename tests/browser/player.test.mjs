@@ -84,7 +84,7 @@ test("only what can be the answer responds, by pointer, by name and by the brack
     seen.push((await until(page, (it, before) => it.asked.picked && it.asked.picked.handle !== before, seen.at(-1) ?? null)).asked.picked.handle);
     if (asked.targets.length === 1) break;
   }
-  assert.deepEqual(seen.toSorted(), asked.targets.toSorted());
+  assert.deepEqual([...seen].sort(), [...asked.targets].sort());
   await page.keyboard.press("Escape");
   await until(page, (it) => it.asked && !it.asked.picked);
   await page.keyboard.press("]");
