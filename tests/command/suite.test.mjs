@@ -5,9 +5,8 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, existsSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { tmpdir } from "node:os";
-import { fileURLToPath } from "node:url";
+import { root } from "./support.mjs";
 
-const root = fileURLToPath(new URL("../..", import.meta.url));
 const name = `suite-test-${process.pid}`;
 
 /** Runs a suite that writes a line a time and ends with what the file `status` says. */
