@@ -24,6 +24,20 @@ template <class Scalar>
 template <class Scalar>
 inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
 
+/// A computed squared distance D (1 + 5u) and the square R (1 + 3u) of a sum of two radii: where they differ by more
+/// than 9u of the latter, so do D and R. 12u leaves room for the rounding of the difference and of this bound. Held by
+/// "sphere against sphere and box, as rational arithmetic has it".
+template <class Scalar>
+inline constexpr Scalar kSquaresCompared = 12 * kRoundoff<Scalar>;
+
+/// By how much a squared distance d^2 has to miss the squared sum r^2 of the radii to decide a pair at a glance, in
+/// units of the sum Q of d^2, r^2 and all squared edges or half extents, of which there are four at most. With L = d +
+/// r and twice the edges, no length that enters is larger, L^2 <= 18 Q, and d differs from r by more than k Q / (d + r)
+/// >= k L / 36. Rounding takes 20u of L, and the whole test calls touching what is up to 64u of L apart; 4096u are
+/// 113u. Held by "a verdict at a glance is that of the whole test".
+template <class Scalar>
+inline constexpr Scalar kGlance = 4096 * kRoundoff<Scalar>;
+
 /// The error of |p - c|^2 - r^2 in twice the digits, relative to r^2, with |p - c| near the radius r: the differences,
 /// r^2 and each sum are exact except for what is summed separately, and there each of twelve roundings is at most 2^-53
 /// of 2^-49; the square of a difference's last digits, which is left out, is 2^-106. 2^-98 leaves room for all of them.
@@ -198,6 +212,13 @@ inline constexpr Scalar kLooseReach = kRotation<Scalar> + 8 * kRoundoff<Scalar>;
 /// the roundings of that sum. Held by the same.
 template <class Scalar>
 inline constexpr Scalar kPlaced = 32 * kRoundoff<Scalar>;
+
+/// How far an axis a' of an updated box, seen from the body, may lie from the axis a that it was: |R^T a' - a|. The
+/// rotation and the box's axes are off by kRotation and kObbAxes, the product by 6u, and making it straight again moves
+/// an axis by as much as all of these together; R^T R is off by twice kRotation once more. Held by "every update holds
+/// every placed point exactly, over full turns".
+template <class Scalar>
+inline constexpr Scalar kTurnedBox = 160 * kRoundoff<Scalar>;
 
 /// The sine of a triangle's angle below which its normal, worked out in about 106 bits, might not have all of a
 /// double's digits, and is worked out exactly. Held by "the normals of thin triangles keep their digits".

@@ -43,7 +43,7 @@ CostRun::CostRun(const AnyPointSet& points, std::vector<const fit::Algorithm*> a
 
 double CostRun::progress() const {
   if (done()) return 1;
-  constexpr double kPieces = 7;
+  constexpr double kPieces = 8;
   return (static_cast<double>(at_) + static_cast<double>(piece_) / kPieces) / static_cast<double>(algorithms_.size());
 }
 
@@ -53,7 +53,8 @@ void CostRun::step() {
                                       &CostRun::count,
                                       &CostRun::compare_with_hull,
                                       &CostRun::compare_with_smallest,
-                                      &CostRun::test_overlap,
+                                      &CostRun::test_near,
+                                      &CostRun::test_in_scene,
                                       &CostRun::take_update};
   if (done() || !(this->*kPieces[piece_])()) return;
   watch_.reset();
@@ -153,17 +154,20 @@ bool CostRun::compare_with_smallest() {
   return true;
 }
 
-bool CostRun::test_overlap() {
+bool CostRun::test_near() { return test_copies(Copies::kNear, row_.overlap); }
+bool CostRun::test_in_scene() { return test_copies(Copies::kScene, row_.scene_overlap); }
+
+bool CostRun::test_copies(Copies where, Timing& timing) {
   if (!watch_) {
-    const OverlapWork work = overlap_work(volume_, dim_, single_, options_.fit.seed);
+    const OverlapWork work = overlap_work(volume_, dim_, single_, where, options_.fit.seed);
     if (work.pairs == 0) return true;
-    row_.overlap_pairs = tests_ = work.pairs;
-    row_.overlapping = work.run();
+    tests_ = work.pairs;
+    if (where == Copies::kNear) row_.overlap_pairs = work.pairs, row_.overlapping = work.run();
     watch_.emplace([run = work.run] { (void)run(); }, options_.timing);
     return false;
   }
   watch_->step(clock_);
-  row_.overlap = per_test(watch_->timing(), tests_);
+  timing = per_test(watch_->timing(), tests_);
   return watch_->done();
 }
 

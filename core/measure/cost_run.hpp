@@ -63,8 +63,11 @@ class CostRun {
   bool count();
   bool compare_with_hull();
   bool compare_with_smallest();
-  bool test_overlap();
+  bool test_near();
+  bool test_in_scene();
   bool take_update();
+  /// One batch of the test against copies; returns whether it is finished.
+  bool test_copies(Copies where, Timing& timing);
 
   [[nodiscard]] const AnyPointSet& points_of(Index n);
   [[nodiscard]] Ladder& ladder_of(const fit::Algorithm& algorithm);

@@ -1,7 +1,9 @@
 #include "measure/pair_cost.hpp"
 
 #include <array>
+#include <memory>
 #include <string_view>
+#include <utility>
 
 #include "fit/catalogue.hpp"
 #include "geometry/convert.hpp"
@@ -11,57 +13,93 @@
 namespace snug::cost {
 namespace {
 
-constexpr int kBodies = 24, kPoints = 12;
-constexpr double kApart = 1.7;  // how far second bodies lie at most, in each coordinate: about half of them overlap
+constexpr int kBodies = 96, kPoints = 12;
+/// How far second bodies lie at most, in each coordinate: near, about half of them overlap.
+constexpr double kNear = 1.7, kScene = 6;
 
 /// The algorithm that wraps a body in each kind, in kVolumeNames' order.
 constexpr std::array<std::string_view, kVolumeNames.size()> kFitters{"ritter", "min_max", "pca",      "pca",
                                                                      "pca",    "",        "quickhull"};
 
+/// First and second bodies of each kind.
 template <int Dim>
 struct Bodies {
-  /// First and second bodies of each kind, in turn.
-  std::array<std::vector<Volume<double, Dim>>, kVolumeNames.size()> of_kind;
+  using Kinds = std::array<std::vector<Volume<double, Dim>>, kVolumeNames.size()>;
+  Kinds first, second;
 
-  explicit Bodies(std::uint64_t seed) {
+  Bodies(double spread, std::uint64_t seed) {
     Random random(seed);
     for (int body = 0; body < 2 * kBodies; ++body) {
       Vector<double, Dim> center = Vector<double, Dim>::Zero();
-      for (int i = 0; i < Dim && body % 2 == 1; ++i) center[i] = random.between(-kApart, kApart);
+      for (int i = 0; i < Dim && body % 2 == 1; ++i) center[i] = random.between(-spread, spread);
       std::vector<Vector<double, Dim>> points(kPoints, center);
       for (auto& point : points)
         for (int i = 0; i < Dim; ++i) point[i] += random.between(-1, 1) / (i + 1);
-      wrap(*PointSet<double, Dim>::make(std::move(points)));
+      wrap(*PointSet<double, Dim>::make(std::move(points)), body % 2 == 0 ? first : second);
     }
-  }
-
-  [[nodiscard]] int apart(std::size_t a, std::size_t b, bool by_gjk) const {
-    Ignore observe;
-    int apart = 0;
-    for (std::size_t i = 0; i + 1 < of_kind[a].size(); i += 2) {
-      const auto &first = of_kind[a][i], &second = of_kind[b][i + 1];
-      const bool overlap = by_gjk ? query::any_pair::by_gjk<double, Dim>(first, second, observe).overlap
-                                  : query::overlaps<double, Dim>(first, second);
-      apart += overlap ? 0 : 1;
-    }
-    return apart;
   }
 
  private:
-  void wrap(const AnyPointSet& points) {
-    for (std::size_t kind = 0; kind < of_kind.size(); ++kind) {
+  static void wrap(const AnyPointSet& points, Kinds& kinds) {
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
       const std::string_view name = kVolumeNames[kind] == "kdop" ? (Dim == 2 ? "k8" : "k14") : kFitters[kind];
       const fit::Volume3 volume = fit::find_algorithm(kVolumeNames[kind], name)->fit(points, {}).volume;
-      of_kind[kind].push_back(
+      kinds[kind].push_back(
           std::visit([](const auto& own) { return Volume<double, Dim>(converted<double, Dim>(own)); }, volume));
     }
   }
 };
 
 template <int Dim>
-auto tests_of(std::uint64_t seed) {
-  return [bodies = std::make_shared<const Bodies<Dim>>(seed)](std::size_t a, std::size_t b, bool by_gjk) {
-    return bodies->apart(a, b, by_gjk);
+using AnyOf = std::vector<Volume<double, Dim>>;
+
+template <class Kind, int Dim>
+std::vector<Kind> of_kind(const AnyOf<Dim>& volumes) {
+  std::vector<Kind> own;
+  for (const auto& volume : volumes) own.push_back(*std::get_if<Kind>(&volume));
+  return own;
+}
+
+/// Tests each pair, and counts those that are apart.
+template <class A, class B, class Overlap>
+std::function<int()> work_of(std::vector<A> a, std::vector<B> b, Overlap overlap) {
+  return [a = std::move(a), b = std::move(b), overlap] {
+    int apart = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) apart += overlap(a[i], b[i]) ? 0 : 1;
+    return apart;
+  };
+}
+
+/// GJK goes by the variant of all kinds: that costs it next to nothing, and is compiled once.
+template <int Dim>
+std::function<int()> gjk_work(const AnyOf<Dim>& first, const AnyOf<Dim>& second) {
+  return work_of(first, second, [](const auto& a, const auto& b) {
+    Ignore ignore;
+    return query::any_pair::by_gjk<double, Dim>(a, b, ignore, true).overlap;
+  });
+}
+
+/// The pair's own test.
+template <int Dim>
+std::function<int()> own_work(const AnyOf<Dim>& first, const AnyOf<Dim>& second) {
+  return std::visit(
+      [&]<class A, class B>(const A&, const B&) -> std::function<int()> {
+        if constexpr (query::VolumeKind<A>::kIndex > query::VolumeKind<B>::kIndex) return {};  // no pair of the table
+        else if constexpr (query::kPairTest<A, B> == query::PairTest::kGjk) return gjk_work<Dim>(first, second);
+        else
+          return work_of(of_kind<A, Dim>(first), of_kind<B, Dim>(second),
+                         [](const A& a, const B& b) { return query::overlaps(a, b); });
+      },
+      first.front(), second.front());
+}
+
+template <int Dim, class Works>
+auto works_of(std::uint64_t seed) {
+  const auto near = std::make_shared<const Bodies<Dim>>(kNear, seed);
+  const auto scene = std::make_shared<const Bodies<Dim>>(kScene, seed);
+  return [near, scene](std::size_t a, std::size_t b) {
+    return Works{own_work<Dim>(near->first[a], near->second[b]), own_work<Dim>(scene->first[a], scene->second[b]),
+                 gjk_work<Dim>(near->first[a], near->second[b])};
   };
 }
 
@@ -69,30 +107,30 @@ auto tests_of(std::uint64_t seed) {
 
 PairCostRun::PairCostRun(int dim, std::uint64_t seed, const TimingOptions& timing, Clock clock)
     : timing_(timing), clock_(std::move(clock)) {
-  if (dim == 2) test_ = tests_of<2>(seed);
-  else test_ = tests_of<3>(seed);
-}
-
-Timing PairCostRun::of_one_test() const {
-  Timing time = watch_->timing();
-  time.median /= kBodies, time.min /= kBodies;
-  return time;
+  if (dim == 2) works_of_ = works_of<2, Works>(seed);
+  else works_of_ = works_of<3, Works>(seed);
 }
 
 void PairCostRun::step() {
   if (done()) return;
-  if (watch_ == nullptr)
-    watch_ = std::make_unique<Stopwatch>([this] { static_cast<void>(test_(a_, b_, by_gjk_)); }, timing_);
+  if (piece_ == 0 && watch_ == nullptr) {
+    works_ = works_of_(a_, b_);
+    row_ = {.a = a_, .b = b_, .apart = static_cast<double>(works_.near()) / kBodies};
+  }
+  const std::array pieces{std::pair(&works_.near, &row_.time), std::pair(&works_.scene, &row_.scene),
+                          std::pair(&works_.gjk, &row_.gjk)};
+  const auto [work, timing] = pieces[static_cast<std::size_t>(piece_)];
+  if (watch_ == nullptr) watch_ = std::make_unique<Stopwatch>([work = work] { static_cast<void>((*work)()); }, timing_);
   watch_->step(clock_);
   if (!watch_->done()) return;
-  (by_gjk_ ? row_.gjk : row_.time) = of_one_test();
+  *timing = watch_->timing();
+  timing->median /= kBodies, timing->min /= kBodies;
   watch_.reset();
-  if (!by_gjk_ && query::kPairTests[a_][b_] != query::PairTest::kGjk) return static_cast<void>(by_gjk_ = true);
-  if (!by_gjk_) row_.gjk = row_.time;
-  row_.a = a_, row_.b = b_;
-  row_.apart = static_cast<double>(test_(a_, b_, false)) / kBodies;
+  const bool has_own = query::kPairTests[a_][b_] != query::PairTest::kGjk;
+  if (++piece_ < (has_own ? 3 : 2)) return;
+  if (!has_own) row_.gjk = row_.time;
+  piece_ = 0;
   rows_.push_back(row_);
-  by_gjk_ = false;
   if (++b_ == kVolumeNames.size()) b_ = ++a_;
 }
 

@@ -193,7 +193,7 @@ std::optional<std::string> set_fields(const Fields& fields,
                                       const std::function<const std::string*(std::string_view)>& text_by_name) {
   for (const Field& field : fields) {
     const std::string* text = text_by_name(field.name);
-    if (text == nullptr && field.name == kNewColumn) continue;
+    if (text == nullptr && is_new_column(field.name)) continue;
     if (text == nullptr) return "there is no " + io::quoted(field.name);
     const std::string* repeats = field.none ? text_by_name(field.level().append(kRepeats)) : nullptr;
     if (text->empty() && repeats != nullptr && repeats->empty()) continue;
@@ -245,7 +245,7 @@ Wrong read_lines(std::string_view text, std::string_view name, std::string_view 
   const auto columns = fields_of_line(more ? lines.line() : "");
   if (!columns) return at(name, lines.number(), "a quotation mark is not closed");
   for (const Field& field : wanted)
-    if (find_text(*columns, *columns, field.name) == nullptr && field.name != kNewColumn)
+    if (find_text(*columns, *columns, field.name) == nullptr && !is_new_column(field.name))
       return at(name, lines.number(), "there is no " + io::quoted(field.name));
   while (lines.next_filled()) {
     const auto fields = fields_of_line(lines.line());

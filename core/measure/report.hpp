@@ -18,7 +18,9 @@
 namespace snug::cost {
 
 /// A column that files of earlier versions lack: it is then read as 0.
-inline constexpr std::string_view kNewColumn = "operations.exact_decisions";
+[[nodiscard]] constexpr bool is_new_column(std::string_view name) {
+  return name == "operations.exact_decisions" || name.starts_with("scene_overlap_ns.");
+}
 
 template <class Row>
 struct Table {

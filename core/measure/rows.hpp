@@ -56,7 +56,8 @@ struct CostRow {
   [[nodiscard]] bool is_flat() const { return measure <= noise; }
   std::int64_t bytes = 0;
   int overlap_pairs = 0, overlapping = 0;
-  Timing overlap;                     // one test with a copy
+  Timing overlap;                     // one test with a copy that is near: half of them overlap
+  Timing scene_overlap;               // one test with a copy of a scene, most of which are apart
   std::optional<std::string> update;  // which update was timed; none if the volume has none
   Timing updated;                     // one update after a rotation; empty if there is none
   bool contains = false, on_boundary = false;
@@ -72,6 +73,7 @@ struct CostRow {
     see("over_hull", own.over_hull), see("bytes", own.bytes), see("overlap_pairs", own.overlap_pairs);
     see("overlapping", own.overlapping);
     timing_fields("overlap_ns", own.overlap, see);
+    timing_fields("scene_overlap_ns", own.scene_overlap, see);
     see("update", own.update);
     timing_fields("update_ns", own.updated, see);
     see("certificate.contains", own.contains), see("certificate.on_boundary", own.on_boundary);

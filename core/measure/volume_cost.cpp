@@ -1,6 +1,7 @@
 #include "measure/volume_cost.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <type_traits>
@@ -18,7 +19,8 @@
 namespace snug::cost {
 namespace {
 
-constexpr int kPairs = 64;
+/// More than a processor remembers: it would foresee the verdicts of a few pairs that come again and again.
+constexpr int kPairs = 512;
 /// Hulls get fewer pairs, because they have many points, and a test goes over them several times.
 constexpr int kHullPairs = 16;
 template <class VolumeType>
@@ -30,6 +32,8 @@ inline constexpr int kPairsOf<ConvexHull<Scalar, Dim>> = kHullPairs;
 constexpr int kHalvings = 20;
 /// The fractions of that distance by which copies that overlap, and copies that are apart, are moved.
 constexpr double kTouching = 0.9, kApart = 1.1;
+/// How far the copies of a scene lie at most, in sizes of the volume's box: about one in twenty overlaps.
+constexpr double kSceneReach = 2;
 
 template <class Scalar, int Dim>
 Pose<Scalar, Dim> random_turn(Random& random) {
@@ -52,38 +56,53 @@ Vector<Scalar, Dim> random_direction(Random& random) {
   }
 }
 
-/// Copies just inside and just outside the distance at which they touch, rotated if their kind can rotate. Without any
-/// motion they overlap, because a convex body and its copy share their centre.
+/// True for half of them, in an order that no processor foresees.
+std::vector<bool> some_half(int count, Random& random) {
+  std::vector<bool> chosen(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const std::size_t j = random.below(static_cast<std::uint32_t>(i + 1));
+    chosen[i] = chosen[j], chosen[j] = i % 2 == 0;
+  }
+  return chosen;
+}
+
+/// Copies rotated if their kind can rotate. Without any motion they overlap, because a convex body and its copy share
+/// their centre.
 template <class Scalar, int Dim, class VolumeType>
-std::vector<VolumeType> copies_of(const VolumeType& volume, Random& random) {
+std::vector<VolumeType> copies_of(const VolumeType& volume, Copies where, Random& random) {
   const Aabb<double, Dim> box = query::box_around(volume);
-  const double reach = 2 * (box.max - box.min).norm();  // farther than any two points of the volume are apart
+  const double size = (box.max - box.min).norm(), reach = 2 * size;  // more than any two points are apart
   std::vector<VolumeType> copies;
-  for (int i = 0; i < kPairsOf<VolumeType>; ++i) {
+  for (const bool overlap : some_half(kPairsOf<VolumeType>, random)) {
     Pose<Scalar, Dim> pose = random_turn<Scalar, Dim>(random);
     const Vector<Scalar, Dim> direction = random_direction<Scalar, Dim>(random);
     const auto at = [&](double distance) {
       pose.translation = direction * static_cast<Scalar>(distance);
       return placed(volume, pose);
     };
+    if (where == Copies::kScene) {
+      // The share of a ball within a distance grows with its power: so they lie evenly.
+      copies.push_back(at(kSceneReach * size * std::pow(random.between(0, 1), 1.0 / Dim)));
+      continue;
+    }
     double touching = 0, apart = reach;
     for (int halving = 0; halving < kHalvings; ++halving) {
       const double between = (touching + apart) / 2;
       (query::overlaps(volume, at(between)) ? touching : apart) = between;
     }
-    copies.push_back(at(i % 2 == 0 ? kTouching * touching : kApart * apart));
+    copies.push_back(at(overlap ? kTouching * touching : kApart * apart));
   }
   return copies;
 }
 
 template <class Scalar, int Dim>
-OverlapWork work_of(const fit::Volume3& lifted, std::uint64_t seed) {
+OverlapWork work_of(const fit::Volume3& lifted, Copies where, std::uint64_t seed) {
   return std::visit(
       [&](const auto& kind) -> OverlapWork {
         Random random(seed);
         const auto volume = converted<Scalar, Dim>(kind);
         using VolumeType = std::remove_const_t<decltype(volume)>;
-        auto copies = std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, random));
+        auto copies = std::make_shared<std::vector<VolumeType>>(copies_of<Scalar, Dim>(volume, where, random));
         return {[volume, copies] {
                   int overlapping = 0;
                   for (const VolumeType& copy : *copies) overlapping += query::overlaps(volume, copy) ? 1 : 0;
@@ -101,7 +120,7 @@ double operations_in(const fit::Volume3& lifted, std::uint64_t seed) {
         Random random(seed);
         const auto volume = converted<double, Dim>(kind);
         Counter counter;
-        const auto copies = copies_of<double, Dim>(volume, random);
+        const auto copies = copies_of<double, Dim>(volume, Copies::kNear, random);
         for (const auto& copy : copies)
           static_cast<void>(query::test_any_overlap<double, Dim>(Volume<double, Dim>(volume), copy, counter));
         const std::int64_t all = std::accumulate(counter.counts.begin(), counter.counts.end(), std::int64_t{0});
@@ -116,9 +135,9 @@ double operations_of_test(const fit::Volume3& volume, int dim, std::uint64_t see
   return dim == 2 ? operations_in<2>(volume, seed) : operations_in<3>(volume, seed);
 }
 
-OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed) {
-  if (single) return dim == 2 ? work_of<float, 2>(volume, seed) : work_of<float, 3>(volume, seed);
-  return dim == 2 ? work_of<double, 2>(volume, seed) : work_of<double, 3>(volume, seed);
+OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, Copies where, std::uint64_t seed) {
+  if (single) return dim == 2 ? work_of<float, 2>(volume, where, seed) : work_of<float, 3>(volume, where, seed);
+  return dim == 2 ? work_of<double, 2>(volume, where, seed) : work_of<double, 3>(volume, where, seed);
 }
 
 std::int64_t bytes_of(const fit::Volume3& volume, int dim, bool single) {

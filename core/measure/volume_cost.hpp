@@ -1,5 +1,5 @@
-// What a volume costs, whichever algorithm fitted it: its bytes, and its overlap test against copies of itself, half of
-// which just overlap it while the other half are just apart.
+// What a volume costs, whichever algorithm fitted it: its bytes, and its overlap test against copies of itself, in a
+// loop of nothing else that is compiled for its kind: what is timed is the verdict of the test, and no dispatch.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,18 @@ struct OverlapWork {
   int pairs = 0;
 };
 
-/// Copies are moved in random directions, by a little less or a little more than the distance at which
-/// they touch, which are the hardest cases for a test; copies of volumes that rotate with their body
-/// are rotated at random too. volume: lifted, of that dimension; single: whether it is tested in
-/// float.
-[[nodiscard]] OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, std::uint64_t seed);
+/// Where the copies lie. kNear: half of them overlap the volume by a tenth of the distance at which they would touch,
+/// half are as far apart: the hardest cases for a test, as a broad phase leaves them. kScene: anywhere in a space
+/// around it, so that most are apart, and a test that can end early does.
+enum class Copies : std::uint8_t { kNear, kScene };
 
-/// The operations of the overlap test, all kinds together, on average over such copies, in double. They are counted,
-/// and so the same on every machine.
+/// Copies are moved in random directions; those of volumes that rotate with their body are rotated at random too.
+/// volume: lifted, of that dimension; single: whether it is tested in float.
+[[nodiscard]] OverlapWork overlap_work(const fit::Volume3& volume, int dim, bool single, Copies where,
+                                       std::uint64_t seed);
+
+/// The operations of the overlap test, all kinds together, on average over copies that are near, in double. They are
+/// counted, and so the same on every machine.
 [[nodiscard]] double operations_of_test(const fit::Volume3& volume, int dim, std::uint64_t seed);
 
 /// Bytes in the scalar and dimension it was fitted in (geometry/volume_bytes.hpp).

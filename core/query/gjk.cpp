@@ -34,7 +34,10 @@ SupportMapping support_mapping(const Corners<3>& corners) {
     const std::size_t i = farthest_corner<3>(all, direction);
     return Supported{all[i], static_cast<Index>(i)};
   };
-  return {&corners, farthest, {corners.front(), 0}, static_cast<std::int64_t>(corners.size())};
+  const auto vertex = [](const void* core, Index index) {
+    return Supported{(*static_cast<const Corners<3>*>(core))[index], index};
+  };
+  return {&corners, farthest, {corners.front(), 0}, static_cast<std::int64_t>(corners.size()), vertex};
 }
 
 SupportMapping support_mapping(const GrownCore& core) {

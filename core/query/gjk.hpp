@@ -77,6 +77,13 @@ struct Supported {
   Index vertex = kNoIndex;
 };
 
+/// The simplex on which a run ended: pairs of vertices, one of each core. The next run between the same two polytopes,
+/// a little later, starts from it (temporal coherence). Empty before the first.
+struct KeptSimplex {
+  std::array<std::array<Index, 2>, 4> vertices{};
+  int size = 0;
+};
+
 /// A convex core, represented by its support mapping. GJK needs nothing else, so smooth cores work as well as
 /// polytopes. The core must outlive it.
 struct SupportMapping {
@@ -85,6 +92,8 @@ struct SupportMapping {
   Supported (*farthest)(const void* core, const Vector<double, 3>& direction) = nullptr;
   Supported some;                 // any of its points, to start from
   std::int64_t dot_products = 1;  // how many a call takes
+  /// The vertex with an index; null for a smooth core.
+  Supported (*vertex)(const void* core, Index index) = nullptr;
 };
 
 /// That of the convex hull of corners, of which there is at least one.
@@ -111,8 +120,27 @@ class Gjk {
   int turns = 0;                    // simplices tried
 
   /// Runs until the bounds meet or, if a threshold is given, until both are on the same side of it.
-  void run(std::optional<double> threshold) {
+  void run(std::optional<double> threshold, KeptSimplex* kept = nullptr) {
     threshold_ = threshold;
+    if (kept == nullptr || !resumed(*kept)) start_anew();
+    if (kept != nullptr) keep_for_next(*kept);
+    if constexpr (kWatched<Observer>)
+      observe_(GjkStep{most > kRounding ? 6 : 4, DistanceFound{least * scene_, most * scene_}});
+  }
+
+ private:
+  /// Whether the kept simplex, where its vertices are now, leads to an answer. It may have become a sliver.
+  bool resumed(const KeptSimplex& kept) {
+    if (kept.size == 0 || a_.vertex == nullptr || b_.vertex == nullptr) return false;
+    size_ = kept.size;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
+      pairs_[i] = {a_.vertex(a_.core, kept.vertices[i][0]), b_.vertex(b_.core, kept.vertices[i][1])};
+    descend<double>();
+    return decided();
+  }
+
+  void start_anew() {
+    least = -1;
     pairs_ = {Pair{a_.some, b_.some}};
     size_ = 1;
     descend<double>();
@@ -120,11 +148,14 @@ class Gjk {
       if constexpr (kWatched<Observer>) observe_(GjkStep{8, DigitsDoubled{least * scene_, most * scene_}});
       descend<DoubleDouble>();
     }
-    if constexpr (kWatched<Observer>)
-      observe_(GjkStep{most > kRounding ? 6 : 4, DistanceFound{least * scene_, most * scene_}});
   }
 
- private:
+  void keep_for_next(KeptSimplex& kept) const {
+    kept.size = size_;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i)
+      kept.vertices[i] = {pairs_[i].a.vertex, pairs_[i].b.vertex};
+  }
+
   struct Pair {
     Supported a, b;
     friend bool operator==(const Pair& p, const Pair& q) { return p.a.at == q.a.at && p.b.at == q.b.at; }
@@ -273,13 +304,14 @@ double scale_to_unit(GrownCore& a, GrownCore& b);
 /// The distance between two cores around an origin, in scene units. None if one is empty.
 template <class Scalar, int Dim, class Observer>
 std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, const Vector<Scalar, Dim>& origin,
-                                                     bool only_whether, Observer& observe) {
+                                                     bool only_whether, Observer& observe,
+                                                     KeptSimplex* kept = nullptr) {
   if (a.is_empty() || b.is_empty()) return std::nullopt;
   const double unit = scale_to_unit(a, b);
   const double radii = a.radius + b.radius;
   const double touching = radii + static_cast<double>(tolerance::kTouching<Scalar>);
   Gjk<Observer> run(support_mapping(a), support_mapping(b), unit, observe);
-  run.run(only_whether ? std::optional(touching) : std::nullopt);
+  run.run(only_whether ? std::optional(touching) : std::nullopt, kept);
 
   Separation<Scalar, Dim> result{.overlap = run.least <= touching, .turns = run.turns};
   if (result.overlap) return result;
@@ -297,17 +329,18 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
 
 #define SNUG_GJK(Scalar, Dim)                                                                                          \
   template std::optional<Separation<Scalar, Dim>> separation_of(GrownCore, GrownCore, const Vector<Scalar, Dim>&,      \
-                                                                bool, Ignore&);
+                                                                bool, Ignore&, KeptSimplex*);
 extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) extern SNUG_GJK(double, 3)
 
     /// The distance between two volumes. None if one is empty. only_whether: only the overlap is wanted, not the
-    /// distance.
+    /// distance. kept: of the run before between the same two, if they have moved little since then.
     template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
               StepObserver<GjkStep> Observer = Ignore>
     [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
-                                                             bool only_whether = false, Observer&& observe = {}) {
+                                                             bool only_whether = false, Observer&& observe = {},
+                                                             KeptSimplex* kept = nullptr) {
   const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;  // the same for either order
-  return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe);
+  return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe, kept);
 }
 
 /// The test of any two volumes.

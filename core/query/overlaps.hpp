@@ -33,21 +33,11 @@ template <class A, class B, class Observer>
   return result_of(gjk(a, b, false, observe));
 }
 
-/// The result of GJK after slabs that did not separate. It has no distance, because slabs that separate find
-/// none.
-template <class Scalar, int Dim>
-[[nodiscard]] OverlapResult<Scalar, Dim> after_slabs(const OverlapResult<Scalar, Dim>& slabs,
-                                                     OverlapResult<Scalar, Dim> settled) {
-  settled.tests += slabs.tests;
-  settled.distance.reset();
-  return settled;
-}
-
-/// Tests the slabs that both share, then GJK if those do not separate.
-template <class A, class B, class Observer>
-[[nodiscard]] auto test_slabs_then_gjk(const A& a, const B& b, Observer& observe) {
-  const auto result = test_slabs(a, b, observe);
-  return result.overlap ? after_slabs(result, test_gjk(a, b, observe)) : result;
+/// The verdict of GJK, which stops as soon as it is certain.
+template <class A, class B>
+[[nodiscard]] bool gjk_overlap(const A& a, const B& b) {
+  const auto separation = turned(a, b) ? gjk(b, a, true) : gjk(a, b, true);
+  return separation.has_value() && separation->overlap;
 }
 
 /// Tests a and b, which are in the order of the table's rows and columns.
@@ -58,33 +48,20 @@ template <class A, class B, class Observer = Ignore>
   else if constexpr (kTest == PairTest::kSphereBox) return test_sphere_box(a, b, observe);
   else if constexpr (kTest == PairTest::kSweptSpheres) return swept_pair(a, b).result(swept_core(a).corner, observe);
   else if constexpr (kTest == PairTest::kSlabs) return test_slabs(a, b, observe);
-  else if constexpr (kTest == PairTest::kSlabsThenGjk) return test_slabs_then_gjk(a, b, observe);
   else if constexpr (kTest == PairTest::kSeparatingAxes) return test_boxes(a, b, observe);
   else return test_gjk(a, b, observe);
 }
 
-/// Only the verdict, which is cheaper for some pairs.
+/// The verdict alone of a and b, which are in the order of the table's rows and columns.
 template <class A, class B>
 [[nodiscard]] bool overlap_in_order(const A& a, const B& b) {
   constexpr PairTest kTest = kPairTest<A, B>;
-  if constexpr (kTest == PairTest::kSweptSpheres) {
-    return !swept_pair(a, b).apart();
-  } else if constexpr (kTest == PairTest::kGjk) {
-    const auto separation = gjk(a, b, true);
-    return separation && separation->overlap;
-  } else {
-    return test_in_order(a, b).overlap;
-  }
-}
-
-/// Whether the test takes b first. Kinds are ordered as in the table, and volumes of one kind by their anchors, so that
-/// a pair has the same answer in either order. (Two of a kind with the same anchor overlap in either order.)
-template <class A, class B>
-[[nodiscard]] bool turned(const A& a, const B& b) {
-  if constexpr (!std::is_same_v<A, B>) return VolumeKind<A>::kIndex > VolumeKind<B>::kIndex;
-  const auto p = anchor(a);
-  const auto q = anchor(b);
-  return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
+  if constexpr (kTest == PairTest::kSpheres) return spheres_overlap(a, b);
+  else if constexpr (kTest == PairTest::kSphereBox) return sphere_box_overlap(a, b);
+  else if constexpr (kTest == PairTest::kSweptSpheres) return swept_overlap(a, b);
+  else if constexpr (kTest == PairTest::kSlabs) return slabs_overlap(a, b);
+  else if constexpr (kTest == PairTest::kSeparatingAxes) return boxes_overlap(a, b);
+  else return gjk_overlap(a, b);
 }
 
 /// Whether they overlap, how far they are apart and along which axis, as far as the pair's test finds it. The error is
@@ -102,13 +79,13 @@ template <template <class, int> class A, template <class, int> class B, class Sc
   else return turned(a, b) ? flipped(test_in_order(b, a, observe)) : test_in_order(a, b, observe);
 }
 
-/// Only the verdict, which is cheaper for some pairs.
+/// The verdict alone, and all that a program has to pay for it. It is that of test_overlap in either order: what
+/// rounding cannot change decides most pairs, and the rest goes to exact arithmetic or to the whole test.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
 [[nodiscard]] bool overlaps(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   constexpr bool kLater = VolumeKind<A<Scalar, Dim>>::kIndex > VolumeKind<B<Scalar, Dim>>::kIndex;
   if constexpr (kLater) return overlap_in_order(b, a);
-  else if constexpr (!std::is_same_v<A<Scalar, Dim>, B<Scalar, Dim>>) return overlap_in_order(a, b);
-  else return turned(a, b) ? overlap_in_order(b, a) : overlap_in_order(a, b);
+  else return overlap_in_order(a, b);
 }
 
 /// The test of any two volumes.

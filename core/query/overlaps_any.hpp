@@ -27,12 +27,12 @@ template <class Scalar, int Dim>
 
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> by_gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
-                                                Observer& observe) {
+                                                Observer& observe, bool only_whether = false) {
   const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
   const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
     return std::visit([&](const auto& own) { return grown_core(own, origin); }, volume);
   };
-  return result_of(separation_of<Scalar, Dim>(core_of(a), core_of(b), origin, false, observe));
+  return result_of(separation_of<Scalar, Dim>(core_of(a), core_of(b), origin, only_whether, observe));
 }
 
 template <class Scalar, int Dim, class Observer>
@@ -66,16 +66,26 @@ template <class Scalar, int Dim, class Observer>
         });
       });
     case PairTest::kSlabs: return by_slabs(a, b, observe);
-    case PairTest::kSlabsThenGjk: {
-      const Result result = by_slabs(a, b, observe);
-      return result.overlap ? after_slabs(result, by_gjk(a, b, observe)) : result;
-    }
     case PairTest::kSeparatingAxes:
       return among<Aabb, Obb>(
           a, [&](const auto& box) { return test_boxes(box, *std::get_if<Obb<Scalar, Dim>>(&b), observe); });
+    case PairTest::kSlabsThenGjk:
     case PairTest::kGjk: break;
   }
   return by_gjk(a, b, observe);
+}
+
+/// The exact test of two volumes with slabs, in that order too: GJK where no slab separates them. It has no distance,
+/// because slabs that separate find none.
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> by_slabs_then_gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
+                                                           Observer& observe) {
+  const OverlapResult<Scalar, Dim> slabs = by_slabs(a, b, observe);
+  if (!slabs.overlap) return slabs;
+  OverlapResult<Scalar, Dim> settled = by_gjk(a, b, observe);
+  settled.tests += slabs.tests;
+  settled.distance.reset();
+  return settled;
 }
 
 }  // namespace any_pair
@@ -94,6 +104,15 @@ template <class Scalar, int Dim, class Observer>
                                                           Observer& observe) {
   if (turned<Scalar, Dim>(a, b)) return flipped(any_pair::test_any_in_order(b, a, observe));
   return any_pair::test_any_in_order(a, b, observe);
+}
+
+/// The test of two volumes of which the pair's own is conservative (is_conservative), exactly: intervals first, then
+/// GJK.
+template <class Scalar, int Dim, class Observer>
+[[nodiscard]] OverlapResult<Scalar, Dim> test_slabs_then_gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
+                                                             Observer& observe) {
+  if (turned<Scalar, Dim>(a, b)) return flipped(any_pair::by_slabs_then_gjk(b, a, observe));
+  return any_pair::by_slabs_then_gjk(a, b, observe);
 }
 
 }  // namespace snug::query

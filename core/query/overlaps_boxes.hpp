@@ -14,6 +14,16 @@ template <class Scalar, int Dim>
   return {form.center, Matrix<Scalar, Dim>::Identity(), form.half_extents};
 }
 
+/// The verdict of test_boxes.
+template <class Scalar, int Dim>
+[[nodiscard]] bool boxes_overlap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
+  return obbs_overlap(a, b);
+}
+template <class Scalar, int Dim>
+[[nodiscard]] bool boxes_overlap(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
+  return obbs_overlap(obb_of(a), b);
+}
+
 /// An exact test; the axis is the first that separates.
 template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_boxes(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,

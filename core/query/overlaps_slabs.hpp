@@ -3,11 +3,15 @@
 // volume hierarchies of k-DOPs", 1998.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <span>
 
 #include "geometry/aabb.hpp"
 #include "geometry/kdop.hpp"
+#include "geometry/tolerance.hpp"
 #include "number/double_double.hpp"
+#include "query/aabb_overlap.hpp"
 #include "query/overlap_result.hpp"
 #include "query/overlap_steps.hpp"
 #include "trace/observer.hpp"
@@ -69,6 +73,24 @@ bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b
   return true;
 }
 
+/// The verdict of test_slabs.
+template <class Scalar, int Dim>
+[[nodiscard]] bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
+  return aabbs_overlap(a, b);
+}
+
+/// The verdict of test_slabs on two k-DOPs: comparisons alone, of stored numbers, and therefore exact.
+template <class Scalar, int Dim>
+[[nodiscard]] bool slabs_overlap(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+  const auto apart = [&](int slab) { return a.max[slab] < b.min[slab] || b.max[slab] < a.min[slab]; };
+  for (int i = 0; i < Dim; ++i)  // mostly these are enough, and k is not even read
+    if (apart(i)) return false;
+  const int slabs = a.k == b.k ? a.k / 2 : Dim;
+  for (int i = Dim; i < slabs; ++i)
+    if (apart(i)) return false;
+  return true;
+}
+
 /// Exact.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b,
@@ -81,8 +103,8 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
   return result;
 }
 
-/// Tests all slabs of the k-DOP. If k is larger than a box's, this is only a first test: the volumes may be apart along
-/// none of these axes, where an edge of one passes an edge of the other.
+/// Tests all slabs of the k-DOP. If k is larger than a box's, this is conservative: bodies may be apart along none of
+/// these axes, where an edge of one passes an edge of the other.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b,
                                                     Observer&& observe = {}) {
@@ -95,7 +117,30 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
   return result;
 }
 
+/// The verdict of test_slabs: the box's extents along the k-DOP's axes are rounded sums, and what they leave in doubt
+/// is decided by exact ones.
+template <class Scalar, int Dim>
+[[nodiscard]] bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+  const auto axes = kdop_axes<Dim>(b.k);
+  const Scalar size = std::max(a.min.cwiseAbs().maxCoeff(), a.max.cwiseAbs().maxCoeff());
+  const Scalar doubt = tolerance::kKdopProjection<Scalar> * size + std::numeric_limits<Scalar>::min();
+  bool in_doubt = false;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    Scalar least = 0, greatest = 0;
+    for (int j = 0; j < Dim; ++j) {
+      if (axes[i][j] == 0) continue;
+      least += axes[i][j] > 0 ? a.min[j] : -a.max[j];
+      greatest += axes[i][j] > 0 ? a.max[j] : -a.min[j];
+    }
+    const Scalar gap = std::max(b.min[i] - greatest, least - b.max[i]);
+    if (gap > doubt) return false;
+    in_doubt = in_doubt || gap > -doubt;
+  }
+  return !in_doubt || test_slabs(a, b).overlap;
+}
+
 /// Two k-DOPs of equal k are compared in all slabs, others in those of the coordinate axes, with which every k begins.
+/// As conservative.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_slabs(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b,
                                                     Observer&& observe = {}) {

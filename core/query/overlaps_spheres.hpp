@@ -3,6 +3,11 @@
 // Collision Detection, 2005, 4.3.1 and 5.2.5.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
 #include "geometry/aabb.hpp"
 #include "geometry/obb.hpp"
 #include "geometry/sphere.hpp"
@@ -23,6 +28,90 @@ template <class Scalar, int Dim>
   const Vector<double, Dim> q = b.template cast<double>();
   return apart_exactly(p.data(), static_cast<double>(radius_a), q.data(), static_cast<double>(radius_b), Dim);
 }
+
+/// Whether a squared distance exceeds a squared radius, from their difference; none within the doubt. Underflow of a
+/// square is far below the least normal number, and where one overflows nothing is certain.
+template <class Scalar>
+[[nodiscard]] std::optional<bool> if_certain(Scalar excess, Scalar doubt) {
+  if (std::abs(excess) > doubt + std::numeric_limits<Scalar>::min()) return excess > 0;
+  return std::nullopt;
+}
+
+// ---- Whether a pair is apart, where rounded numbers cannot be wrong; none otherwise.
+
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b) {
+  const Scalar radii = a.radius + b.radius, square = radii * radii;
+  return if_certain((b.center - a.center).squaredNorm() - square, tolerance::kSquaresCompared<Scalar> * square);
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> nearest_of(const Aabb<Scalar, Dim>& box, const Vector<Scalar, Dim>& p) {
+  return p.cwiseMax(box.min).cwiseMin(box.max);
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box) {
+  const Scalar square = sphere.radius * sphere.radius;
+  return if_certain((nearest_of(box, sphere.center) - sphere.center).squaredNorm() - square,
+                    tolerance::kSquaresCompared<Scalar> * square);
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box) {
+  const Vector<Scalar, Dim> between = sphere.center - box.center;
+  Scalar square = 0;
+  for (int i = 0; i < Dim; ++i) {
+    const Scalar beyond = std::max(std::abs(box.axes.col(i).dot(between)) - box.half_extents[i], Scalar(0));
+    square += beyond * beyond;
+  }
+  const Scalar radius_square = sphere.radius * sphere.radius;
+  const Scalar sizes = square + box.half_extents.squaredNorm() + radius_square;
+  return if_certain(square - radius_square, tolerance::kGlance<Scalar> * sizes);
+}
+
+// ---- The verdicts, all of them.
+
+/// Exact.
+template <class Scalar, int Dim>
+[[nodiscard]] bool spheres_overlap(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b) {
+  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+    return !*apart;
+  return !apart_exactly<Scalar, Dim>(a.center, a.radius, b.center, b.radius);
+}
+
+/// Exact, because each coordinate of the box's point nearest to the centre is one of the box's or the centre's.
+template <class Scalar, int Dim>
+[[nodiscard]] bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box) {
+  if (const auto apart = apart_at_a_glance(sphere, box)) [[likely]]
+    return !*apart;
+  return !apart_exactly<Scalar, Dim>(sphere.center, sphere.radius, nearest_of(box, sphere.center), 0);
+}
+
+/// From a sphere's centre to an oriented box's nearest point, in the box's frame.
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> way_to_box(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box) {
+  const Vector<Scalar, Dim> center = box.axes.transpose() * (sphere.center - box.center);
+  return center.cwiseMax(-box.half_extents).cwiseMin(box.half_extents) - center;
+}
+
+template <class Scalar, int Dim>
+[[gnu::cold, gnu::noinline]] bool sphere_box_overlap_closely(const Sphere<Scalar, Dim>& sphere,
+                                                             const Obb<Scalar, Dim>& box) {
+  const Vector<Scalar, Dim> center = box.axes.transpose() * (sphere.center - box.center);
+  const Scalar size = std::max({center.cwiseAbs().maxCoeff(), box.half_extents.maxCoeff(), sphere.radius});
+  return scaled_norm<Scalar, Dim>(way_to_box(sphere, box)) <= sphere.radius + tolerance::kTouching<Scalar> * size;
+}
+
+/// Within the rounding of both extents about a common point.
+template <class Scalar, int Dim>
+[[nodiscard]] bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box) {
+  if (const auto apart = apart_at_a_glance(sphere, box)) [[likely]]
+    return !*apart;
+  return sphere_box_overlap_closely(sphere, box);
+}
+
+// ---- The whole tests.
 
 /// Compares the distance between two points, one on each volume's core, with the radii around them. A gap that only
 /// exact arithmetic sees is the least positive value of the scalar. between: from on_a to the other point.
@@ -45,35 +134,28 @@ template <class Scalar, int Dim, class Observer>
   return result;
 }
 
-/// Exact.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_spheres(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b,
                                                       Observer&& observe = {}) {
-  const bool apart = apart_exactly<Scalar, Dim>(a.center, a.radius, b.center, b.radius);
+  const bool apart = !spheres_overlap(a, b);
   return by_distance<Scalar, Dim>(apart, "centers", a.center, b.center - a.center, a.radius + b.radius, observe);
 }
 
-/// Exact, because each coordinate of the box's point nearest to the centre is one of the box's or the centre's.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere,
                                                          const Aabb<Scalar, Dim>& box, Observer&& observe = {}) {
-  const Vector<Scalar, Dim> nearest = sphere.center.cwiseMax(box.min).cwiseMin(box.max);
-  const bool apart = apart_exactly<Scalar, Dim>(sphere.center, sphere.radius, nearest, 0);
+  const Vector<Scalar, Dim> nearest = nearest_of(box, sphere.center);
+  const bool apart = !sphere_box_overlap(sphere, box);
   return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, nearest - sphere.center, sphere.radius,
                                   observe);
 }
 
-/// Tests the sphere's centre in the box's frame, within the rounding of both extents about a common point.
 template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_sphere_box(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box,
                                                          Observer&& observe = {}) {
-  const Vector<Scalar, Dim> center = box.axes.transpose() * (sphere.center - box.center);
-  const Vector<Scalar, Dim> nearest = center.cwiseMax(-box.half_extents).cwiseMin(box.half_extents);
-  const Scalar size = std::max({center.cwiseAbs().maxCoeff(), box.half_extents.maxCoeff(), sphere.radius});
-  const Scalar touching = tolerance::kTouching<Scalar> * size;
-  const bool apart = scaled_norm<Scalar, Dim>(nearest - center) > sphere.radius + touching;
-  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, box.axes * (nearest - center), sphere.radius,
-                                  observe);
+  const bool apart = !sphere_box_overlap(sphere, box);
+  return by_distance<Scalar, Dim>(apart, "closest_points", sphere.center, box.axes * way_to_box(sphere, box),
+                                  sphere.radius, observe);
 }
 
 }  // namespace snug::query

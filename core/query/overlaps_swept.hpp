@@ -3,6 +3,9 @@
 // proximity queries with swept sphere volumes", 1999.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <optional>
 
 #include "geometry/capsule.hpp"
@@ -12,6 +15,8 @@
 #include "query/distance_rectangles.hpp"
 #include "query/overlap_result.hpp"
 #include "query/overlap_steps.hpp"
+#include "query/overlap_table.hpp"
+#include "query/overlaps_spheres.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::query {
@@ -45,6 +50,117 @@ inline constexpr int kCoreDim<Capsule<Scalar, Dim>> = 1;
 template <class Scalar, int Dim>
 inline constexpr int kCoreDim<Lozenge<Scalar, Dim>> = 2;
 
+/// The squared distance of two cores, and the sum of that and all squared edges (see tolerance::kGlance). An edge whose
+/// square is no normal number counts as any of its points.
+template <class Scalar>
+struct CoreDistance {
+  Scalar square, sizes;
+};
+
+/// Where along an edge, as a part of its length; its start where that is undefined.
+template <class Scalar>
+[[nodiscard]] Scalar part_of_edge(Scalar along, Scalar square) {
+  return square > 0 ? std::min(std::max(along / square, Scalar(0)), Scalar(1)) : Scalar(0);
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] CoreDistance<Scalar> core_distance(const Sphere<Scalar, Dim>& sphere,
+                                                 const Capsule<Scalar, Dim>& capsule) {
+  const Vector<Scalar, Dim> edge = capsule.b - capsule.a, from_a = sphere.center - capsule.a;
+  const Scalar along = from_a.dot(edge), edge_square = edge.squaredNorm();
+  const Scalar square = along <= 0             ? from_a.squaredNorm()
+                        : along >= edge_square ? (sphere.center - capsule.b).squaredNorm()
+                                               : from_a.squaredNorm() - along * (along / edge_square);
+  return {square, square + edge_square};
+}
+
+template <class Scalar, int Dim>
+[[nodiscard]] CoreDistance<Scalar> core_distance(const Sphere<Scalar, Dim>& sphere,
+                                                 const Lozenge<Scalar, Dim>& lozenge) {
+  const Vector<Scalar, Dim> from_origin = sphere.center - lozenge.origin;
+  const Scalar u = lozenge.edges[0].squaredNorm(), v = lozenge.edges[1].squaredNorm();
+  const Scalar s = part_of_edge(from_origin.dot(lozenge.edges[0]), u);
+  const Scalar t = part_of_edge(from_origin.dot(lozenge.edges[1]), v);
+  const Vector<Scalar, Dim> way = from_origin - s * lozenge.edges[0] - t * lozenge.edges[1];
+  const Scalar square = way.squaredNorm();
+  return {square, square + u + v};
+}
+
+/// Nearly parallel segments leave s as good as undefined, but their distance then hardly depends on it.
+/// Source: C. Ericson, Real-Time Collision Detection, 2005, 5.1.9, with both sides of s divided by v · v: a product of
+/// four lengths would soon overflow or underflow.
+template <class Scalar, int Dim>
+[[nodiscard]] CoreDistance<Scalar> core_distance(const Capsule<Scalar, Dim>& a, const Capsule<Scalar, Dim>& b) {
+  const Vector<Scalar, Dim> u = a.b - a.a, v = b.b - b.a, between = b.a - a.a;
+  const Scalar uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), ub = u.dot(between), vb = v.dot(between);
+  const Scalar inverse = vv >= std::numeric_limits<Scalar>::min() ? 1 / vv : Scalar(0), share = uv * inverse;
+  Scalar s = part_of_edge(ub - share * vb, uu - share * uv);
+  const Scalar along_v = uv * s - vb;
+  Scalar t = along_v * inverse;
+  if (along_v <= 0) t = 0, s = part_of_edge(ub, uu);
+  else if (along_v >= vv) t = 1, s = part_of_edge(uv + ub, uu);
+  const Vector<Scalar, Dim> way = between + t * v - s * u;
+  const Scalar square = way.squaredNorm();
+  return {square, square + uu + vv};
+}
+
+/// Capsules and lozenges against lozenges, at a glance: decides most pairs without scaling and without a rectangle's
+/// axes. Both answers are proven: by two points, one on each core, that are nearer than the radii together; or by a
+/// direction along which the cores are farther apart than that.
+template <class Scalar, int Dim>
+class SweptGlance {
+ public:
+  SweptGlance(const SweptCore<Scalar, Dim>& a, const SweptCore<Scalar, Dim>& b, Scalar radii)
+      : a_(a.edges), b_(b.edges), middle_(b.corner - a.corner + (b_[0] + b_[1] - (a_[0] + a_[1])) / 2),
+        a_squares_{a_[0].squaredNorm(), a_[1].squaredNorm()}, b_squares_{b_[0].squaredNorm(), b_[1].squaredNorm()},
+        radii_square_(radii * radii) {
+    doubt_ = tolerance::kGlance<Scalar> *
+             (middle_.squaredNorm() + radii_square_ + a_squares_[0] + a_squares_[1] + b_squares_[0] + b_squares_[1]);
+  }
+
+  /// None where the answer is within the error bound.
+  [[nodiscard]] std::optional<bool> apart() const {
+    if (separates(middle_)) return true;
+    Way on_b = middle_, way;
+    for (int turn = 0; turn < 2; ++turn) {
+      const Way on_a = nearest_point(on_b, a_, a_squares_);
+      on_b = middle_ + nearest_point(on_a - middle_, b_, b_squares_);
+      way = on_b - on_a;
+      if (way.squaredNorm() + doubt_ + kLeast < radii_square_) return false;
+    }
+    if (separates(way)) return true;
+    return std::nullopt;
+  }
+
+ private:
+  using Way = Vector<Scalar, Dim>;
+  using Edges = std::array<Way, 2>;
+  static constexpr Scalar kLeast = std::numeric_limits<Scalar>::min();
+
+  /// Whether the cores' projections on a direction are farther apart than the radii.
+  [[nodiscard]] bool separates(const Way& way) const {
+    const Scalar spans =
+        std::abs(a_[0].dot(way)) + std::abs(a_[1].dot(way)) + std::abs(b_[0].dot(way)) + std::abs(b_[1].dot(way));
+    const Scalar gap = middle_.dot(way) - spans / 2;
+    return gap > 0 && gap * gap > (radii_square_ + doubt_) * way.squaredNorm() + kLeast;
+  }
+
+  /// The point of a core around the origin nearest to p, up to edges that are not exactly perpendicular.
+  [[nodiscard]] static Way nearest_point(const Way& p, const Edges& edges, const std::array<Scalar, 2>& squares) {
+    Way point = Way::Zero();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Scalar half = squares[i] / 2;
+      point += (part_of_edge(p.dot(edges[i]) + half, squares[i]) - Scalar(0.5)) * edges[i];
+    }
+    return point;
+  }
+
+  Edges a_, b_;
+  Way middle_;  // b's centre from a's
+  std::array<Scalar, 2> a_squares_, b_squares_;
+  Scalar radii_square_, doubt_;
+};
+
 /// Both cores in space, relative to the first one's vertex, scaled by a power of two so that nothing is larger than 1.
 template <class A, class B, class Scalar, int Dim>
 class SweptPair {
@@ -66,8 +182,7 @@ class SweptPair {
   }
 
   [[nodiscard]] bool apart() const {
-    if constexpr (kCoreDim<B> < 2) return apart(closest());
-    if (const auto known = at_a_glance()) return *known;
+    if constexpr (kCoreDim<A> == 0 || kCoreDim<B> < 2) return apart(closest());
     const Rectangle<Scalar> a = rectangle_a();
     const Rectangle<Scalar> b = rectangle_b();
     RectanglePair<Scalar> pair(a, b);
@@ -99,53 +214,6 @@ class SweptPair {
     Space result = Space::Zero();
     result.template head<Dim>() = v * (1 / unit_);
     return result;
-  }
-
-  /// Decides most pairs without a rectangle's axes: by the spheres around both cores, by two points that are each
-  /// projected onto the other core in turn, or by the plane perpendicular to the line between them. None if that leaves
-  /// the answer within the error bound.
-  [[nodiscard]] std::optional<bool> at_a_glance() const {
-    const Space middle =
-        between_ + ((b_edges_[0] + b_edges_[1]) - (a_edges_[0] + a_edges_[1])) / 2;  // b's core from a's
-    const Scalar beyond = touching() + 2 * kTouching;
-    const Scalar reach = diagonal(a_edges_) / 2 + diagonal(b_edges_) / 2 + beyond;
-    if (middle.squaredNorm() > reach * reach) return true;
-
-    const std::array<Scalar, 2> shares_a = shares(a_edges_), shares_b = shares(b_edges_);
-    const Scalar within = std::max(radii_ - 2 * kTouching, Scalar(0));
-    Space on_b = middle, way;
-    for (int turn = 0; turn < 2; ++turn) {
-      const Space on_a = nearest(on_b, a_edges_, shares_a);
-      on_b = middle + nearest(on_a - middle, b_edges_, shares_b);
-      way = on_b - on_a;
-      if (way.squaredNorm() <= within * within && within > 0) return false;
-    }
-    const Scalar gap = middle.dot(way) - (span(a_edges_, way) + span(b_edges_, way)) / 2;
-    if (gap > 0 && gap * gap > beyond * beyond * way.squaredNorm()) return true;
-    return std::nullopt;
-  }
-
-  /// The factors that turn a projection onto each edge into a fraction of the edge; 0 if the edge counts as a point.
-  [[nodiscard]] static std::array<Scalar, 2> shares(const std::array<Space, 2>& edges) {
-    const std::array squares{edges[0].squaredNorm(), edges[1].squaredNorm()};
-    return {vanishes(squares[0]) ? 0 : 1 / squares[0], vanishes(squares[1]) ? 0 : 1 / squares[1]};
-  }
-
-  /// The point of a core around the origin nearest to p, up to edges that are not exactly perpendicular.
-  [[nodiscard]] static Space nearest(const Space& p, const std::array<Space, 2>& edges,
-                                     const std::array<Scalar, 2>& shares) {
-    const auto part = [&](std::size_t i) { return std::clamp(p.dot(edges[i]) * shares[i], Scalar(-0.5), Scalar(0.5)); };
-    return part(0) * edges[0] + part(1) * edges[1];
-  }
-
-  /// The extent of a core along a direction, times the direction's length.
-  [[nodiscard]] static Scalar span(const std::array<Space, 2>& edges, const Space& way) {
-    return std::abs(edges[0].dot(way)) + std::abs(edges[1].dot(way));
-  }
-
-  /// The length of the longer diagonal.
-  [[nodiscard]] static Scalar diagonal(const std::array<Space, 2>& edges) {
-    return std::sqrt(edges[0].squaredNorm() + edges[1].squaredNorm() + 2 * std::abs(edges[0].dot(edges[1])));
   }
 
   [[nodiscard]] CoresCompared in_scene(const ClosestPoints<Scalar>& points, const Vector<Scalar, Dim>& origin) const {
@@ -186,6 +254,37 @@ template <template <class, int> class A, template <class, int> class B, class Sc
 [[nodiscard]] SweptPair<A<Scalar, Dim>, B<Scalar, Dim>, Scalar, Dim> swept_pair(const A<Scalar, Dim>& a,
                                                                                 const B<Scalar, Dim>& b) {
   return {a, b};
+}
+
+template <class A, class B>
+[[gnu::cold, gnu::noinline]] bool swept_overlap_closely(const A& a, const B& b) {
+  if constexpr (std::is_same_v<A, B>)
+    if (turned(a, b)) return !swept_pair(b, a).apart();
+  return !swept_pair(a, b).apart();
+}
+
+/// As for spheres and boxes (query/overlaps_spheres.hpp), a before b in the table's order.
+template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
+requires requires(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) { swept_core(a), swept_core(b); }
+[[nodiscard]] std::optional<bool> apart_at_a_glance(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+  const Scalar radii = a.radius + b.radius;
+  if constexpr (requires { core_distance(a, b); }) {
+    const CoreDistance<Scalar> distance = core_distance(a, b);
+    const Scalar square = radii * radii;
+    // Two edges e that count as points may change d^2 by 4 d |e|, which is at most k d^2 / 4 + 16 e^2 / k.
+    constexpr Scalar k = tolerance::kGlance<Scalar>, kShortEdges = std::numeric_limits<Scalar>::min() / k;
+    return if_certain(distance.square - square, k * (distance.sizes + square) + 16 * kShortEdges);
+  } else {
+    return SweptGlance<Scalar, Dim>(swept_core(a), swept_core(b), radii).apart();
+  }
+}
+
+/// The verdict of SweptPair.
+template <class A, class B>
+[[nodiscard]] bool swept_overlap(const A& a, const B& b) {
+  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+    return !*apart;
+  return swept_overlap_closely(a, b);
 }
 
 }  // namespace snug::query

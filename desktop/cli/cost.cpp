@@ -335,7 +335,9 @@ constexpr const char* kCostFooter =
   over_hull                 measure over that of the convex hull; null if that is flat
   bytes                     memory for the volume's numbers
   overlap_ns, overlap_pairs, overlapping
-                            one overlap test with a copy of the volume; half of the copies just overlap
+                            one overlap test with a copy of the volume, the verdict alone; half of the copies just
+                            overlap and half are just apart, as a broad phase leaves them
+  scene_overlap_ns          the same with copies anywhere around the volume, most of which are apart: early exits pay
   update, update_ns         the volume's tight update over a full turn of the body, and the time of one; null for
                             volumes that have none
   certificate               {contains, on_boundary, optimal}

@@ -53,7 +53,7 @@ std::string set_fields(Row& row, const Json& json, const std::string& where) {
   Row::fields(row, [&](std::string_view name, auto& value) {
     if (!wrong.empty() || is_none(json, name)) return;
     const Json* const found = find(json, name);
-    if (found == nullptr && name == cost::kNewColumn) return;
+    if (found == nullptr && cost::is_new_column(name)) return;
     if (found == nullptr) wrong = where + std::string(name) + " is missing";
     else if (!read(*found, value))
       wrong = where + std::string(name) + " is " + found->dump(-1, ' ', false, Json::error_handler_t::replace);

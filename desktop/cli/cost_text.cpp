@@ -122,8 +122,9 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Co
                     const cost::Table<cost::CostRow>* then) {
   std::vector<std::string> header{"volume", "algorithm", "time", "spread"};
   if (then != nullptr) header.insert(header.end(), {"then", "now/then"});
-  header.insert(header.end(), {"operations", "exact", "size/least", "volume/hull", "bytes", "overlap", "update", ""});
-  if (provenance.dim == 2) *(header.end() - 5) = "area/hull";
+  header.insert(header.end(),
+                {"operations", "exact", "size/least", "volume/hull", "bytes", "near", "scene", "update", ""});
+  if (provenance.dim == 2) *(header.end() - 6) = "area/hull";
   Columns columns(header);
   bool doubt = false;
   for (const cost::CostRow& row : rows) {
@@ -139,12 +140,14 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Co
     line.insert(line.end(), {said("%lld", static_cast<long long>(others)), said("%lld", static_cast<long long>(exact)),
                              ratio_text(row.tightness, "%.4f"), ratio_text(row.over_hull, "%.3f"),
                              said("%lld", static_cast<long long>(row.bytes)), time_text(row.overlap),
-                             time_text(row.updated), note_of(row)});
+                             time_text(row.scene_overlap), time_text(row.updated), note_of(row)});
     columns.add(std::move(line));
-    for (const cost::Timing* timing : {&row.time, &row.overlap, &row.updated})
+    for (const cost::Timing* timing : {&row.time, &row.overlap, &row.scene_overlap, &row.updated})
       doubt = doubt || (timing->repeats > 0 && !timing->trusted);
   }
-  std::string text = head_of(provenance) + columns.text() + "\n* no other is both faster and tighter\n";
+  std::string text = head_of(provenance) + columns.text() +
+                     "\n* no other is both faster and tighter\n"
+                     "near, scene: one overlap test of two, near contact and as they lie in a scene\n";
   if (doubt) text += kDoubt;
   if (then != nullptr) text += "then: " + head_of(then->provenance);
   return text;

@@ -128,7 +128,7 @@ test("the same points and seed have the same figures but for times", () => {
 test("the table for people says volume, time and who is on the front", () => {
   const text = good(["cost", ...quick, "--volume", "sphere", cloud]);
   assert.match(text, /^cloud\.xyz, 3-D, double, seed 1; native, /);
-  assert.match(text, /\nvolume +algorithm +time +spread +operations +exact +size\/least +volume\/hull +bytes +overlap +update\n/);
+  assert.match(text, /\nvolume +algorithm +time +spread +operations +exact +size\/least +volume\/hull +bytes +near +scene +update\n/);
   assert.match(text, /\nsphere +welzl +[\d.e+]+ (ns|us|ms)/);
   assert.match(text, /\* front/);
 });
@@ -151,7 +151,7 @@ test("CSV has a column for every figure", () => {
   const lines = good(["cost", ...quick, "--csv", "--volume", "obb", cloud]).trimEnd().split("\n");
   assert.equal(lines[0], "# snug table: costs");
   const columns = lines.find((line) => !line.startsWith("# ")).split(",");
-  for (const name of ["time_ns.median", "time_ns.spread", "operations.dot_products", "operations.square_roots", "tightness", "bytes", "overlap_ns.median", "update_ns.median"])
+  for (const name of ["time_ns.median", "time_ns.spread", "operations.dot_products", "operations.square_roots", "tightness", "bytes", "overlap_ns.median", "scene_overlap_ns.median", "update_ns.median"])
     assert.ok(columns.includes(name), name);
   for (const line of lines.slice(lines.indexOf(columns.join(",")) + 1)) assert.equal(line.split(",").length, columns.length);
 });

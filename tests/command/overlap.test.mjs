@@ -54,7 +54,7 @@ for (const [dim, of] of [[3, space], [2, plane]])
       results.forEach((result, i) => {
         const { a, b, gap, side } = cases[i];
         const about = `${a} ${b} ${gap} ${side}: ${JSON.stringify(result)}`;
-        assert.deepEqual(Object.keys(result), ["overlap", "distance", "separating_axis", "tests"], about);
+        assert.deepEqual(Object.keys(result), ["overlap", "distance", "separating_axis", "tests", "test"], about);
         assert.equal(result.overlap, gap <= 0, about);
         assert.ok(Number.isInteger(result.tests) && result.tests > 0, about);
         if (axes_only(a, b)) assert.equal(result.distance, null, about);
@@ -282,8 +282,9 @@ test("costs: a line for each of the 28 pairs, with its test", () => {
   const rows = json_lines(good(["overlap", "--costs", "--dim", "2"]));
   assert.equal(rows.length, 28);
   assert.equal(new Set(rows.map(({ a, b }) => `${a} ${b}`)).size, 28);
-  assert.ok(rows.every(({ time_ns, apart }) => time_ns.median > 0 && apart > 0 && apart < 1));
-  assert.equal(rows.find(({ a, b }) => a === "aabb" && b === "kdop").test, "slabs_then_gjk");
+  assert.ok(rows.every(({ time_ns, scene_ns, gjk_ns, apart, source }) => time_ns.median > 0 && scene_ns.median > 0 && gjk_ns.median > 0 && apart > 0 && apart < 1 && source.length > 10));
+  assert.deepEqual(rows.filter(({ conservative }) => conservative).map(({ a, b }) => `${a} ${b}`), ["aabb kdop", "kdop kdop"]);
+  assert.equal(rows.find(({ a, b }) => a === "aabb" && b === "kdop").test, "slabs");
   // As the lesson has it: tests/browser/volume_pair.test.mjs.
   assert.deepEqual(rows.map(({ apart }) => Math.round(24 * apart)), [7, 11, 9, 9, 11, 12, 13, 15, 15, 16, 16, 15, 17, 14, 15, 15, 16, 18, 16, 16, 15, 17, 16, 16, 18, 16, 17, 20], "of 24 pairs of bodies");
 });

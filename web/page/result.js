@@ -3,7 +3,7 @@
 const quoted = (text) => (/[,"#\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 const field = (value) => (value === null ? "" : quoted(String(value)));
 const kUntimed = { median: null, min: null, spread: null, repeats: null, batch: null, trusted: null };
-const filled = (name, value) => (value === null && /^(time|overlap|update)_ns$/.test(name) ? kUntimed : value);
+const filled = (name, value) => (value === null && /^(time|overlap|scene_overlap|update)_ns$/.test(name) ? kUntimed : value);
 /** {a: {b: 1}} as [["a.b", 1]]; a time that was not taken, null, has its columns all the same */
 const flat = (object, prefix = "") => Object.entries(object).flatMap(([name, value]) => {
   const own = filled(name, value);

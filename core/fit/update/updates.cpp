@@ -44,11 +44,13 @@ struct Watch {
 
 template <class Scalar, int Dim>
 struct TransformedSphere {
-  TransformedSphere(PointSpan<Scalar, Dim> points, int) : ball(pivot(points, Options{}).volume) {}
-  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_sphere(ball, pose, watch).volume; }
+  TransformedSphere(PointSpan<Scalar, Dim> points, int)
+      : ball(pivot(points, Options{}).volume), local(local_error(ball)) {}
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_sphere(ball, local, pose, watch).volume; }
   [[nodiscard]] double tightest(const Pose<Scalar, Dim>&) const { return measure_of(lift(ball), Dim); }
 
   Sphere<Scalar, Dim> ball;
+  Scalar local;
 };
 
 template <class Scalar, int Dim>
@@ -56,11 +58,13 @@ struct TransformedObb {
   TransformedObb(PointSpan<Scalar, Dim> points, int) {
     if constexpr (Dim == 2) box = obb_pca(points).volume;
     else box = obb_pca_rectangle(points).volume;
+    local = local_error(box);
   }
-  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_obb(box, pose, watch).volume; }
+  auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) { return update_obb(box, local, pose, watch).volume; }
   [[nodiscard]] double tightest(const Pose<Scalar, Dim>&) const { return measure_of(lift(box), Dim); }
 
   Obb<Scalar, Dim> box;
+  Scalar local = 0;
 };
 
 /// What the updates of AABBs have in common.
@@ -233,9 +237,9 @@ class Body final : public MovingBody {
   double bare() override {
     Ignore ignore;
     prepare(ignore);
-    Scalar sum = 0;
-    for (const auto& pose : poses_) sum += some_number(update_.volume_at(pose, ignore));
-    return static_cast<double>(sum);
+    made_.resize(poses_.size());
+    for (std::size_t i = 0; i < poses_.size(); ++i) made_[i] = update_.volume_at(poses_[i], ignore);
+    return made_.empty() ? 0 : static_cast<double>(anchor(made_.back())[0]);
   }
 
  private:
@@ -253,17 +257,12 @@ class Body final : public MovingBody {
     return frame_of(update_.volume_at(pose, watch), points_, pose, update_.tightest(pose));
   }
 
-  static Scalar some_number(const Sphere<Scalar, Dim>& ball) { return ball.center.sum() + ball.radius; }
-  static Scalar some_number(const Aabb<Scalar, Dim>& box) { return box.min.sum() + box.max.sum(); }
-  static Scalar some_number(const Obb<Scalar, Dim>& box) {
-    return box.center.sum() + box.axes.sum() + box.half_extents.sum();
-  }
-  static Scalar some_number(const Kdop<Scalar, Dim>& kdop) { return kdop.min[0]; }
-
   Update<Scalar, Dim> update_;
   PointSpan<Scalar, Dim> points_;
   std::optional<double> hull_measure_;  // computed when first needed
+  using Made = decltype(std::declval<Update<Scalar, Dim>&>().volume_at(Pose<Scalar, Dim>(), std::declval<Ignore&>()));
   std::vector<Pose<Scalar, Dim>> poses_;
+  std::vector<Made> made_;  // kept, so that no compiler leaves the work out
 };
 
 template <template <class, int> class Update>

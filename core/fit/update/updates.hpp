@@ -49,8 +49,8 @@ class MovingBody {
   virtual ~MovingBody() = default;
   [[nodiscard]] virtual UpdatedFrame watched(const Pose<double, 3>& pose, const SeeUpdateStep& see) = 0;
   [[nodiscard]] virtual UpdatedFrame unwatched(const Pose<double, 3>& pose) = 0;
-  /// Takes the body once through poses given before, by the updates alone. The returned number is meaningless: it only
-  /// keeps the compiler from leaving out the work.
+  /// Takes the body once through poses given before, by the updates alone. The number is the x of the last volume's
+  /// anchor.
   virtual void give(std::span<const Pose<double, 3>> poses) = 0;
   [[nodiscard]] virtual double bare() = 0;
 };
@@ -82,7 +82,7 @@ struct UpdateStrategy {
 start_unwatched_updates(const UpdateStrategy& strategy, const AnyPointSet& points);
 
 /// The body taken through the poses by the updates alone, without observer or checks: this is timed. Each call does all
-/// poses. The returned number is meaningless: it only keeps the compiler from leaving out the work.
+/// poses, and returns the x of the last volume's anchor.
 [[nodiscard]] std::function<double()> start_bare_updates(const UpdateStrategy& strategy, const AnyPointSet& points,
                                                          std::span<const Pose<double, 3>> poses);
 

@@ -132,10 +132,7 @@ TEST_CASE("bare updates go through the poses with the volumes that watched ones 
   const auto poses = cost::full_turn(3, 5);
   const fit::UpdateStrategy& strategy = *fit::find_update("aabb", "hill_climb");
   const fit::UpdateBody body = fit::start_updates(strategy, points);
-  double sum = 0;
-  for (const auto& pose : poses) {
-    const auto box = std::get<Aabb<double, 3>>(body(pose, {}).volume);
-    sum += box.min.sum() + box.max.sum();
-  }
-  CHECK(fit::start_bare_updates(strategy, points, poses)() == sum);
+  double last = 0;
+  for (const auto& pose : poses) last = std::get<Aabb<double, 3>>(body(pose, {}).volume).min[0];
+  CHECK(fit::start_bare_updates(strategy, points, poses)() == last);
 }

@@ -122,14 +122,14 @@ TEST_CASE("columns may stand in another order, and more of them") {
 TEST_CASE("what was not timed is null, and empty fields") {
   const std::vector<cost::CostRow> all{two_rows()[1]};
   const std::string json = cost::json_of(provenance(), std::span<const cost::CostRow>(all));
-  CHECK(json.find("\"overlapping\":0,\"overlap_ns\":null,\"update\":null,\"update_ns\":null,\"certificate\":{") !=
-        std::string::npos);
+  CHECK(json.find("\"overlapping\":0,\"overlap_ns\":null,\"scene_overlap_ns\":null,\"update\":null,\"update_ns\":null,"
+                  "\"certificate\":{") != std::string::npos);
   const std::string text = cost::csv_of(provenance(), std::span<const cost::CostRow>(all));
-  CHECK(text.find(",0,0,,,,,,,,,,,,,,false,false,") != std::string::npos);
+  CHECK(text.find(",0,0,,,,,,,,,,,,,,,,,,,,false,false,") != std::string::npos);
   CHECK(cost::read_csv<cost::CostRow>(text, "")->rows[0].updated.repeats == 0);
   // Programs before this one wrote noughts there.
   CHECK(cost::read_csv<cost::CostRow>(
-      with_replaced(text, ",0,0,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,0,0,0,0,0,false,false"), ""));
+      with_replaced(text, ",0,0,,,,,,,,,,,,,,,,,,,,false", ",0,0,0,0,0,0,0,false,,,,,,,,0,0,0,0,0,false,false"), ""));
   // A median of so many repeats has to be there.
   CHECK_FALSE(cost::read_csv<cost::CostRow>(with_replaced(text, ",0,0,,,,,,,", ",0,0,,,,9,1,true,"), ""));
 }

@@ -5,6 +5,7 @@
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
 #include "query/classify_corners.hpp"
+#include "query/culler.hpp"
 
 using namespace snug;
 using query::Culling;
@@ -67,6 +68,8 @@ void check_family(int rounds, Verdicts& seen) {
       const auto sum = exact::sum_of(volume);
       const Culling right = exact::classify(scene.frustum, sum, seen.cases % 1000 == 0);
       const Culling verdict = query::classify(scene.frustum, volume).verdict;
+      if constexpr (requires { query::Culler<Scalar, Dim>(scene.frustum)(volume); })
+        seen.wrong += query::Culler<Scalar, Dim>(scene.frustum)(volume) != right;
       ++seen.cases;
       ++seen.verdicts[static_cast<int>(right)];
       seen.wrong += verdict != right;

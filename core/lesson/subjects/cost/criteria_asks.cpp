@@ -64,6 +64,8 @@ Truth least_truth(const Asked& asked, const Run&) {
     if (ranks[i] == 0) truth.choices.push_back(static_cast<int>(i)), best.push_back(asked.choices[i]);
   truth.happened = listed(best, " and ");
   truth.sentence = values_in_order(asked) + ".";
+  if (criterion_of(asked) == Criterion::kTotal && truth.choices.size() == 1)
+    truth.sentence += " " + winner_text(criteria_in(asked), criteria_in(asked).own_load());
   return truth;
 }
 

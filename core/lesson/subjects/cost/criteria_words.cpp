@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -40,9 +41,9 @@ std::vector<CriteriaCell> total_cells(const CriteriaSubject& subject, std::size_
           cell(&TotalCost::false_positives), cost_cell(total ? std::optional(total->sum()) : std::nullopt, counted)};
 }
 
-/// The place of a volume in the order that textbooks draw, from cheap and loose to expensive and tight, from 1.
+/// The place of a volume in the textbooks' order of tests, from the simplest to the one that takes most, from 1.
 std::optional<double> textbook_place(const Method& method) {
-  constexpr std::array<std::string_view, 5> kOrder{"sphere", "aabb", "obb", "kdop", "hull"};
+  constexpr std::array<std::string_view, 5> kOrder{"sphere", "aabb", "kdop", "obb", "hull"};
   const auto* const found = std::find(kOrder.begin(), kOrder.end(), method.volume);
   if (found == kOrder.end()) return std::nullopt;
   return static_cast<double>(found - kOrder.begin() + 1);
@@ -68,15 +69,50 @@ std::vector<CriteriaCell> rank_cells(const Method& method, const std::vector<std
   return cells;
 }
 
-/// The volume with the least total cost; none before it is known.
-std::optional<std::size_t> least_of(const CriteriaSubject& subject) {
+/// The volume with the least total cost, but for one; none before it is known.
+std::optional<std::size_t> least_of(const CriteriaSubject& subject, const Load& load,
+                                    std::optional<std::size_t> except = {}) {
   std::optional<std::size_t> least;
   double sum = 0;
   for (std::size_t i = 0; i < subject.around().volumes.size(); ++i) {
-    const auto own = subject.value(i, Criterion::kTotal, subject.load_now());
-    if (own && (!least || *own < sum)) least = i, sum = *own;
+    const auto own = subject.value(i, Criterion::kTotal, load);
+    if (own && i != except && (!least || *own < sum)) least = i, sum = *own;
   }
   return least;
+}
+
+/// "sphere", "14-DOP"
+std::string in_sentence(const Method& method) {
+  const std::string_view title = short_title(method);
+  return std::string(title.size() > 1 && std::islower(static_cast<unsigned char>(title[1])) != 0 ? method.volume
+                                                                                                 : title);
+}
+
+/// The parts of a total cost: what they are called, and what a volume does there.
+enum class Part : std::uint8_t { kBuild, kUpdates, kTests, kFalsePositives };
+constexpr std::array kParts{&TotalCost::build, &TotalCost::updates, &TotalCost::tests, &TotalCost::false_positives};
+constexpr std::array<std::string_view, 4> kPartNames{"building", "updates", "tests", "false positives"};
+
+/// "one update moves one point"; empty where the figures say it all.
+std::string what_it_does(const FittedVolume& fitted, Part part, const Load& load) {
+  struct Work {
+    std::string_view volume, update, test;
+  };
+  constexpr std::array<Work, 7> kWorks{
+      {{"sphere", "moves one point", "compares one distance"},
+       {"aabb", "climbs over the hull for six bounds", "compares three pairs of intervals"},
+       {"obb", "is one product of two matrices", "goes through up to fifteen axes"},
+       {"capsule", "moves two points", "takes the distance of two segments"},
+       {"lozenge", "moves one point and two edges", "takes the distance of two rectangles"},
+       {"kdop", "climbs over the hull for each bound", "compares a pair of intervals for each direction"},
+       {"hull", "moves every vertex", "is GJK"}}};
+  const auto* const work =
+      std::find_if(kWorks.begin(), kWorks.end(), [&](const Work& one) { return one.volume == fitted.method->volume; });
+  if (work == kWorks.end()) return {};
+  if (part == Part::kTests) return "its test " + std::string(work->test);
+  if (part == Part::kUpdates && !load.deforms) return "its update " + std::string(work->update);
+  if (part == Part::kFalsePositives) return "it is " + looseness_words(fitted);
+  return {};
 }
 
 }  // namespace
@@ -127,21 +163,45 @@ std::string looseness_words(const FittedVolume& volume) {
   return volume.over_hull ? number_text(*volume.over_hull, kFigureDigits) + " times the hull" : "flat";
 }
 
+std::string winner_text(const CriteriaSubject& subject, const Load& own) {
+  const auto best = least_of(subject, own), next = least_of(subject, own, best);
+  if (!best || !next) return {};
+  const TotalCost won = *subject.total(*best, own), lost = *subject.total(*next, own);
+  std::size_t saved = 0, paid = 0;  // where the winner's lead is largest, and where it is behind most
+  for (std::size_t i = 1; i < kParts.size(); ++i) {
+    const auto lead = [&](std::size_t part) { return lost.*kParts[part] - won.*kParts[part]; };
+    if (lead(i) > lead(saved)) saved = i;
+    if (lead(i) < lead(paid)) paid = i;
+  }
+  const auto& volumes = subject.around().volumes;
+  const auto against = [&](std::size_t part) {
+    return std::string(kPartNames[part]) + " (" + cost_text(won.*kParts[part], subject.is_counted()) + " against " +
+           cost_text(lost.*kParts[part], subject.is_counted()) + ")";
+  };
+  const auto reason = [&](std::size_t volume, std::size_t part) {
+    const std::string does = what_it_does(volumes[volume], static_cast<Part>(part), own);
+    return does.empty() ? does : ": " + does;
+  };
+  std::string says = "Beside the next, the " + in_sentence(*volumes[*next].method) + ", the " +
+                     in_sentence(*volumes[*best].method) + " saves most on " + against(saved) + reason(*best, saved) +
+                     ".";
+  if (won.*kParts[paid] > lost.*kParts[paid]) says += " It pays more for " + against(paid) + reason(*best, paid) + ".";
+  return says;
+}
+
 std::string defence_text(const CriteriaSubject& subject, std::size_t volume) {
   const FittedVolume& own = subject.around().volumes[volume];
   const std::string name(short_title(*own.method));
   const auto total = subject.total(volume, subject.load_now());
-  const auto least = least_of(subject);
+  const auto least = least_of(subject, subject.load_now());
   if (!total || !least) return name + ": " + looseness_words(own) + ". Press Measure to see what it costs.";
   const bool counted = subject.is_counted();
-  const std::array<std::pair<double, std::string_view>, 4> parts{{{total->build, "building"},
-                                                                  {total->updates, "updates"},
-                                                                  {total->tests, "tests"},
-                                                                  {total->false_positives, "false positives"}}};
-  const auto& most = *std::max_element(parts.begin(), parts.end());
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < kParts.size(); ++i)
+    if ((*total).*kParts[i] > (*total).*kParts[most]) most = i;
   std::string says = name + ": T = " + cost_text(total->sum(), counted) + ", " +
-                     number_text(100 * most.first / total->sum(), kShareDigits) + " % of it " +
-                     std::string(most.second) + ". It passes " +
+                     number_text(100 * (*total).*kParts[most] / total->sum(), kShareDigits) + " % of it " +
+                     std::string(kPartNames[most]) + ". It passes " +
                      number_text(100 * subject.around().rows[volume].passes.rate(), kFigureDigits) +
                      " % of the pairs that are apart.";
   if (*least == volume) return says + " Nothing costs less here.";

@@ -17,6 +17,10 @@ namespace snug::lesson {
 /// "Sphere", "AABB", "14-DOP", "Hull".
 [[nodiscard]] std::string_view short_title(const Method& method);
 
+/// Why the volume with the least total cost wins, from the terms as they were measured: which part it saves most on
+/// beside the next, and what it does there. own: with that load.
+[[nodiscard]] std::string winner_text(const CriteriaSubject& subject, const Load& own);
+
 /// "35.1 ns", "1.20 µs", "3.40 ms", "2.10 s"; where operations were counted, "1,200".
 [[nodiscard]] std::string cost_text(double ns, bool counted);
 

@@ -9,7 +9,9 @@
 namespace snug::lesson {
 namespace {
 
+using query::name_of;
 using query::PairTest;
+using query::source_of;
 
 /// GJK's lines follow those of the slabs and replace the last one.
 constexpr int kSlabLines = 3;
@@ -20,21 +22,9 @@ constexpr auto kSlabsThenGjkPseudocode = [] {
   return all;
 }();
 
-constexpr std::string_view kEricson = "C. Ericson, Real-Time Collision Detection, 2005";
-constexpr std::string_view kArvo = "J. Arvo, A simple method for box-sphere intersection testing, 1990";
-constexpr std::string_view kSwept =
-    "E. Larsen, S. Gottschalk, M. Lin, D. Manocha, Fast proximity queries with swept sphere volumes, 1999";
-constexpr std::string_view kSlabs =
-    "J. Klosowski, M. Held, J. Mitchell, H. Sowizral, K. Zikan, Efficient collision detection using bounding volume "
-    "hierarchies of k-DOPs, 1998";
-constexpr std::string_view kSat = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, 1996";
-constexpr std::string_view kGjk =
-    "E. Gilbert, D. Johnson, S. Keerthi, A fast procedure for computing the distance between complex objects in "
-    "three-dimensional space, 1988";
-
-constexpr Method row(PairTest test, std::string_view title, std::string_view source,
-                     std::span<const std::string_view> pseudocode, std::span<const std::string_view> in_plane = {}) {
-  return {kVolumePair, query::kPairTestNames[static_cast<std::size_t>(test)], title, source, pseudocode, in_plane};
+constexpr Method row(PairTest test, std::string_view title, std::span<const std::string_view> pseudocode,
+                     std::span<const std::string_view> in_plane = {}) {
+  return {kVolumePair, name_of(test), title, source_of(test), pseudocode, in_plane};
 }
 
 /// The tests of two axis-aligned boxes in each of their representations.
@@ -49,16 +39,18 @@ constexpr auto kMinMaxPlane = in_plane(query::kMinMaxPseudocode),
                kCenterRadiusPlane = in_plane(query::kCenterRadiusPseudocode);
 
 constexpr std::array kVolumeTests{
-    row(PairTest::kSpheres, "Squared distance", kEricson, query::kSpheresPseudocode),
-    row(PairTest::kSphereBox, "Nearest point of the box", kArvo, query::kDistancePseudocode),
-    row(PairTest::kSweptSpheres, "Distance between the cores", kSwept, query::kDistancePseudocode),
-    row(PairTest::kSlabs, "Intervals", kSlabs, query::kSlabsPseudocode),
-    row(PairTest::kSlabsThenGjk, "Intervals, then GJK", kSlabs, kSlabsThenGjkPseudocode),
-    row(PairTest::kSeparatingAxes, "Separating axes", kSat, query::kSatPseudocode3, query::kSatPseudocode2),
-    row(PairTest::kGjk, "GJK", kGjk, query::kGjkPseudocode),
-    Method{kVolumePair, kMinMax, "Min-max", kEricson, query::kMinMaxPseudocode, kMinMaxPlane},
-    Method{kVolumePair, kMinWidths, "Min-widths", kEricson, query::kMinWidthsPseudocode, kMinWidthsPlane},
-    Method{kVolumePair, kCenterRadius, "Centre-radius", kEricson, query::kCenterRadiusPseudocode, kCenterRadiusPlane},
+    row(PairTest::kSpheres, "Squared distance", query::kSpheresPseudocode),
+    row(PairTest::kSphereBox, "Nearest point of the box", query::kDistancePseudocode),
+    row(PairTest::kSweptSpheres, "Distance between the cores", query::kDistancePseudocode),
+    row(PairTest::kSlabs, "Intervals", query::kSlabsPseudocode),
+    row(PairTest::kSlabsThenGjk, "Intervals, then GJK", kSlabsThenGjkPseudocode),
+    row(PairTest::kSeparatingAxes, "Separating axes", query::kSatPseudocode3, query::kSatPseudocode2),
+    row(PairTest::kGjk, "GJK", query::kGjkPseudocode),
+    Method{kVolumePair, kMinMax, "Min-max", source_of(PairTest::kSpheres), query::kMinMaxPseudocode, kMinMaxPlane},
+    Method{kVolumePair, kMinWidths, "Min-widths", source_of(PairTest::kSpheres), query::kMinWidthsPseudocode,
+           kMinWidthsPlane},
+    Method{kVolumePair, kCenterRadius, "Centre-radius", source_of(PairTest::kSpheres), query::kCenterRadiusPseudocode,
+           kCenterRadiusPlane},
 };
 
 /// Calls a function with both volumes in their own dimension, and in a scalar that holds them exactly.
@@ -91,13 +83,15 @@ void keep_end(const query::OverlapResult<Scalar, Dim>& result, int line, RecordP
   observe.keep(line, std::variant<OverlapDecided>(end));
 }
 
+/// test: the pair's own, or one of those that it has besides.
 template <class Scalar, int Dim>
-void decide(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, PairTest test, bool by_gjk,
-            RecordPair& observe) {
-  const auto result = by_gjk ? query::any_pair::by_gjk<Scalar, Dim>(a, b, observe)
-                             : query::any_pair::test_any_in_order<Scalar, Dim>(a, b, observe);
-  if (!by_gjk && test == PairTest::kSeparatingAxes) return;  // it has its own end
-  keep_end<Scalar, Dim>(result, last_line(by_gjk ? PairTest::kGjk : test, observe, result.overlap), observe);
+void decide(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, PairTest test, RecordPair& observe) {
+  const auto result = test == PairTest::kGjk ? query::any_pair::by_gjk<Scalar, Dim>(a, b, observe)
+                      : test == PairTest::kSlabsThenGjk
+                          ? query::any_pair::by_slabs_then_gjk<Scalar, Dim>(a, b, observe)
+                          : query::any_pair::test_any_in_order<Scalar, Dim>(a, b, observe);
+  if (test == PairTest::kSeparatingAxes) return;  // it has its own end
+  keep_end<Scalar, Dim>(result, last_line(test, observe, result.overlap), observe);
 }
 
 /// Tests two axis-aligned boxes as they are in a representation; it ends on the line of the axis that separates them.
@@ -121,11 +115,12 @@ PairTrace record_volumes_in(std::string_view test, const VolumePair& pair) {
     });
     return std::move(observe.trace);
   }
-  const PairTest own = test_of(pair);
-  const bool by_gjk = test == query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)];
-  if (own == PairTest::kSlabsThenGjk && !by_gjk) observe.gjk_line = kSlabLines;
+  const PairTest chosen = test == name_of(PairTest::kGjk)            ? PairTest::kGjk
+                          : test == name_of(PairTest::kSlabsThenGjk) ? PairTest::kSlabsThenGjk
+                                                                     : test_of(pair);
+  if (chosen == PairTest::kSlabsThenGjk) observe.gjk_line = kSlabLines;
   in_dimension<Scalar>(pair, [&]<int Dim>(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
-    decide<Scalar, Dim>(a, b, own, by_gjk, observe);
+    decide<Scalar, Dim>(a, b, chosen, observe);
   });
   return std::move(observe.trace);
 }
@@ -138,10 +133,12 @@ bool is_of_boxes(std::string_view test) { return is_among(kBoxForms, test); }
 
 std::vector<std::string_view> tests_of(const VolumePair& pair) {
   const PairTest own = test_of(pair);
-  std::vector<std::string_view> tests{query::kPairTestNames[static_cast<std::size_t>(own)]};
+  std::vector<std::string_view> tests{name_of(own)};
   const auto is_box = [](const HeldVolume& held) { return std::holds_alternative<Aabb<double, 3>>(held.volume); };
   if (is_box(pair.held[0]) && is_box(pair.held[1])) tests.insert(tests.end(), kBoxForms.begin(), kBoxForms.end());
-  if (own != PairTest::kGjk) tests.push_back(query::kPairTestNames[static_cast<std::size_t>(PairTest::kGjk)]);
+  if (query::is_conservative(pair.held[0].volume.index(), pair.held[1].volume.index()))
+    tests.push_back(name_of(PairTest::kSlabsThenGjk));
+  if (own != PairTest::kGjk) tests.push_back(name_of(PairTest::kGjk));
   return tests;
 }
 

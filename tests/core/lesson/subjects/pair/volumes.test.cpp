@@ -168,8 +168,7 @@ TEST_CASE("a pair's tests are counted as the command line counts them, and the f
         CHECK(figure.value == tests_counted(pair_of(session)));
       }
   });
-  CHECK(named == std::set<std::string>{"Axes so far", "Pairs of features so far", "Simplices so far",
-                                       "Slabs and simplices so far", "Slabs so far"});
+  CHECK(named == std::set<std::string>{"Axes so far", "Pairs of features so far", "Simplices so far", "Slabs so far"});
 }
 
 TEST_CASE("the centre takes its volume along, and what a handle does not hold stays") {
