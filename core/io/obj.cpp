@@ -12,7 +12,11 @@ constexpr std::string_view kKeywords[] = {
     "end",    "con",    "g",    "s",      "mg",     "o",    "bevel", "c_interp", "d_interp",   "lod",
     "usemtl", "mtllib", "call", "maplib", "usemap", "csh",  "ctech", "stech",    "shadow_obj", "trace_obj"};
 
-/// Splits the text into statements. Lines joined by a backslash are one statement, with the first line's number.
+/// Statements whose rest is a name, which may end in a backslash: exporters write folders of Windows there.
+constexpr std::string_view kNamed[] = {"o", "g", "mtllib", "usemtl", "maplib", "usemap", "shadow_obj", "trace_obj"};
+
+/// Splits the text into statements. Lines joined by a backslash are one statement, with the first line's number. A
+/// comment ends a line before it can be joined, and a name is not continued.
 class Statements {
  public:
   explicit Statements(std::string_view text) : lines_(text) {}
@@ -20,22 +24,28 @@ class Statements {
   bool next() {
     if (!lines_.next()) return false;
     number_ = lines_.number();
-    statement_ = lines_.line();
-    if (!statement_.empty() && statement_.back() == '\\') join();
-    statement_ = statement_.substr(0, statement_.find('#'));
+    statement_ = without_comment(lines_.line());
+    if (goes_on(statement_) && !is_named(statement_)) join();
     return true;
   }
   [[nodiscard]] std::string_view statement() const { return statement_; }
   [[nodiscard]] std::int64_t line() const { return number_; }
 
  private:
+  static std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
+  static bool goes_on(std::string_view line) { return !line.empty() && line.back() == '\\'; }
+  static bool is_named(std::string_view line) {
+    const std::string_view keyword = take_word(line);
+    return std::find(std::begin(kNamed), std::end(kNamed), keyword) != std::end(kNamed);
+  }
+
   void join() {
-    joined_.clear();
-    do {
-      joined_.append(lines_.line());
-      if (joined_.empty() || joined_.back() != '\\') break;
+    joined_ = statement_;
+    while (goes_on(joined_)) {
       joined_.back() = ' ';
-    } while (lines_.next());
+      if (!lines_.next()) break;
+      joined_.append(without_comment(lines_.line()));
+    }
     statement_ = joined_;
   }
   Lines lines_;

@@ -286,5 +286,5 @@ test("costs: a line for each of the 28 pairs, with its test", () => {
   assert.deepEqual(rows.filter(({ conservative }) => conservative).map(({ a, b }) => `${a} ${b}`), ["aabb kdop", "kdop kdop"]);
   assert.equal(rows.find(({ a, b }) => a === "aabb" && b === "kdop").test, "slabs");
   // As the lesson has it: tests/browser/volume_pair.test.mjs.
-  assert.deepEqual(rows.map(({ apart }) => Math.round(24 * apart)), [7, 11, 9, 9, 11, 12, 13, 15, 15, 16, 16, 15, 17, 14, 15, 15, 16, 18, 16, 16, 15, 17, 16, 16, 18, 16, 17, 20], "of 24 pairs of bodies");
+  assert.deepEqual(rows.map(({ apart }) => Math.round(96 * apart)), [19, 28, 26, 29, 31, 33, 37, 49, 44, 46, 46, 49, 54, 41, 43, 42, 47, 54, 46, 45, 46, 55, 45, 47, 55, 53, 57, 62], "of 96 pairs of bodies");
 });

@@ -61,8 +61,8 @@ template <class Scalar>
 /// axis a' as d . (R^T a'), which is d . a plus at most |d| |R^T a' - a|. The last factor is kTurnedBox at most, d is
 /// no longer than the box's half diagonal, and placing_error bounds the rounding of the point.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Obb<Scalar, Dim>>> Observer = Ignore>
-Updated<Obb<Scalar, Dim>> update_obb(const Obb<Scalar, Dim>& box, Scalar local, const Pose<Scalar, Dim>& pose,
-                                     Observer&& observe = {}) {
+[[gnu::flatten]] Updated<Obb<Scalar, Dim>> update_obb(const Obb<Scalar, Dim>& box, Scalar local,
+                                                      const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {
   using Step = UpdateStep<Obb<Scalar, Dim>>;
   Obb<Scalar, Dim> moved{placed(pose, box.center), box.axes, box.half_extents};
   observe(Step{0, false, moved, CenterMoved{}});

@@ -38,10 +38,11 @@ template <class Scalar, int Dim>
 
 /// Moves the ball with its centre: no rotation makes it looser. The radius is widened by as much as rounding may move a
 /// placed point away from the placed centre, a few u of the farthest coordinate.
-/// ball: contains the points in the local frame. local: its local_error.
+/// ball: contains the points in the local frame. local: its local_error. Its few operations are one piece of code: a
+/// call for each would cost more than they do.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Sphere<Scalar, Dim>>> Observer = Ignore>
-Updated<Sphere<Scalar, Dim>> update_sphere(const Sphere<Scalar, Dim>& ball, Scalar local, const Pose<Scalar, Dim>& pose,
-                                           Observer&& observe = {}) {
+[[gnu::flatten]] Updated<Sphere<Scalar, Dim>> update_sphere(const Sphere<Scalar, Dim>& ball, Scalar local,
+                                                            const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {
   using Step = UpdateStep<Sphere<Scalar, Dim>>;
   const Scalar error = placing_error(local, pose);
   const Sphere<Scalar, Dim> moved{placed(pose, ball.center), ball.radius + error};

@@ -61,6 +61,18 @@ TEST_CASE("line ends, byte order marks, blank lines and comments change nothing"
   check_tetra(read("# first\n\n" + replaced(samples::rows(" "), "\n", " # why\n\n"), "t.xyz"), false);
 }
 
+TEST_CASE("a backslash at the end of a comment or of a name loses no vertex") {
+  const std::string first = "v 0 0 0\nv 4 0 0\n", last = "v 9 9 9\n";
+  for (const std::string_view between :
+       {"# exported to D:\\scans\\\n", "o D:\\scans\\\n", "g left\\\n", "mtllib C:\\materials\\\n", "usemtl a\\\n",
+        "v 1 1 \\\n1\n", "v 1 1 1 # here \\\n"}) {
+    CAPTURE(between);
+    const PointFile file = read(first + std::string(between) + last, "scan.obj");
+    REQUIRE(file.points.size() == (between.starts_with("v") ? 4 : 3));
+    CHECK(file.points.back() == Vector<double, 3>(9, 9, 9));
+  }
+}
+
 TEST_CASE("a binary PLY's header may end its lines in any way, and its data may begin with a line end's byte") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string header =
