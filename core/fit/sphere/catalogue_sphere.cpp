@@ -7,6 +7,7 @@
 #include "fit/sphere/pivot.hpp"
 #include "fit/sphere/ritter.hpp"
 #include "fit/sphere/ritter_iterative.hpp"
+#include "fit/sphere/tiny.hpp"
 #include "fit/sphere/welzl.hpp"
 #include "fit/sphere/welzl_naive.hpp"
 #include "fit/sphere/welzl_recursive.hpp"
@@ -42,25 +43,26 @@ constexpr Theory kRandomOrder{"O(n)", growth::linear, false, kFixedPasses.source
 constexpr Theory kStoppedInTime{"O(n) expected", growth::linear, false, kWelzlPaper};
 
 constexpr std::array kSphereRows{
-    row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kFixedPasses, kAabbCenterPseudocode}),
-    row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kFixedPasses,
-                  kRitterPseudocode}),
-    row<kRitterIterative>(
+    sphere_row<kAabbCenter>({"sphere", "aabb_center", "AABB centre", kEricson, kFixedPasses, kAabbCenterPseudocode}),
+    sphere_row<kRitter>({"sphere", "ritter", "Ritter", "J. Ritter, An efficient bounding sphere, 1990", kFixedPasses,
+                         kRitterPseudocode}),
+    sphere_row<kRitterIterative>(
         {"sphere", "ritter_iterative", "Iterative Ritter", kEricson, kRandomOrder, kRitterIterativePseudocode}),
-    row<kPcaSphere>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
-                     kFixedPasses, kPcaSpherePseudocode}),
-    row<kWelzl, true>({"sphere",
-                       "welzl",
-                       "Welzl",
-                       kWelzlPaper,
-                       {"O(n) expected", growth::linear, false, kWelzlPaper},  // and a constant amount at the start
-                       kWelzlPseudocode}),
-    row<kPivot, true>({.volume = "sphere",
-                       .name = "pivot",
-                       .title = "Farthest-point pivoting",
-                       .source = "B. Gärtner, Fast and robust smallest enclosing balls, 1999",
-                       .theory = kFewPasses,
-                       .pseudocode = kPivotPseudocode}),
+    sphere_row<kPcaSphere>({"sphere", "pca", "PCA (Wu)", "X. Wu, A linear-time simple bounding volume algorithm, 1992",
+                            kFixedPasses, kPcaSpherePseudocode}),
+    sphere_row<kWelzl, true>(
+        {"sphere",
+         "welzl",
+         "Welzl",
+         kWelzlPaper,
+         {"O(n) expected", growth::linear, false, kWelzlPaper},  // and a constant amount at the start
+         kWelzlPseudocode}),
+    sphere_row<kPivot, true>({.volume = "sphere",
+                              .name = "pivot",
+                              .title = "Farthest-point pivoting",
+                              .source = "B. Gärtner, Fast and robust smallest enclosing balls, 1999",
+                              .theory = kFewPasses,
+                              .pseudocode = kPivotPseudocode}),
     row<kBruteForce, true>({.volume = "sphere",
                             .name = "brute_force",
                             .title = "Brute force",
@@ -68,13 +70,13 @@ constexpr std::array kSphereRows{
                             .theory = kAllSubsets,
                             .pseudocode = kBruteForcePseudocode,
                             .max_points = kBruteForceLimit}),
-    row<kWelzlRecursive, true>({.volume = "sphere",
-                                .name = "welzl_recursive",
-                                .title = "Welzl, as printed",
-                                .source = kRomanick,
-                                .theory = {"O(n) expected", growth::linear, false, kWelzlPaper},
-                                .pseudocode = kWelzlRecursivePseudocode,
-                                .max_points = kWelzlRecursiveLimit}),
+    sphere_row<kWelzlRecursive, true>({.volume = "sphere",
+                                       .name = "welzl_recursive",
+                                       .title = "Welzl, as printed",
+                                       .source = kRomanick,
+                                       .theory = {"O(n) expected", growth::linear, false, kWelzlPaper},
+                                       .pseudocode = kWelzlRecursivePseudocode,
+                                       .max_points = kWelzlRecursiveLimit}),
     row<kBruteForceSlide>({.volume = "sphere",
                            .name = "brute_force_slide",
                            .title = "Largest subsets only",

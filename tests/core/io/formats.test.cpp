@@ -67,7 +67,7 @@ TEST_CASE("a backslash at the end of a comment or of a name loses no vertex") {
        {"# exported to D:\\scans\\\n", "o D:\\scans\\\n", "g left\\\n", "mtllib C:\\materials\\\n", "usemtl a\\\n",
         "v 1 1 \\\n1\n", "v 1 1 1 # here \\\n"}) {
     CAPTURE(between);
-    const PointFile file = read(first + std::string(between) + last, "scan.obj");
+    const io::PointFile file = read(first + std::string(between) + last, "scan.obj");
     REQUIRE(file.points.size() == (between.starts_with("v") ? 4 : 3));
     CHECK(file.points.back() == Vector<double, 3>(9, 9, 9));
   }
