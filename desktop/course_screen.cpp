@@ -291,7 +291,10 @@ void CourseScreen::draw(Shell& shell, const app::Rect& rect) {
   y += look.px(40);
   app::rule(pane.list(), grid.left, y, width, look->line);
   const std::string foot =
-      std::string(lesson::kKeptFoot) + (shell.kept().works() ? std::string() : " " + std::string(lesson::kNotKept));
+      std::string(lesson::kKeptFoot) + (shell.kept().works() ? std::string() : " " + std::string(lesson::kNotKept)) +
+      (shell.kept().set_aside().empty()
+           ? std::string()
+           : " What was kept before is damaged, and was set aside as " + shell.kept().set_aside() + ".");
   y += 12;
   y += app::paragraph(pane.list(), look, Face::kRegular, 13, 20, {grid.left, y}, width, look->muted, foot);
   ImGui::SetCursorScreenPos({grid.left, y + look.px(32)});

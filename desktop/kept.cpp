@@ -1,6 +1,11 @@
 #include "desktop/kept.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -59,28 +64,69 @@ KeptLesson lesson_of(const Json& object) {
   return lesson;
 }
 
+/// Keeps other windows from reading and writing the file, as long as it lives.
+class Lock {
+ public:
+  explicit Lock(const fs::path& path) : file_(::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600)) {
+    while (file_ >= 0 && ::flock(file_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  ~Lock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+ private:
+  int file_;
+};
+
+fs::path beside(fs::path path, const char* ending) { return path += ending; }
+
 }  // namespace
 
 Kept::Kept() : path_(path_of_state()) {
-  std::error_code error;
   works_ = !path_.empty();
-  if (path_.empty() || !fs::exists(path_, error)) return;
-  if (const auto text = read_start(path_.string(), kMostBytes)) read(*text);
+  if (auto file = read()) last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
   works_ = !path_.empty();
 }
 
-void Kept::read(const std::string& text) {
-  const Json state = Json::parse(text, nullptr, false);
-  if (!state.is_object()) return;
-  const int version = count(state, "version");
-  if (version > kVersion) path_.clear();  // the file of a later program is left as it is
-  if (version != kVersion) return;
-  last_ = member<std::string>(state, "last", "", &Json::is_string);
-  invited = count(state, "invited");
-  const auto lessons = state.find("lessons");
-  if (lessons == state.end() || !lessons->is_object()) return;
+std::optional<Kept::State> Kept::read() {
+  std::error_code error;
+  if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
+  const auto text = read_start(path_.string(), kMostBytes);
+  if (!text) return std::nullopt;
+  const Json json = Json::parse(*text, nullptr, false);
+  const int version = json.is_object() ? count(json, "version") : 0;
+  if (version > kVersion) return path_.clear(), std::nullopt;  // the file of a later program is left as it is
+  if (version != kVersion) return put_aside(), std::nullopt;
+  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}};
+  const auto lessons = json.find("lessons");
+  if (lessons == json.end() || !lessons->is_object()) return state;
   for (const auto& [id, entry] : lessons->items())
-    if (entry.is_object()) lessons_[id] = lesson_of(entry);
+    if (entry.is_object()) state.lessons[id] = lesson_of(entry);
+  return state;
+}
+
+void Kept::put_aside() {
+  const fs::path aside = beside(path_, ".damaged");
+  std::error_code error;
+  fs::rename(path_, aside, error);
+  set_aside_ = error ? std::string() : aside.string();
+}
+
+void Kept::merge(State file) {
+  invited = std::max(invited, file.invited);
+  if (erased_) return;
+  if (changed_.empty()) last_ = file.last;
+  for (auto& [id, lesson] : file.lessons) {
+    if (changed_.count(id) == 0) {
+      lessons_[id] = std::move(lesson);
+      continue;
+    }
+    KeptLesson& own = lessons_[id];  // a lesson once done stays done
+    own.done = own.done || lesson.done, own.task = own.task || lesson.task;
+  }
 }
 
 const KeptLesson* Kept::lesson(const std::string& id) const {
@@ -116,16 +162,18 @@ void Kept::keep(const lesson::Session& session) {
   if (file && own && (file->runs != own->runs || file->typed != file->runs))
     now.file = {own->runs, file->runs, file->typed};
   lessons_[id] = std::move(now);
+  changed_.insert(id);
   last_ = id;
 }
 
 void Kept::erase() {
   lessons_.clear();
+  changed_.clear();
   last_.clear();
+  erased_ = true;
 }
 
-void Kept::write() {
-  if (path_.empty()) return;
+std::string Kept::text() const {
   Json state{{"version", kVersion}, {"last", last_}, {"invited", invited}, {"lessons", Json::object()}};
   for (const auto& [id, lesson] : lessons_) {
     state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
@@ -137,13 +185,20 @@ void Kept::write() {
     state["lessons"][id]["file_runs"] = lesson.file.runs;
     state["lessons"][id]["file_typed"] = lesson.file.typed;
   }
-  std::string text = state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (text == written_) return;
+  return state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void Kept::write() {
+  if (path_.empty() || text() == written_) return;
   std::error_code error;
   if (last_.empty() && lessons_.empty() && !fs::exists(path_, error)) return;  // nothing was begun yet
   fs::create_directories(path_.parent_path(), error);
-  works_ = write_file(path_.string(), text).has_value();  // tried again with the next change, if it failed
-  written_ = std::move(text);
+  const Lock lock(beside(path_, ".lock"));
+  if (auto file = read()) merge(std::move(*file));
+  if (path_.empty()) return;  // a later program has written it meanwhile
+  written_ = text();
+  works_ = write_file(path_.string(), written_).has_value();  // tried again with the next change, if it failed
+  erased_ = false;
 }
 
 }  // namespace snug::desktop

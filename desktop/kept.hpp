@@ -1,10 +1,13 @@
 // What the window keeps until it is opened again: the progress in each lesson, the place in it, and the answers. It is
-// a separate file beside other programs' state; if it is missing or damaged, everything starts anew.
+// a separate file beside other programs' state. Several windows may keep it at once: each writes its own lessons and
+// leaves the others'. A damaged file is set aside, and everything starts anew.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -46,18 +49,33 @@ class Kept {
   void erase();
   /// Whether the file could be written the last time.
   [[nodiscard]] bool works() const { return works_; }
+  /// Where a file went that could not be understood; empty if there was none.
+  [[nodiscard]] const std::string& set_aside() const { return set_aside_; }
   /// How many invitations on the first lesson's stage were followed.
   int invited = 0;
-  /// Writes what has changed. If the file cannot be written, only its content is lost.
+  /// Writes what has changed, into what other windows wrote meanwhile. If the file cannot be written, only its content
+  /// is lost.
   void write();
 
  private:
-  void read(const std::string& text);
+  using Lessons = std::map<std::string, KeptLesson>;
+  struct State {
+    std::string last;
+    int invited = 0;
+    Lessons lessons;
+  };
+  /// What the file says; none if it is not there, or set aside.
+  [[nodiscard]] std::optional<State> read();
+  void put_aside();
+  /// Takes the lessons that this window has not changed from the file, and what was done in either window.
+  void merge(State file);
+  [[nodiscard]] std::string text() const;
 
   std::filesystem::path path_;  // empty: nothing is written
-  bool works_ = true;
-  std::string last_, written_;
-  std::map<std::string, KeptLesson> lessons_;
+  bool works_ = true, erased_ = false;
+  std::string last_, written_, set_aside_;
+  Lessons lessons_;
+  std::set<std::string> changed_;  // the lessons that this window has kept
 };
 
 }  // namespace snug::desktop

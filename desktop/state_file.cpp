@@ -28,10 +28,14 @@ Json mistakes_of(const Shell& shell) {
 }
 
 Json course_state(Shell& shell) {
-  Json state{
-      {"lesson", nullptr},           {"chosen", shell.course.chosen(shell)}, {"lead", shell.lead().second},
-      {"focus", shell.focus.name()}, {"asked", shell.course.asked()},        {"found", shell.course.found(shell)},
-      {"kept", shell.kept().works()}};
+  Json state{{"lesson", nullptr},
+             {"chosen", shell.course.chosen(shell)},
+             {"lead", shell.lead().second},
+             {"focus", shell.focus.name()},
+             {"asked", shell.course.asked()},
+             {"found", shell.course.found(shell)},
+             {"kept", shell.kept().works()},
+             {"set_aside", shell.kept().set_aside()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
     const auto& [path, lesson, chapter, slides, is_case, is_playground] = shell.lessons()[i];
     if (is_case) {

@@ -36,14 +36,15 @@ struct Watched {
 using SeeStep = std::function<void(Step3&& step, const OperationCounts& counts)>;
 
 struct Algorithm {
-  std::string_view volume;                             // of kVolumeNames
-  std::string_view name;                               // as scripts say it: "ritter_iterative"
-  std::string_view title;                              // as people say it: "Iterative Ritter"
-  bool exact;                                          // whether it guarantees the smallest volume of its kind
-  bool naive;                                          // as textbooks print it: rounding may cost it its digits
-  bool loses_points;                                   // naive, and rounding may leave points outside its result
-  bool plane, space;                                   // whether it takes 2-D points, 3-D points
-  Index max_points;                                    // more are refused
+  std::string_view volume;  // of kVolumeNames
+  std::string_view name;    // as scripts say it: "ritter_iterative"
+  std::string_view title;   // as people say it: "Iterative Ritter"
+  bool exact;               // whether it guarantees the smallest volume of its kind
+  bool naive;               // as textbooks print it: rounding may cost it its digits
+  bool loses_points;        // naive, and rounding may leave points outside its result
+  bool plane, space;        // whether it takes 2-D points, 3-D points
+  Index max_points;         // more are refused
+  Index most_finished;  // on more a limit of its own stops the run, which then has no time (max_points: there is none)
   std::string_view source;                             // author, title, year
   Theory theory;                                       // of its time
   std::span<const std::string_view> pseudocode;        // steps name its lines, counted from 0

@@ -1,6 +1,7 @@
 // How a fitter becomes a row of the catalogue. For the catalogue's own files, one in each folder of volumes.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -71,28 +72,21 @@ struct About {
   std::span<const std::string_view> pseudocode;
   std::span<const std::string_view> plane_pseudocode = {};
   bool plane = true, space = true;
-  Index max_points = kAny;
+  Index max_points = kAny, most_finished = kAny;
   bool naive = false, loses_points = false;
 };
 
 /// kFitter: takes a PointSpan, Options and an observer. kExact: whether it guarantees the smallest.
 template <auto kFitter, bool kExact = false>
 constexpr Algorithm row(const About& about) {
-  return {about.volume,
-          about.name,
-          about.title,
-          kExact,
-          about.naive,
-          about.loses_points,
-          about.plane,
-          about.space,
-          about.max_points,
-          about.source,
-          about.theory,
-          about.pseudocode,
-          about.plane_pseudocode,
-          &fit_any<kFitter>,
-          &watch_any<kFitter, kExact>};
+  return {about.volume,      about.name,
+          about.title,       kExact,
+          about.naive,       about.loses_points,
+          about.plane,       about.space,
+          about.max_points,  std::min(about.max_points, about.most_finished),
+          about.source,      about.theory,
+          about.pseudocode,  about.plane_pseudocode,
+          &fit_any<kFitter>, &watch_any<kFitter, kExact>};
 }
 
 // Sources that several rows name.

@@ -55,7 +55,9 @@ Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, std::
                      const fit::Options& options) {
   Workload load{.volume = std::string(algorithm.volume),
                 .algorithm = std::string(algorithm.name),
-                .most = std::min(most, algorithm.max_points)};
+                .most = std::min(most, algorithm.most_finished)};
+  if (load.most < std::min(most, algorithm.max_points))
+    load.ends = "a run on more than " + std::to_string(load.most) + " points is stopped by its own limit";
   load.theory = fit::bound_of(algorithm.theory, dim);
   load.work = fit::work_of(algorithm.theory, dim);
   load.tight = algorithm.theory.tight;
@@ -129,7 +131,7 @@ void GrowthRun::step_up() {
   watches_.back().step(clock_);
   if (!watches_.back().done()) return;
   rows_.push_back({.volume = load.volume, .algorithm = load.algorithm, .points = n, .time = watches_.back().timing()});
-  if (++size_ == sizes_.size()) turn("");
+  if (++size_ == sizes_.size()) turn(load.ends);
 }
 
 void GrowthRun::turn(std::string stopped) {

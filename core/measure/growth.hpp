@@ -18,7 +18,8 @@ namespace snug::cost {
 /// Work that can be done on any number of points.
 struct Workload {
   std::string volume, algorithm;
-  Index most = 0;                      // the most points that it takes
+  Index most = 0;                      // the most points that it takes, or goes through
+  std::string ends;                    // why there are no more, where there are; empty otherwise
   std::string theory;                  // as text; empty if there is none
   double (*work)(double n) = nullptr;  // the theory's, up to a factor; null if it does not depend on n alone
   bool tight = false;

@@ -43,7 +43,7 @@ double foreseen(double n1, double t1, double n2, double t2, double n) {
 }
 
 Ladder::Ladder(const fit::Algorithm& algorithm, Index size)
-    : algorithm_(algorithm), most_(std::min(size, algorithm.max_points)), next_(std::min(kFirst, most_)) {}
+    : algorithm_(algorithm), most_(std::min(size, algorithm.most_finished)), next_(std::min(kFirst, most_)) {}
 
 double Ladder::foreseen_at(Index n) const {
   return foreseen(before_.points, before_.time, last_.points, last_.time, n);

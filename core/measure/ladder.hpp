@@ -48,7 +48,7 @@ class Ladder {
   [[nodiscard]] bool affordable(Index n, const Limits& limits) const;
 
   const fit::Algorithm& algorithm_;
-  Index most_;  // the most of the set's points that it takes
+  Index most_;  // the most of the set's points that it goes through
   Index reached_ = 0;
   Index next_;
   bool timed_ = false;  // whether the run of next_ without an observer is done

@@ -44,7 +44,8 @@ struct CostRow {
   std::string volume, algorithm;
   Index points = 0;  // how many it was measured on
   Index of = 0;      // how many there are: more than points, if one run on all of them would take too long
-  std::optional<double> whole_ns;  // a run on all of them, extrapolated; none if points == of
+  std::optional<double> whole_ns;  // a run on all of them, extrapolated; none if points == of, or if a limit of the
+                                   // algorithm's own would stop it
   Timing time;                     // of one fit
   OperationCounts operations{};    // of one watched run
   std::int64_t steps = 0;

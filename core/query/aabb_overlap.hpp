@@ -14,7 +14,7 @@ namespace snug::query {
 
 /// Exact: comparisons alone. Four of them in 2-D, six in 3-D, at worst.
 template <class Scalar, int Dim>
-[[nodiscard]] bool aabbs_overlap(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] bool aabbs_overlap(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
   for (int i = 0; i < Dim; ++i)
     if (a.max[i] < b.min[i] || b.max[i] < a.min[i]) return false;
   return true;

@@ -25,7 +25,7 @@ class Culler {
     }
   }
 
-  [[nodiscard]] Culling operator()(const Sphere<Scalar, Dim>& sphere) const {
+  [[nodiscard, gnu::flatten]] Culling operator()(const Sphere<Scalar, Dim>& sphere) const {
     const Scalar doubt = doubt_of(size_of(sphere)), most = sphere.radius + doubt, least = sphere.radius - doubt;
     Culling verdict = Culling::kInside;
     for (const Plane<Scalar, Dim>& plane : planes_) {
@@ -39,7 +39,7 @@ class Culler {
     return verdict;
   }
 
-  [[nodiscard]] Culling operator()(const Aabb<Scalar, Dim>& box) const {
+  [[nodiscard, gnu::flatten]] Culling operator()(const Aabb<Scalar, Dim>& box) const {
     const Scalar doubt = doubt_of(size_of(box));
     Culling verdict = Culling::kInside;
     for (const Plane<Scalar, Dim>& plane : planes_) {

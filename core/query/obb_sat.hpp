@@ -273,8 +273,8 @@ SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>
 /// None otherwise.
 /// off: how far the bounds of both boxes together are from those that are meant, at most, along any direction.
 template <class Scalar, int Dim>
-[[nodiscard]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
-                                                    std::type_identity_t<Scalar> off = 0) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                                  std::type_identity_t<Scalar> off = 0) {
   const Vector<Scalar, Dim> offset = b.center - a.center;
   const Vector<Scalar, Dim>&e = a.half_extents, &f = b.half_extents;
   const Scalar doubt = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +

@@ -54,7 +54,7 @@ template <class A, class B, class Observer = Ignore>
 
 /// The verdict alone of a and b, which are in the order of the table's rows and columns.
 template <class A, class B>
-[[nodiscard]] bool overlap_in_order(const A& a, const B& b) {
+[[nodiscard, gnu::always_inline]] inline bool overlap_in_order(const A& a, const B& b) {
   constexpr PairTest kTest = kPairTest<A, B>;
   if constexpr (kTest == PairTest::kSpheres) return spheres_overlap(a, b);
   else if constexpr (kTest == PairTest::kSphereBox) return sphere_box_overlap(a, b);
@@ -82,7 +82,7 @@ template <template <class, int> class A, template <class, int> class B, class Sc
 /// The verdict alone, and all that a program has to pay for it. It is that of test_overlap in either order: what
 /// rounding cannot change decides most pairs, and the rest goes to exact arithmetic or to the whole test.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
-[[nodiscard]] bool overlaps(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+[[nodiscard, gnu::always_inline]] inline bool overlaps(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   constexpr bool kLater = VolumeKind<A<Scalar, Dim>>::kIndex > VolumeKind<B<Scalar, Dim>>::kIndex;
   if constexpr (kLater) return overlap_in_order(b, a);
   else return overlap_in_order(a, b);

@@ -75,13 +75,13 @@ bool apart_along(const KdopAxis<Dim>& axis, const Interval& a, const Interval& b
 
 /// The verdict of test_slabs.
 template <class Scalar, int Dim>
-[[nodiscard]] bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
+[[nodiscard, gnu::always_inline]] inline bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Aabb<Scalar, Dim>& b) {
   return aabbs_overlap(a, b);
 }
 
 /// The verdict of test_slabs on two k-DOPs: comparisons alone, of stored numbers, and therefore exact.
 template <class Scalar, int Dim>
-[[nodiscard]] bool slabs_overlap(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] bool slabs_overlap(const Kdop<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
   const auto apart = [&](int slab) { return a.max[slab] < b.min[slab] || b.max[slab] < a.min[slab]; };
   for (int i = 0; i < Dim; ++i)  // mostly these are enough, and k is not even read
     if (apart(i)) return false;
@@ -120,7 +120,7 @@ template <class Scalar, int Dim, StepObserver<OverlapStep> Observer = Ignore>
 /// The verdict of test_slabs: the box's extents along the k-DOP's axes are rounded sums, and what they leave in doubt
 /// is decided by exact ones.
 template <class Scalar, int Dim>
-[[nodiscard]] bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
   const auto axes = kdop_axes<Dim>(b.k);
   const Scalar size = std::max(a.min.cwiseAbs().maxCoeff(), a.max.cwiseAbs().maxCoeff());
   const Scalar doubt = tolerance::kKdopProjection<Scalar> * size + std::numeric_limits<Scalar>::min();

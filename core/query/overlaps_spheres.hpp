@@ -37,10 +37,12 @@ template <class Scalar>
   return std::nullopt;
 }
 
-// ---- Whether a pair is apart, where rounded numbers cannot be wrong; none otherwise.
+// ---- Whether a pair is apart, where rounded numbers cannot be wrong; none otherwise. Each is one piece of code, also
+// where a compiler looks for the smallest: a call for each coordinate would cost more than the test.
 
 template <class Scalar, int Dim>
-[[nodiscard]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& a,
+                                                                  const Sphere<Scalar, Dim>& b) {
   const Scalar radii = a.radius + b.radius, square = radii * radii;
   return if_certain((b.center - a.center).squaredNorm() - square, tolerance::kSquaresCompared<Scalar> * square);
 }
@@ -51,14 +53,20 @@ template <class Scalar, int Dim>
 }
 
 template <class Scalar, int Dim>
-[[nodiscard]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box) {
-  const Scalar square = sphere.radius * sphere.radius;
-  return if_certain((nearest_of(box, sphere.center) - sphere.center).squaredNorm() - square,
-                    tolerance::kSquaresCompared<Scalar> * square);
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere,
+                                                                  const Aabb<Scalar, Dim>& box) {
+  Scalar square = 0;
+  for (int i = 0; i < Dim; ++i) {
+    const Scalar beyond = std::max(std::max(box.min[i] - sphere.center[i], sphere.center[i] - box.max[i]), Scalar(0));
+    square += beyond * beyond;
+  }
+  const Scalar radius_square = sphere.radius * sphere.radius;
+  return if_certain(square - radius_square, tolerance::kSquaresCompared<Scalar> * radius_square);
 }
 
 template <class Scalar, int Dim>
-[[nodiscard]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere,
+                                                                  const Obb<Scalar, Dim>& box) {
   const Vector<Scalar, Dim> between = sphere.center - box.center;
   Scalar square = 0;
   for (int i = 0; i < Dim; ++i) {
@@ -74,7 +82,8 @@ template <class Scalar, int Dim>
 
 /// Exact.
 template <class Scalar, int Dim>
-[[nodiscard]] bool spheres_overlap(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b) {
+[[nodiscard, gnu::always_inline]] inline bool spheres_overlap(const Sphere<Scalar, Dim>& a,
+                                                              const Sphere<Scalar, Dim>& b) {
   if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
     return !*apart;
   return !apart_exactly<Scalar, Dim>(a.center, a.radius, b.center, b.radius);
@@ -82,7 +91,8 @@ template <class Scalar, int Dim>
 
 /// Exact, because each coordinate of the box's point nearest to the centre is one of the box's or the centre's.
 template <class Scalar, int Dim>
-[[nodiscard]] bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box) {
+[[nodiscard, gnu::always_inline]] inline bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere,
+                                                                 const Aabb<Scalar, Dim>& box) {
   if (const auto apart = apart_at_a_glance(sphere, box)) [[likely]]
     return !*apart;
   return !apart_exactly<Scalar, Dim>(sphere.center, sphere.radius, nearest_of(box, sphere.center), 0);
@@ -105,7 +115,8 @@ template <class Scalar, int Dim>
 
 /// Within the rounding of both extents about a common point.
 template <class Scalar, int Dim>
-[[nodiscard]] bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere, const Obb<Scalar, Dim>& box) {
+[[nodiscard, gnu::always_inline]] inline bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere,
+                                                                 const Obb<Scalar, Dim>& box) {
   if (const auto apart = apart_at_a_glance(sphere, box)) [[likely]]
     return !*apart;
   return sphere_box_overlap_closely(sphere, box);

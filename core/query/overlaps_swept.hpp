@@ -266,7 +266,7 @@ template <class A, class B>
 /// As for spheres and boxes (query/overlaps_spheres.hpp), a before b in the table's order.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
 requires requires(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) { swept_core(a), swept_core(b); }
-[[nodiscard]] std::optional<bool> apart_at_a_glance(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   const Scalar radii = a.radius + b.radius;
   if constexpr (requires { core_distance(a, b); }) {
     const CoreDistance<Scalar> distance = core_distance(a, b);
@@ -281,7 +281,7 @@ requires requires(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) { swept_core
 
 /// The verdict of SweptPair.
 template <class A, class B>
-[[nodiscard]] bool swept_overlap(const A& a, const B& b) {
+[[nodiscard, gnu::always_inline]] inline bool swept_overlap(const A& a, const B& b) {
   if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
     return !*apart;
   return swept_overlap_closely(a, b);

@@ -323,7 +323,8 @@ constexpr const char* kCostFooter =
     R"(Prints a table. In JSON it is one object {"table","provenance","rows"}, in CSV the same as columns, with every figure:
   volume, algorithm         as `snug algorithms` lists them
   points, of, whole_ns      the number of points measured, and how many there are. If one run on all of them would
-                            take longer than --longest, fewer are measured, and whole_ns is the estimate for all
+                            take longer than --longest, fewer are measured, and whole_ns is the estimate for all.
+                            Where a limit of the algorithm's own would stop a longer run, whole_ns is null
   time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer. spread is the
                             distance between the quartiles over the median; above a third the time is not trusted: it
                             could not be measured reliably. A single batch has no spread, null, and is not trusted

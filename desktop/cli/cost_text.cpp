@@ -85,7 +85,8 @@ std::string note_of(const cost::CostRow& row) {
   if (row.points < row.of)
     note +=
         said("%son %d of %d points%s", note.empty() ? "" : ", ", static_cast<int>(row.points), static_cast<int>(row.of),
-             row.whole_ns ? (": all would take about " + time_text(*row.whole_ns)).c_str() : "");
+             row.whole_ns ? (": all would take about " + time_text(*row.whole_ns)).c_str()
+                          : ": on more, a limit of its own stops it");
   if (!row.contains) note += note.empty() ? "does not contain all points" : ", does not contain all points";
   return note;
 }

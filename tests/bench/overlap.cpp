@@ -1,5 +1,5 @@
-// Overlap tests: lozenges beside FCL's RSS in one run, and what each pair of volumes costs in units of the cheapest.
-// Prints the tables that RESULTS.md keeps. Needs Debian's libfcl-dev.
+// Overlap tests of lozenges beside FCL's RSS in one run. Prints the table that RESULTS.md keeps. Needs Debian's
+// libfcl-dev.
 #include <cstdio>
 #include <vector>
 
@@ -46,44 +46,6 @@ void beside_fcl(const char* name, double spread, bool parallel) {
               1e9 * r.base / kPairs);
 }
 
-/// Pairs of two kinds, about half of which overlap.
-struct Pairs {
-  std::vector<Volume<double, 3>> a, b;
-};
-
-Pairs pairs_of(std::size_t i, std::size_t j, int count) {
-  test::VolumeMaker<double, 3> make(2);
-  Pairs pairs;
-  for (int k = 0; k < count; ++k) {
-    pairs.a.push_back(make.make(i, test::Make::kSolid));
-    pairs.b.push_back(test::moved<double, 3>(make.make(j, test::Make::kSolid), make.direction() * 1.5));
-  }
-  return pairs;
-}
-
-int overlapping(const Pairs& pairs) {
-  int count = 0;
-  for (std::size_t k = 0; k < pairs.a.size(); ++k) count += query::overlaps<double, 3>(pairs.a[k], pairs.b[k]) ? 1 : 0;
-  return count;
-}
-
-void every_pair() {
-  constexpr int kCount = 500;
-  const Pairs base = pairs_of(0, 0, kCount);
-  for (std::size_t i = 0; i < kVolumeNames.size(); ++i)
-    for (std::size_t j = i; j < kVolumeNames.size(); ++j) {
-      const Pairs pairs = pairs_of(i, j, kCount);
-      const auto r = bench::ratio([&] { bench::keep(overlapping(pairs)); },
-                                  [&] {
-                                    for (int k = 0; k < 10; ++k) bench::keep(overlapping(base));
-                                  },
-                                  15);
-      std::printf("| %s | %s | %s | %.0f | %.1f |\n", kVolumeNames[i].data(), kVolumeNames[j].data(),
-                  query::kPairTestNames[static_cast<std::size_t>(query::kPairTests[i][j])].data(),
-                  100.0 * overlapping(pairs) / kCount, 10 * r.median);
-    }
-}
-
 }  // namespace
 
 int main() {
@@ -93,6 +55,4 @@ int main() {
   beside_fcl("near", 2, false);
   beside_fcl("close", 1, false);
   beside_fcl("close, edges parallel", 1, true);
-  std::puts("\n| first | second | test | overlapping, % | spheres' times |\n|---|---|---|---:|---:|");
-  every_pair();
 }

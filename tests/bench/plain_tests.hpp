@@ -63,7 +63,7 @@ void subtract(const Scalar (&a)[3], const Scalar (&b)[3], Scalar (&d)[3]) {
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainAabb<Scalar>& a, const PlainAabb<Scalar>& b) {
+[[gnu::flatten]] bool plain_overlap(const PlainAabb<Scalar>& a, const PlainAabb<Scalar>& b) {
   if (a.max[0] < b.min[0] || a.min[0] > b.max[0]) return false;
   if (a.max[1] < b.min[1] || a.min[1] > b.max[1]) return false;
   if (a.max[2] < b.min[2] || a.min[2] > b.max[2]) return false;
@@ -71,7 +71,7 @@ bool plain_overlap(const PlainAabb<Scalar>& a, const PlainAabb<Scalar>& b) {
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainSphere<Scalar>& a, const PlainSphere<Scalar>& b) {
+[[gnu::flatten]] bool plain_overlap(const PlainSphere<Scalar>& a, const PlainSphere<Scalar>& b) {
   Scalar d[3];
   subtract(a.c, b.c, d);
   const Scalar radii = a.r + b.r;
@@ -79,7 +79,7 @@ bool plain_overlap(const PlainSphere<Scalar>& a, const PlainSphere<Scalar>& b) {
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainSphere<Scalar>& s, const PlainAabb<Scalar>& box) {
+[[gnu::flatten]] bool plain_overlap(const PlainSphere<Scalar>& s, const PlainAabb<Scalar>& box) {
   Scalar square = 0;
   for (int i = 0; i < 3; ++i) {
     const Scalar v = s.c[i];
@@ -90,7 +90,7 @@ bool plain_overlap(const PlainSphere<Scalar>& s, const PlainAabb<Scalar>& box) {
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainSphere<Scalar>& s, const PlainObb<Scalar>& box) {
+[[gnu::flatten]] bool plain_overlap(const PlainSphere<Scalar>& s, const PlainObb<Scalar>& box) {
   Scalar v[3], square = 0;
   subtract(s.c, box.c, v);
   for (int i = 0; i < 3; ++i) {
@@ -104,7 +104,7 @@ bool plain_overlap(const PlainSphere<Scalar>& s, const PlainObb<Scalar>& box) {
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainSphere<Scalar>& s, const PlainCapsule<Scalar>& capsule) {
+[[gnu::flatten]] bool plain_overlap(const PlainSphere<Scalar>& s, const PlainCapsule<Scalar>& capsule) {
   Scalar ab[3], ac[3], bc[3];
   subtract(capsule.b, capsule.a, ab), subtract(s.c, capsule.a, ac), subtract(s.c, capsule.b, bc);
   const Scalar e = dot(ac, ab), radii = s.r + capsule.r;
@@ -118,7 +118,7 @@ bool plain_overlap(const PlainSphere<Scalar>& s, const PlainCapsule<Scalar>& cap
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainCapsule<Scalar>& p, const PlainCapsule<Scalar>& q) {
+[[gnu::flatten]] bool plain_overlap(const PlainCapsule<Scalar>& p, const PlainCapsule<Scalar>& q) {
   constexpr Scalar kEpsilon = sizeof(Scalar) == 4 ? Scalar(1e-12) : Scalar(1e-24);
   Scalar d1[3], d2[3], r[3];
   subtract(p.b, p.a, d1), subtract(q.b, q.a, d2), subtract(p.a, q.a, r);
@@ -147,7 +147,7 @@ bool plain_overlap(const PlainCapsule<Scalar>& p, const PlainCapsule<Scalar>& q)
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainSphere<Scalar>& s, const PlainLozenge<Scalar>& lozenge) {
+[[gnu::flatten]] bool plain_overlap(const PlainSphere<Scalar>& s, const PlainLozenge<Scalar>& lozenge) {
   Scalar d[3], q[3] = {lozenge.a[0], lozenge.a[1], lozenge.a[2]};
   subtract(s.c, lozenge.a, d);
   for (const auto* edge : {&lozenge.e0, &lozenge.e1}) {
@@ -161,7 +161,7 @@ bool plain_overlap(const PlainSphere<Scalar>& s, const PlainLozenge<Scalar>& loz
 }
 
 template <class Scalar>
-bool plain_overlap(const PlainDop14<Scalar>& a, const PlainDop14<Scalar>& b) {
+[[gnu::flatten]] bool plain_overlap(const PlainDop14<Scalar>& a, const PlainDop14<Scalar>& b) {
   for (int i = 0; i < 7; ++i)
     if (a.min[i] > b.max[i] || a.max[i] < b.min[i]) return false;
   return true;
@@ -169,7 +169,7 @@ bool plain_overlap(const PlainDop14<Scalar>& a, const PlainDop14<Scalar>& b) {
 
 /// The fifteen axes written out, with an epsilon against parallel edges, face axes first.
 template <class Scalar>
-bool plain_overlap(const PlainObb<Scalar>& a, const PlainObb<Scalar>& b) {
+[[gnu::flatten]] bool plain_overlap(const PlainObb<Scalar>& a, const PlainObb<Scalar>& b) {
   constexpr Scalar kEpsilon = sizeof(Scalar) == 4 ? Scalar(1e-6) : Scalar(1e-14);
   Scalar r[3][3], s[3][3], t[3], d[3];
   for (int i = 0; i < 3; ++i)
@@ -208,7 +208,7 @@ struct PlainFrustum {
 };
 
 template <class Scalar>
-int plain_cull(const PlainFrustum<Scalar>& frustum, const PlainSphere<Scalar>& sphere) {
+[[gnu::flatten]] int plain_cull(const PlainFrustum<Scalar>& frustum, const PlainSphere<Scalar>& sphere) {
   int verdict = 0;
   for (int at = 0; at < 6; ++at) {
     const Scalar distance = dot(frustum.n[at], sphere.c) + frustum.d[at];
@@ -219,7 +219,7 @@ int plain_cull(const PlainFrustum<Scalar>& frustum, const PlainSphere<Scalar>& s
 }
 
 template <class Scalar>
-int plain_cull(const PlainFrustum<Scalar>& frustum, const PlainAabb<Scalar>& box) {
+[[gnu::flatten]] int plain_cull(const PlainFrustum<Scalar>& frustum, const PlainAabb<Scalar>& box) {
   int verdict = 0;
   for (int at = 0; at < 6; ++at) {
     Scalar p[3], n[3];
@@ -247,14 +247,16 @@ struct PlainPose {
 };
 
 template <class Scalar>
-void plain_update(const PlainSphere<Scalar>& sphere, const PlainPose<Scalar>& pose, PlainSphere<Scalar>& moved) {
+[[gnu::flatten]] void plain_update(const PlainSphere<Scalar>& sphere, const PlainPose<Scalar>& pose,
+                                   PlainSphere<Scalar>& moved) {
   for (int i = 0; i < 3; ++i) moved.c[i] = dot(pose.r[i], sphere.c) + pose.t[i];
   moved.r = sphere.r;
 }
 
 /// One matrix product; the axes are rows here.
 template <class Scalar>
-void plain_update(const PlainObb<Scalar>& box, const PlainPose<Scalar>& pose, PlainObb<Scalar>& moved) {
+[[gnu::flatten]] void plain_update(const PlainObb<Scalar>& box, const PlainPose<Scalar>& pose,
+                                   PlainObb<Scalar>& moved) {
   for (int i = 0; i < 3; ++i) {
     moved.c[i] = dot(pose.r[i], box.c) + pose.t[i];
     for (int k = 0; k < 3; ++k) moved.u[k][i] = dot(pose.r[i], box.u[k]);
@@ -271,7 +273,8 @@ struct PlainExtents {
   }
 };
 template <class Scalar>
-void plain_update(const PlainExtents<Scalar>& box, const PlainPose<Scalar>& pose, PlainExtents<Scalar>& moved) {
+[[gnu::flatten]] void plain_update(const PlainExtents<Scalar>& box, const PlainPose<Scalar>& pose,
+                                   PlainExtents<Scalar>& moved) {
   for (int i = 0; i < 3; ++i) {
     moved.c[i] = dot(pose.r[i], box.c) + pose.t[i];
     moved.h[i] =

@@ -124,6 +124,9 @@ for (const [name, text] of Object.entries(kDamaged)) {
   test(`damaged storage does no harm: ${name}`, async (t) => {
     const page = await load(t, "", { init: `sessionStorage.getItem("once") ?? (sessionStorage.setItem("once", "1"), localStorage.setItem("snug-course", ${JSON.stringify(text)}))`, newcomer: true });
     assert.equal((await state(page)).lesson, null);
+    const lost = !text.includes('"version":1'); // nothing of it can be used: it is set aside as it was, and the page says so
+    assert.equal(await page.evaluate(() => localStorage.getItem("snug-course-damaged")), lost ? text : null);
+    assert.equal(await page.locator("#course-damaged").isVisible(), lost);
     await page.locator(".lesson-card").first().click();
     await ready(page);
     assert.equal((await state(page)).lesson, "sphere-ritter");

@@ -54,7 +54,32 @@ for damage in '{' '[]' '{"version":1,"last":3,"lessons":{"sphere-ritter":7,"x":{
     echo "$damage" >"$kept"
     open_window
     until_state 's.lead === "Start here"'
+    case $damage in
+        '{' | '[]') # it is kept aside, as it was, and the window says where
+            [[ $(state 's.set_aside') == "$kept.damaged" && $(<"$kept.damaged") == "$damage" ]] || fail "$damage is lost" ;;
+        *) [[ $(state 's.set_aside') == "" ]] || fail "$damage is set aside" ;;
+    esac
     xdotool key Return
     until_state 's.lesson === "sphere-ritter" && s.step === 0'
     close_window
 done
+
+# Two windows at once keep what was done in both: the first one writes last.
+rm -f "$kept"
+opened='s.handles.length > 0'
+open_window --lesson sphere-ritter
+first=$pid first_window=$window first_state=$SNUG_STATE
+export SNUG_STATE=$work/second.json
+open_window --lesson sphere-welzl
+xdotool key Right
+until_state 's.step === 1'
+close_window
+pid=$first
+export SNUG_STATE=$first_state
+xdotool windowfocus --sync "$first_window" 2>/dev/null || true
+xdotool key Right
+until_state 's.step === 1'
+close_window
+node -e 'const kept = JSON.parse(require("fs").readFileSync(process.argv[1])).lessons;
+if (kept["sphere-ritter"]?.step !== 1 || kept["sphere-welzl"]?.step !== 1) throw Error(JSON.stringify(kept))' "$kept" ||
+    fail "one window destroyed what the other kept"

@@ -126,6 +126,7 @@ export class Course {
     }
     this.#show_start();
     set_hidden(by_id("course-forgets"), this.#kept.works);
+    set_hidden(by_id("course-damaged"), !this.#kept.set_aside);
   }
 
   /** Offers a newcomer one way to start, and anyone who was in a lesson a way to continue it. */

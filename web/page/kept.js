@@ -2,6 +2,7 @@
 // storage is forbidden, full, damaged or another version's, nothing else is lost.
 
 const kKey = "snug-course";
+const kAside = "snug-course-damaged"; // what could not be understood, as it was
 const kVersion = 1;
 const kLongest = 200_000; // characters for one lesson: an address and its answers
 
@@ -19,16 +20,20 @@ const whole = (entry) => ({ ...entry, told: is_text(entry.told) ? entry.told : n
 
 const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {} });
 
-/** The stored data, without whatever cannot be understood; null if it is a later version's. */
+/** The stored data, without entries that cannot be understood; null if it is a later version's. If nothing of it is any
+ *  version's, it is set aside, and everything starts anew. */
 function understood(text) {
-  let data;
+  let data = null;
   try {
     data = JSON.parse(text ?? "null");
   } catch {
-    return nothing();
+    // no version below
   }
   if (is_count(data?.version) && data.version > kVersion) return null;
-  if (data?.version !== kVersion) return nothing();
+  if (data?.version !== kVersion) {
+    if (text) localStorage.setItem(kAside, text);
+    return nothing();
+  }
   const lessons = Object.entries(Object(data.lessons)).filter(([, entry]) => is_entry(entry)).map(([id, entry]) => [id, whole(entry)]);
   return { version: kVersion, last: is_text(data.last) ? data.last : null, invited: is_count(data.invited) ? data.invited : 0, lessons: Object.fromEntries(lessons) };
 }
@@ -45,6 +50,15 @@ export class Kept {
   /** Whether kept data survives a reload. */
   get works() {
     return this.#works;
+  }
+
+  /** Whether something that was kept before could not be understood, and stands aside. */
+  get set_aside() {
+    try {
+      return localStorage.getItem(kAside) !== null;
+    } catch {
+      return false;
+    }
   }
 
   /** The lesson that was open last; null before the first. */

@@ -73,9 +73,11 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {
   const auto slow =
       std::find_if(table.rows.begin(), table.rows.end(), [](const cost::CostRow& row) { return row.points < row.of; });
   const std::string left_out =
-      slow == table.rows.end() ? ""
-                               : phrase(" %s was too slow here to measure on all points, and is left out of the front.",
-                                        algorithm_title(slow->volume, slow->algorithm).c_str());
+      slow == table.rows.end()
+          ? ""
+          : phrase(slow->whole_ns ? " %s was too slow here to measure on all points, and is left out of the front."
+                                  : " %s is stopped by its own limit on so many points, and is left out of the front.",
+                   algorithm_title(slow->volume, slow->algorithm).c_str());
   const bool doubtful = std::any_of(table.rows.begin(), table.rows.end(),
                                     [](const cost::CostRow& row) { return row.points == row.of && !row.time.trusted; });
   return phrase("%d of %d %s on the front%s.%s Choose a mark to load its volume.", static_cast<int>(front),

@@ -52,6 +52,18 @@ template <class Scalar>
   return result;
 }
 
+/// The greatest distance of an axis, as seen from the body, from what it was.
+template <class Scalar, int Dim>
+[[nodiscard]] double most_off(const Obb<Scalar, Dim>& box, const Pose<Scalar, Dim>& pose,
+                              const Obb<Scalar, Dim>& moved) {
+  double off = 0;
+  for (int i = 0; i < Dim; ++i) {
+    const Vector<Scalar, Dim> back = turned_back<Scalar, Dim>(pose.rotation, moved.axes.col(i));
+    off = std::max(off, static_cast<double>((back - box.axes.col(i)).norm()));
+  }
+  return off;
+}
+
 /// Rotates and moves the box with the body: it stays as tight as it was, at the cost of one matrix product. The axes
 /// are made unit and perpendicular again each time, so that even a box updated from its own last state stays a box.
 /// box: contains the points in the local frame; its axes are unit, perpendicular and right-handed within rounding.
@@ -65,23 +77,18 @@ template <class Scalar, int Dim, StepObserver<UpdateStep<Obb<Scalar, Dim>>> Obse
                                                       const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {
   using Step = UpdateStep<Obb<Scalar, Dim>>;
   Obb<Scalar, Dim> moved{placed(pose, box.center), box.axes, box.half_extents};
-  observe(Step{0, false, moved, CenterMoved{}});
+  if constexpr (kWatched<Observer>) observe(Step{0, false, moved, CenterMoved{}});
 
   moved.axes = turned_axes<Scalar>(pose.rotation, box.axes);
-  if constexpr (kWatched<Observer>) {
-    double off = 0;
-    for (int i = 0; i < Dim; ++i) {
-      const auto back = turned_back<Scalar, Dim>(pose.rotation, moved.axes.col(i));
-      off = std::max(off, static_cast<double>((back - box.axes.col(i)).norm()));
-    }
-    observe(Step{1, false, moved, AxesTurned{off}});
-  }
+  if constexpr (kWatched<Observer>) observe(Step{1, false, moved, AxesTurned{most_off(box, pose, moved)}});
 
   const Scalar error = placing_error(local, pose);
   moved.half_extents += Vector<Scalar, Dim>::Constant(error);
   observe.count(Operation::kDotProducts, Dim + (Dim == 2 ? 3 : 12));
-  observe(Step{2, true, moved, CenterMoved{static_cast<double>(error)}});
-  observe(Step{3, true, moved, Finished{}});
+  if constexpr (kWatched<Observer>) {
+    observe(Step{2, true, moved, CenterMoved{static_cast<double>(error)}});
+    observe(Step{3, true, moved, Finished{}});
+  }
   return {moved};
 }
 

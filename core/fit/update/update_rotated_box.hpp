@@ -22,8 +22,8 @@ inline constexpr std::array<std::string_view, 4> kUpdateRotatedBoxPseudocode{
 /// frame.) It contains every placed point: each rounded product and sum here bounds the point's own, because it has the
 /// same factors except for one that is farther out.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Aabb<Scalar, Dim>>> Observer = Ignore>
-Updated<Aabb<Scalar, Dim>> update_rotated_box(const Aabb<Scalar, Dim>& box, const Pose<Scalar, Dim>& pose,
-                                              Observer&& observe = {}) {
+[[gnu::flatten]] Updated<Aabb<Scalar, Dim>> update_rotated_box(const Aabb<Scalar, Dim>& box,
+                                                               const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {
   using Step = UpdateStep<Aabb<Scalar, Dim>>;
   Aabb<Scalar, Dim> turned;
   for (int i = 0; i < Dim; ++i) {
@@ -35,12 +35,13 @@ Updated<Aabb<Scalar, Dim>> update_rotated_box(const Aabb<Scalar, Dim>& box, cons
     }
     turned.min[i] = least + pose.translation[i];
     turned.max[i] = greatest + pose.translation[i];
-    observe(Step{2, i + 1 == Dim, turned,
-                 BoundsRotated{i, static_cast<double>(turned.min[i]), static_cast<double>(turned.max[i])}});
+    if constexpr (kWatched<Observer>)
+      observe(Step{2, i + 1 == Dim, turned,
+                   BoundsRotated{i, static_cast<double>(turned.min[i]), static_cast<double>(turned.max[i])}});
   }
   observe.count(Operation::kDotProducts, 2 * Dim);
   observe.count(Operation::kComparisons, Dim * Dim);
-  observe(Step{3, true, turned, Finished{}});
+  if constexpr (kWatched<Observer>) observe(Step{3, true, turned, Finished{}});
   return {turned};
 }
 

@@ -239,6 +239,19 @@ TEST_CASE("what would take longer than a slice is measured on fewer points, and 
   CHECK(watched.rows().at(0).points == 32);
 }
 
+TEST_CASE("a run that a limit of its own would stop has no time: fewer points are measured, and it is on no front") {
+  const fit::Algorithm& recursive = *fit::find_algorithm("sphere", "welzl_recursive");
+  REQUIRE(recursive.most_finished < recursive.max_points);
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("gaussian", 1400, 3));
+  cost::CostRun run = run_of(points, {&recursive, fit::find_algorithm("sphere", "ritter")}, own_clock());
+  finish(run);
+  const cost::CostRow& row = run.rows().at(0);
+  CHECK(row.points == recursive.most_finished);
+  CHECK(row.of == 1400);
+  CHECK_FALSE(row.whole_ns);
+  CHECK(cost::pareto_front(run.rows()) == std::vector<std::size_t>{1});
+}
+
 TEST_CASE("stopped, the rows that are ready stay") {
   const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 100, 3));
   auto run = run_of(points, all_for(3), own_clock());

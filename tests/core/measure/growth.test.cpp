@@ -144,6 +144,18 @@ TEST_CASE("in slices growth has the rows that it has in one go; stopped, those t
   CHECK(stopped.rows().back().stopped == "stopped");
 }
 
+TEST_CASE("a line ends where a limit of the algorithm's own would stop it, and says so") {
+  auto stock = std::make_shared<cost::PointStock>("gaussian", 3, false, 1);
+  const fit::Algorithm& recursive = *fit::find_algorithm("sphere", "welzl_recursive");
+  const cost::Workload load = cost::workload_of(recursive, 3, 1500, stock, {});
+  CHECK(load.most == recursive.most_finished);
+  CHECK(load.ends.find("stopped by its own limit") != std::string::npos);
+  CHECK(cost::workload_of(recursive, 3, 500, stock, {}).ends.empty());
+  auto ends = work_that_takes(0, 5, 1, 1000);
+  ends.ends = "here it ends";
+  CHECK(run_whole({ends}).back().stopped == "here it ends");
+}
+
 TEST_CASE("every algorithm of the catalogue has its theory") {
   for (const fit::Algorithm& algorithm : fit::algorithms()) {
     INFO(algorithm.volume << " " << algorithm.name);

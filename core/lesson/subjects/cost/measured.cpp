@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
@@ -33,8 +34,11 @@ std::string title_of(const Lesson& lesson, const cost::CostRow& row) {
   return method != nullptr ? title_in(lesson, *method) : title_of(row);
 }
 
-/// The time of one run on all points, measured or extrapolated.
-double whole_time(const cost::CostRow& row) { return row.whole_ns.value_or(row.time.median); }
+/// The time of one run on all points, measured or extrapolated; infinite where a limit would stop it.
+double whole_time(const cost::CostRow& row) {
+  const bool stopped = row.points < row.of && !row.whole_ns;
+  return stopped ? std::numeric_limits<double>::infinity() : row.whole_ns.value_or(row.time.median);
+}
 
 /// Whether the row has operations instead of times, because nothing was timed (counted_costs).
 bool is_counted(const cost::CostRow& row) { return row.time.repeats == 0; }
