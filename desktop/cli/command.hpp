@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "desktop/cli/files.hpp"
 #include "desktop/window.hpp"
 #include "geometry/input_error.hpp"
 
@@ -54,6 +55,12 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
     return std::string();
   };
   return CLI::Validator(read, "");
+}
+
+/// The options of every command that reads points from a file.
+inline void add_reading(CLI::App& command, Reading& reading) {
+  command.add_flag("--strict", reading.strict, "Refuse a point file of which something would be passed over");
+  command.add_flag("--skip-nan", reading.skip_nan, "Pass over points with a coordinate that is not a number");
 }
 
 /// How commands that read a file take a named case in its place.
