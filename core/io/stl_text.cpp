@@ -77,7 +77,7 @@ class StlTextReader {
       const std::string_view word = take_word(words_);
       std::string_view after = words_;
       if (!is(word, statement)) continue;
-      if (statement == "facet" && !is(take_word(after), "normal")) continue;
+      if (statement == "facet" && (!is(take_word(after), "normal") || trim(after).empty())) continue;
       if (statement == "solid" && lower_case(after).find("facet") == std::string::npos) continue;
       words_ = before;
       return true;

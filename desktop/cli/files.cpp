@@ -82,9 +82,9 @@ tl::expected<io::PointFile, InputError> read_point_file(const std::string& path,
   if (!file) return file;
   const std::string passed = io::passed_text(file->passed);
   if (passed.empty()) return file;
-  const InputError said{.what = passed, .file = path};
-  if (reading.strict) return tl::unexpected(said);
-  std::fprintf(stderr, "snug: %s%s\n", kWarning, said.message().c_str());
+  if (reading.strict) return tl::unexpected(InputError{.what = passed, .file = path});
+  const InputError warning{.what = kWarning + passed, .file = path};
+  std::fprintf(stderr, "snug: %s\n", warning.message().c_str());
   return file;
 }
 
