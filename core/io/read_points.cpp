@@ -9,6 +9,9 @@ namespace {
 
 enum class Format { kRows, kCsv, kObj, kPly, kStlText, kStlBinary, kOff };
 
+/// What may follow a text: zero bytes, and the mark with which DOS ends one.
+constexpr std::string_view kPadding("\0\x1a", 2);
+
 std::string extension_of(std::string_view name) {
   const std::size_t dot = name.find_last_of("./\\");
   return dot == std::string_view::npos || name[dot] != '.' ? "" : lower_case(name.substr(dot + 1));
@@ -45,7 +48,7 @@ Format format_of_text(std::string_view text, std::string_view extension) {
 /// Whether a file has none of the formats' extensions, and its first line is not text that a person wrote: a picture or
 /// an archive, for instance. Latin-1 is accepted in a comment, or in a table that begins with a number.
 bool is_something_else(std::string_view bytes, std::string_view extension) {
-  constexpr std::array<std::string_view, 6> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl"};
+  constexpr std::array<std::string_view, 7> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl", "off"};
   if (std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end()) return false;
   if (looks_binary(bytes)) return true;
   const std::string_view line = first_content(bytes);
@@ -100,10 +103,22 @@ Read<PointFile> read_as(Format format, std::string_view bytes, bool skip_nan) {
   return read_stl_binary(bytes, skip_nan);
 }
 
+/// Text whose bytes are every second one zero.
+bool is_utf16(std::string_view bytes) {
+  const std::string_view start = bytes.substr(0, 8);
+  if (start.size() < 8) return false;
+  for (const std::size_t zero : {0, 1}) {
+    bool all = true;
+    for (std::size_t i = 0; i < start.size(); ++i) all = all && (start[i] == '\0') == (i % 2 == zero);
+    if (all) return true;
+  }
+  return false;
+}
+
 /// The text without a byte order mark.
 Read<std::string_view> without_mark(std::string_view bytes) {
   if (has_size_of_stl(bytes)) return bytes;  // its header may contain anything
-  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff")
+  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff" || is_utf16(bytes))
     return at_byte(0, "the text is UTF-16: save it as UTF-8");
   return bytes.substr(bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);
 }
@@ -124,7 +139,7 @@ Read<PointFile> read_any(std::string_view bytes, std::string_view name, bool ski
       return tl::unexpected(InputError{.what = std::string(what)});
   const Format format = format_of(bytes, extension);
   if (format != Format::kPly && format != Format::kStlBinary) {
-    bytes = bytes.substr(0, bytes.find_last_not_of('\0') + 1);
+    bytes = bytes.substr(0, bytes.find_last_not_of(kPadding) + 1);
     if (const std::size_t zero = bytes.find('\0'); zero != std::string_view::npos)
       return at_line(line_at(bytes, zero), "there is a zero byte in the text");
   }

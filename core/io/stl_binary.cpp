@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/corner_merger.hpp"
 #include "io/formats.hpp"
 #include "number/bits.hpp"
@@ -27,6 +29,11 @@ Read<PointFile> read_stl_binary(std::string_view bytes, bool skip_nan) {
   const auto size = static_cast<std::int64_t>(bytes.size());
   if (bytes.size() < kStart) return at_byte(size, "the file is cut short: a binary STL has at least 84 bytes");
   const std::uint64_t claimed = size_claimed(bytes);
+  // Four letters as a count would be more triangles than any file holds.
+  const std::string_view count = bytes.substr(kHeader, 4);
+  if (bytes.size() < claimed && std::all_of(count.begin(), count.end(),
+                                            [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); }))
+    return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "there is a zero byte in the text");
   if (bytes.size() < claimed || (claimed == kStart && bytes.size() > kStart))
     return at_byte(kHeader, "the header claims " + counted(word_at(bytes, kHeader), "triangle") + ", which is " +
                                 std::to_string(size_claimed(bytes)) + " bytes, and the file has " +

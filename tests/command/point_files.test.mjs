@@ -5,7 +5,7 @@ import { snug, write } from "./support.mjs";
 
 const commands = [
   ["fit", "--volume", "sphere", "--algorithm", "welzl"],
-  ["update", "--volume", "aabb", "--strategy", "refit", "--frames", "1"],
+  ["update", "--volume", "aabb", "--strategy", "rebuild", "--frames", "1"],
   ["cost", "--volume", "aabb", "--repeat", "3"],
 ];
 const coloured = write("coloured.xyz", "0 0 0 255\n4 0 0 0\n9 9 9 1\n");

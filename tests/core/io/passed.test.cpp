@@ -54,6 +54,7 @@ TEST_CASE("tables with more columns, headers and other punctuation") {
       {"header.txt", "x y z\n1 2 3\n", 1, "1 header line"},
       {"sep.csv", "sep=;\nx;y\n1;2\n", 1},
       {"padded.xyz", "1 2 3\n" + zeros(9), 1},
+      {"dos.xyz", "1 2 3\n\x1a", 1},
       {"cr.xyz", "1 2 3\r4 5 6\r", 2},
       {"lfcr.xyz", "1 2 3\n\r4 5 6\n\r", 2},
   });
@@ -63,6 +64,7 @@ TEST_CASE("tables with more columns, headers and other punctuation") {
       {"comma.csv", "1,5;2,5\n", ":1: \"1,5\" is not a number: write decimals with a point, not a comma"},
       {"comma.xyz", "1,5 2,5 3,5\n", ":1: \"5 2\" is not a number: write decimals with a point, not a comma"},
       {"zero.xyz", "1 2 3\n4 " + zeros(1) + "5 6\n", ":2: there is a zero byte in the text"},
+      {"utf16.stl", std::string("s\0o\0l\0i\0d\0", 10), ":byte 0: the text is UTF-16: save it as UTF-8"},
       {"lfcr.xyz", "1 2 3\n\rx 5 6\n\r", ":2: \"x\" is not a number"},
   });
 }
@@ -124,6 +126,8 @@ TEST_CASE("STL: what points do not need") {
       {"quad.stl", "solid a\n" + quad + "endsolid a\n", 4, "", 2},
       {"facet.stl", "solid my facet normal\n" + kFacet + "endsolid my facet normal\n", 3, "", 1},
   });
+  check_refused(
+      {{"start.stl", zeros(1) + "solid a\n" + kFacet + "endsolid a\n", ":byte 0: there is a zero byte in the text"}});
   check_refused({{"zeros.stl", "solid a\n" + kFacet + zeros(80) + kFacet + "endsolid\n",
                   ":9: there is a zero byte in the text"}});
 }
