@@ -22,9 +22,6 @@ struct Printed {
   std::vector<InputError> warnings = {};  // each is a line on stderr
 };
 
-/// How a warning begins.
-inline constexpr const char* kWarning = "warning: ";
-
 /// The output, or errors: each is a line on stderr, and the status is 2.
 using CommandResult = tl::expected<Printed, std::vector<InputError>>;
 

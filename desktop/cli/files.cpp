@@ -1,7 +1,5 @@
 #include "desktop/cli/files.hpp"
 
-#include "desktop/cli/command.hpp"
-
 #include <array>
 #include <cctype>
 #include <cerrno>

@@ -29,6 +29,9 @@ inline constexpr std::size_t kMostFileBytes = std::size_t{512} << 20;
 /// What follows the last dot of the file's name, in lower case: "csv"; empty if there is none.
 [[nodiscard]] std::string ending_of(const std::string& path);
 
+/// How a warning begins.
+inline constexpr const char* kWarning = "warning: ";
+
 /// What becomes of the parts of a point file that are passed over.
 struct Reading {
   bool strict = false, skip_nan = false;
