@@ -25,11 +25,14 @@ class Statements {
     if (!lines_.next()) return false;
     number_ = lines_.number();
     statement_ = without_comment(lines_.line());
+    lost_ = false;
     if (goes_on(statement_) && !is_named(statement_)) join();
     return true;
   }
   [[nodiscard]] std::string_view statement() const { return statement_; }
   [[nodiscard]] std::int64_t line() const { return number_; }
+  /// Whether a line that was joined begins a statement of its own, which would be lost.
+  [[nodiscard]] bool loses_one() const { return lost_; }
 
  private:
   static std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
@@ -44,6 +47,8 @@ class Statements {
     while (goes_on(joined_)) {
       joined_.back() = ' ';
       if (!lines_.next()) break;
+      std::string_view next = lines_.line();
+      lost_ = lost_ || is_obj_keyword(take_word(next));
       joined_.append(without_comment(lines_.line()));
     }
     statement_ = joined_;
@@ -52,22 +57,29 @@ class Statements {
   std::string_view statement_;
   std::string joined_;
   std::int64_t number_ = 0;
+  bool lost_ = false;
 };
 
 class ObjReader {
  public:
+  explicit ObjReader(bool skip_nan) : skip_nan_(skip_nan) {}
+
   Read<PointFile> read(std::string_view text) {
     for (Statements statements(text); statements.next();) {
       std::string_view rest = statements.statement();
       const std::string_view keyword = take_word(rest);
       if (keyword.empty()) continue;
       line_ = statements.line();
-      const std::string wrong = keyword == "v"            ? add_vertex(rest)
-                                : keyword == "f"          ? add_face(rest)
-                                : is_obj_keyword(keyword) ? std::string()
-                                                          : quoted(keyword) + " is not a statement of OBJ";
+      if (statements.loses_one())
+        return at_line(line_, "the line ends in a backslash, and the next line is a statement of its own");
+      const std::string wrong = keyword == "v" ? add_vertex(rest) : keyword == "f" ? add_face(rest) : std::string();
       if (!wrong.empty()) return at_line(line_, wrong);
+      if (is_obj_keyword(keyword)) continue;
+      if (file_.passed == PassedOver{})
+        unknown_ = at_line(line_, quoted(keyword) + " is not a statement of OBJ").value();
+      pass_over(file_, Passed::kStatements);
     }
+    if (file_.points.empty() && !unknown_.what.empty()) return tl::unexpected(unknown_);
     if (largest_ > vertices()) return at_line(line_of_largest_, out_of_range(largest_));
     return std::move(file_);
   }
@@ -85,11 +97,12 @@ class ObjReader {
     Vector<double, 3> point;
     int count = 0;
     for (auto word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
-      const auto value = parse_coordinate(word);
+      if (count >= 3) continue;
+      const auto value = parse_coordinate(word, skip_nan_);
       if (!value) return value.error();
-      if (count < 3) point[count] = *value;
+      point[count] = *value;
     }
-    if (count < 3 || count > 7) return "a vertex has three coordinates, and there are " + counted(count, "number");
+    if (count < 3) return "a vertex has three coordinates, and there are " + counted(count, "number");
     if (file_.points.size() == kMostPoints) return std::string(kTooManyPoints);
     file_.points.push_back(point);
     return {};
@@ -107,12 +120,13 @@ class ObjReader {
       file_.triangles.push_back(corners);
       corners[1] = corners[2];
     }
-    return count < 3 ? "a face has at least three vertices, and there are " + std::to_string(count) : std::string();
+    if (count < 3) pass_over(file_, Passed::kFaces);
+    return {};
   }
 
   /// The vertex that "v", "v/vt", "v//vn" or "v/vt/vn" names. It may still be to come: that is checked at the end.
   tl::expected<Index, std::string> index_of(std::string_view word) {
-    const auto reference = reference_of(word);
+    const auto reference = parse_integer(word.substr(0, word.find('/')));
     if (!reference) return tl::unexpected(quoted(word) + " does not name a vertex");
     if (*reference == 0) return tl::unexpected(std::string("the face names vertex 0, and counting starts at 1"));
     if (*reference < -vertices() || *reference > static_cast<std::int64_t>(kMostPoints))
@@ -125,26 +139,12 @@ class ObjReader {
     return static_cast<Index>(*reference - 1);
   }
 
-  /// The first of up to three integers between slashes; the others may be left out, but must be integers.
-  static std::optional<std::int64_t> reference_of(std::string_view word) {
-    std::optional<std::int64_t> vertex;
-    for (int part = 0; part < 3; ++part) {
-      const std::size_t slash = word.find('/');
-      const bool last = slash == std::string_view::npos;
-      const std::string_view digits = word.substr(0, slash);
-      const auto value = parse_integer(digits);
-      if (!value && (part == 0 || last || !digits.empty())) return std::nullopt;
-      if (part == 0) vertex = value;
-      if (last) return vertex;
-      word.remove_prefix(slash + 1);
-    }
-    return std::nullopt;
-  }
-
+  bool skip_nan_;
   PointFile file_;
   std::int64_t line_ = 0;
   std::int64_t largest_ = 0;
   std::int64_t line_of_largest_ = 0;
+  InputError unknown_;  // the first statement that is not OBJ's
 };
 
 }  // namespace
@@ -153,6 +153,6 @@ bool is_obj_keyword(std::string_view word) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
 }
 
-Read<PointFile> read_obj(std::string_view text) { return ObjReader().read(text); }
+Read<PointFile> read_obj(std::string_view text, bool skip_nan) { return ObjReader(skip_nan).read(text); }
 
 }  // namespace snug::io

@@ -41,7 +41,8 @@ Read<int> dim_of(const PlyHeader& header) {
 template <class Body>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, std::string_view whole, int dim) : header_(header), body_(header, whole) {
+  PlyReader(const PlyHeader& header, std::string_view whole, int dim, bool skip_nan)
+      : header_(header), body_(header, whole, skip_nan) {
     file_.dim = dim;
     for (const PlyElement& element : header.elements)
       if (is_vertices(element)) vertices_ = element.count;
@@ -56,7 +57,7 @@ class PlyReader {
       if (is_vertices(element)) file_.points.reserve(static_cast<std::size_t>(element.count));
       if (!read_element(element)) return tl::unexpected(body_.error());
     }
-    if (!body_.finish()) return tl::unexpected(body_.error());
+    body_.finish(file_);
     return std::move(file_);
   }
 
@@ -85,8 +86,11 @@ class PlyReader {
 
   /// Adds the face as a fan of triangles around its first vertex.
   bool read_polygon(PlyType type, std::int64_t count) {
+    if (count < 3) {
+      pass_over(file_, Passed::kFaces);
+      return body_.skip(type, count);
+    }
     if (!is_integer(type)) return body_.fail("the faces name vertices by numbers that are not integers");
-    if (count < 3) return body_.fail("a face has at least three vertices, and there are " + std::to_string(count));
     std::array<Index, 3> corners{};
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t index = 0;
@@ -110,13 +114,13 @@ class PlyReader {
 
 }  // namespace
 
-Read<PointFile> read_ply(std::string_view bytes) {
+Read<PointFile> read_ply(std::string_view bytes, bool skip_nan) {
   const auto header = read_ply_header(bytes);
   if (!header) return tl::unexpected(header.error());
   const auto dim = dim_of(*header);
   if (!dim) return tl::unexpected(dim.error());
-  if (header->form == PlyForm::kAscii) return PlyReader<PlyText>(*header, bytes, *dim).read();
-  return PlyReader<PlyBytes>(*header, bytes, *dim).read();
+  if (header->form == PlyForm::kAscii) return PlyReader<PlyText>(*header, bytes, *dim, skip_nan).read();
+  return PlyReader<PlyBytes>(*header, bytes, *dim, skip_nan).read();
 }
 
 }  // namespace snug::io

@@ -1,5 +1,8 @@
 #include "io/ply_body.hpp"
 
+#include <cmath>
+
+#include "io/formats.hpp"
 #include "number/bits.hpp"
 
 namespace snug::io {
@@ -22,6 +25,7 @@ std::int64_t integer_of(PlyType type, std::uint64_t bits) {
 double number_of(PlyType type, std::uint64_t bits) {
   if (type == PlyType::kFloat32) return static_cast<double>(float_of(static_cast<std::uint32_t>(bits)));
   if (type == PlyType::kFloat64) return double_of(bits);
+  if (type == PlyType::kUint64) return static_cast<double>(bits);
   return static_cast<double>(integer_of(type, bits));
 }
 
@@ -29,7 +33,8 @@ double number_of(PlyType type, std::uint64_t bits) {
 
 // ---- text ------------------------------------------------------------------------------------------------------
 
-PlyText::PlyText(const PlyHeader& header, std::string_view) : lines_(header.body, header.lines + 1) {}
+PlyText::PlyText(const PlyHeader& header, std::string_view, bool skip_nan)
+    : lines_(header.body, header.lines + 1), skip_nan_(skip_nan) {}
 
 std::int64_t PlyText::smallest(const PlyElement& element) {
   return 2 * static_cast<std::int64_t>(element.properties.size());  // a digit and a separator
@@ -40,18 +45,23 @@ bool PlyText::begin(const PlyElement& element, std::int64_t instance) {
     return fail("the file ends after " + std::to_string(instance) + " of " + counted(element.count, "line") + " of " +
                 quoted(element.name));
   rest_ = lines_.line();
+  first_ = lines_.number();
   return true;
 }
 
 bool PlyText::word(std::string_view& word) {
   word = take_word(rest_);
-  return !word.empty() || fail("the line has fewer values than the header says");
+  if (!word.empty()) return true;
+  if (!lines_.next_filled()) return fail("the line has fewer values than the header says");
+  rest_ = lines_.line();
+  word = take_word(rest_);
+  return true;
 }
 
 bool PlyText::number(PlyType, double& value) {
   std::string_view text;
   if (!word(text)) return false;
-  const auto coordinate = parse_coordinate(text);
+  const auto coordinate = parse_coordinate(text, skip_nan_);
   if (!coordinate) return fail(coordinate.error());
   value = *coordinate;
   return true;
@@ -60,24 +70,34 @@ bool PlyText::number(PlyType, double& value) {
 bool PlyText::integer(PlyType, std::int64_t& value) {
   std::string_view text;
   if (!word(text)) return false;
-  const auto integer = parse_integer(text);
-  if (!integer) return fail(quoted(text) + " is not an integer");
-  value = *integer;
+  if (const auto integer = parse_integer(text)) {
+    value = *integer;
+    return true;
+  }
+  const auto number = parse_number(text);  // some programs write 3.0
+  if (!number || !(std::abs(*number) < 1e15) || *number != std::floor(*number))
+    return fail(quoted(text) + " is not an integer");
+  value = static_cast<std::int64_t>(*number);
   return true;
 }
 
 bool PlyText::skip(PlyType, std::int64_t n) {
   std::string_view text;
-  for (std::int64_t i = 0; i < n; ++i) {
+  for (std::int64_t i = 0; i < n; ++i)
     if (!word(text)) return false;
-    if (!parse_number(text)) return fail(quoted(text) + " is not a number");
-  }
   return true;
 }
 
-bool PlyText::end() { return trim(rest_).empty() || fail("the line has more values than the header says"); }
+bool PlyText::end() {
+  if (trim(rest_).empty()) return true;
+  if (first_ == lines_.number()) return fail("the line has more values than the header says");
+  error_ = at_line(first_, "the line has fewer values than the header says, and the next line has more").value();
+  return false;
+}
 
-bool PlyText::finish() { return !lines_.next_filled() || fail("there are more lines than the header says"); }
+void PlyText::finish(PointFile& file) {
+  while (lines_.next_filled()) pass_over(file, Passed::kLines);
+}
 
 bool PlyText::fail(std::string what) {
   error_ = at_line(lines_.number(), std::move(what)).value();
@@ -86,9 +106,9 @@ bool PlyText::fail(std::string what) {
 
 // ---- bytes -----------------------------------------------------------------------------------------------------
 
-PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole)
+PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole, bool skip_nan)
     : bytes_(whole), at_(whole.size() - header.body.size()), value_(at_),
-      big_endian_(header.form == PlyForm::kBigEndian) {}
+      big_endian_(header.form == PlyForm::kBigEndian), skip_nan_(skip_nan) {}
 
 std::int64_t PlyBytes::smallest(const PlyElement& element) {
   std::size_t size = 0;
@@ -118,7 +138,7 @@ bool PlyBytes::number(PlyType type, double& value) {
   std::uint64_t raw = 0;
   if (!bits(type, raw)) return false;
   value = number_of(type, raw);
-  const std::string_view fault = fault_of_coordinate(value);
+  const std::string_view fault = fault_of_coordinate(value, skip_nan_);
   return fault.empty() || fail(std::string("the coordinate ").append(fault));
 }
 
@@ -136,11 +156,7 @@ bool PlyBytes::skip(PlyType type, std::int64_t n) {
   return true;
 }
 
-bool PlyBytes::finish() {
-  value_ = at_;
-  return left() == 0 || fail("there " + std::string(left() == 1 ? "is " : "are ") + counted(left(), "byte") +
-                             " more than the header says");
-}
+void PlyBytes::finish(PointFile& file) { pass_over(file, Passed::kBytes, left()); }
 
 bool PlyBytes::cut_short() {
   value_ = bytes_.size();

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "io/ply_header.hpp"
+#include "io/point_file.hpp"
 
 namespace snug::io {
 
-/// Data as text: one instance of an element is one line.
+/// Data as text: an instance of an element begins a line, and may go on to the next.
 class PlyText {
  public:
-  PlyText(const PlyHeader& header, std::string_view whole);
+  PlyText(const PlyHeader& header, std::string_view whole, bool skip_nan);
 
   /// The fewest bytes that an instance can take.
   [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
@@ -21,8 +22,8 @@ class PlyText {
   bool integer(PlyType type, std::int64_t& value);
   bool skip(PlyType type, std::int64_t n);
   bool end();
-  /// Whether nothing is left.
-  bool finish();
+  /// Counts what is left, which is passed over.
+  void finish(PointFile& file);
 
   bool fail(std::string what);
   [[nodiscard]] InputError error() const { return error_; }
@@ -31,13 +32,15 @@ class PlyText {
   bool word(std::string_view& word);
 
   Lines lines_;
+  bool skip_nan_;
   std::string_view rest_;
+  std::int64_t first_ = 0;  // the line on which the instance begins
   InputError error_;
 };
 
 class PlyBytes {
  public:
-  PlyBytes(const PlyHeader& header, std::string_view whole);
+  PlyBytes(const PlyHeader& header, std::string_view whole, bool skip_nan);
 
   [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
   [[nodiscard]] std::int64_t left() const { return static_cast<std::int64_t>(bytes_.size() - at_); }
@@ -47,7 +50,7 @@ class PlyBytes {
   bool integer(PlyType type, std::int64_t& value);
   bool skip(PlyType type, std::int64_t n);
   bool end() { return true; }
-  bool finish();
+  void finish(PointFile& file);
 
   bool fail(std::string what);
   [[nodiscard]] InputError error() const { return error_; }
@@ -60,6 +63,7 @@ class PlyBytes {
   std::size_t at_;     // of the next value
   std::size_t value_;  // of the last value, for errors
   bool big_endian_;
+  bool skip_nan_;
   InputError error_;
 };
 

@@ -8,14 +8,16 @@ namespace snug::io {
 namespace {
 
 std::optional<PlyType> type_named(std::string_view name) {
-  constexpr std::array<std::array<std::string_view, 2>, 8> kNames{{{"char", "int8"},
-                                                                   {"uchar", "uint8"},
-                                                                   {"short", "int16"},
-                                                                   {"ushort", "uint16"},
-                                                                   {"int", "int32"},
-                                                                   {"uint", "uint32"},
-                                                                   {"float", "float32"},
-                                                                   {"double", "float64"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 10> kNames{{{"char", "int8"},
+                                                                    {"uchar", "uint8"},
+                                                                    {"short", "int16"},
+                                                                    {"ushort", "uint16"},
+                                                                    {"int", "int32"},
+                                                                    {"uint", "uint32"},
+                                                                    {"long", "int64"},
+                                                                    {"ulong", "uint64"},
+                                                                    {"float", "float32"},
+                                                                    {"double", "float64"}}};
   for (std::size_t i = 0; i < kNames.size(); ++i)
     if (name == kNames[i][0] || name == kNames[i][1]) return static_cast<PlyType>(i);
   return std::nullopt;
@@ -29,7 +31,7 @@ class HeaderReader {
   explicit HeaderReader(std::string_view bytes) : lines_(bytes) {}
 
   Read<PlyHeader> read() {
-    if (!lines_.next() || lines_.line() != "ply") return at_line(1, "the file does not begin with \"ply\"");
+    if (!lines_.next() || trim(lines_.line()) != "ply") return at_line(1, "the file does not begin with \"ply\"");
     while (lines_.next()) {
       std::string_view rest = lines_.line();
       const std::string_view word = take_word(rest);

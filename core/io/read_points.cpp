@@ -7,7 +7,10 @@
 namespace snug::io {
 namespace {
 
-enum class Format { kRows, kCsv, kObj, kPly, kStlText, kStlBinary };
+enum class Format { kRows, kCsv, kObj, kPly, kStlText, kStlBinary, kOff };
+
+/// What may follow a text: zero bytes, and the mark with which DOS ends one.
+constexpr std::string_view kPadding("\0\x1a", 2);
 
 std::string extension_of(std::string_view name) {
   const std::size_t dot = name.find_last_of("./\\");
@@ -22,7 +25,7 @@ std::string_view first_content(std::string_view text) {
   Lines lines(text);
   while (lines.next_filled()) {
     const std::string_view line = trim(lines.line());
-    if (line.front() != '#') return line;
+    if (line.front() != '#' && line.substr(0, 2) != "//") return line;
   }
   return {};
 }
@@ -32,6 +35,7 @@ Format format_of_text(std::string_view text, std::string_view extension) {
   const std::string_view line = rest;
   const std::string_view word = take_word(rest);
   if (lower_case(word) == "solid") return Format::kStlText;
+  if (word == "OFF") return Format::kOff;
   if (is_obj_keyword(word) && !rest.empty()) return Format::kObj;
   const Format rows = extension == "csv" ? Format::kCsv : Format::kRows;
   if (line.empty() || parse_number(line.substr(0, line.find_first_of(" \t,;")))) return rows;
@@ -44,7 +48,7 @@ Format format_of_text(std::string_view text, std::string_view extension) {
 /// Whether a file has none of the formats' extensions, and its first line is not text that a person wrote: a picture or
 /// an archive, for instance. Latin-1 is accepted in a comment, or in a table that begins with a number.
 bool is_something_else(std::string_view bytes, std::string_view extension) {
-  constexpr std::array<std::string_view, 6> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl"};
+  constexpr std::array<std::string_view, 7> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl", "off"};
   if (std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end()) return false;
   if (looks_binary(bytes)) return true;
   const std::string_view line = first_content(bytes);
@@ -52,56 +56,148 @@ bool is_something_else(std::string_view bytes, std::string_view extension) {
   return std::any_of(line.begin(), line.end(), [](char c) { return (c & 0x80) != 0 || (c < ' ' && c != '\t'); });
 }
 
+/// Text into which zero bytes have come: up to the first there is nothing but text, and not as a binary STL's header,
+/// whose text says nothing of facets.
+bool is_text_with_zeros(std::string_view bytes) {
+  const std::string_view start = bytes.substr(0, bytes.find('\0'));
+  const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c < ' ' && (c < '\t' || c > '\r'); });
+  if (start.empty() || !text) return false;
+  return lower_case(start.substr(0, 5)) == "solid" ? start.find("facet") != std::string_view::npos
+                                                   : start.find_first_of("\r\n") != std::string_view::npos;
+}
+
+/// Formats that have points, and that are not read; empty if the text is none of them.
+std::string_view not_read(std::string_view text, std::string_view extension) {
+  const std::string_view line = first_content(text.substr(0, 4096));
+  std::string_view rest = line;
+  const std::string_view word = take_word(rest);
+  if (text.substr(0, 7) == "# .PCD " || extension == "pcd") return "PCD is not read: save the points as PLY or xyz";
+  if (word == "COFF" || word == "NOFF" || word == "CNOFF" || word == "STOFF" || word == "4OFF" || word == "nOFF")
+    return "only plain OFF is read, without colours or normals: save the points as OFF, PLY or OBJ";
+  if (word == "OFF" && trim(rest) == "BINARY") return "binary OFF is not read: save the points as text";
+  if (!line.empty() && (line[0] == '{' || line[0] == '['))
+    return "JSON is not read: give a point file: xyz, csv, obj, ply, stl or off";
+  return {};
+}
+
 /// The content decides if it can: binary STL is recognized by its size, because its header may begin with "solid".
 Format format_of(std::string_view bytes, std::string_view extension) {
   const std::string_view start = bytes.substr(0, 4);
-  if (start == "ply\n" || start == "ply\r") return Format::kPly;
+  if (start.substr(0, 3) == "ply" && start.find_first_of("\n\r \t", 3) == 3) return Format::kPly;
   if (has_size_of_stl(bytes)) return Format::kStlBinary;
-  if (!looks_binary(bytes)) return format_of_text(bytes, extension);
+  if (!looks_binary(bytes) || is_text_with_zeros(bytes)) return format_of_text(bytes, extension);
   if (extension == "ply") return Format::kPly;
   return Format::kStlBinary;
 }
 
-Read<PointFile> read_as(Format format, std::string_view bytes) {
+Read<PointFile> read_as(Format format, std::string_view bytes, bool skip_nan) {
   switch (format) {
-    case Format::kRows: return read_rows(bytes, false);
-    case Format::kCsv: return read_rows(bytes, true);
-    case Format::kObj: return read_obj(bytes);
-    case Format::kPly: return read_ply(bytes);
-    case Format::kStlText: return read_stl_text(bytes);
+    case Format::kRows: return read_rows(bytes, false, skip_nan);
+    case Format::kCsv: return read_rows(bytes, true, skip_nan);
+    case Format::kObj: return read_obj(bytes, skip_nan);
+    case Format::kPly: return read_ply(bytes, skip_nan);
+    case Format::kStlText: return read_stl_text(bytes, skip_nan);
+    case Format::kOff: return read_off(bytes, skip_nan);
     case Format::kStlBinary: break;
   }
-  return read_stl_binary(bytes);
+  return read_stl_binary(bytes, skip_nan);
+}
+
+/// Text whose bytes are every second one zero.
+bool is_utf16(std::string_view bytes) {
+  const std::string_view start = bytes.substr(0, 8);
+  if (start.size() < 8) return false;
+  for (const std::size_t zero : {0, 1}) {
+    bool all = true;
+    for (std::size_t i = 0; i < start.size(); ++i) all = all && (start[i] == '\0') == (i % 2 == zero);
+    if (all) return true;
+  }
+  return false;
 }
 
 /// The text without a byte order mark.
 Read<std::string_view> without_mark(std::string_view bytes) {
   if (has_size_of_stl(bytes)) return bytes;  // its header may contain anything
-  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff")
+  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff" || is_utf16(bytes))
     return at_byte(0, "the text is UTF-16: save it as UTF-8");
   return bytes.substr(bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);
 }
 
-Read<PointFile> read_any(std::string_view bytes, std::string_view name) {
+std::int64_t line_at(std::string_view text, std::size_t at) {
+  Lines lines(text);
+  while (lines.next() && text.size() - lines.rest().size() <= at) {
+  }
+  return lines.number();
+}
+
+Read<PointFile> read_any(std::string_view bytes, std::string_view name, bool skip_nan) {
   if (const auto text = without_mark(bytes)) bytes = *text;
   else return tl::unexpected(text.error());
   const std::string extension = extension_of(name);
+  if (!has_size_of_stl(bytes))
+    if (const std::string_view what = not_read(bytes, extension); !what.empty())
+      return tl::unexpected(InputError{.what = std::string(what)});
   const Format format = format_of(bytes, extension);
+  if (format != Format::kPly && format != Format::kStlBinary) {
+    bytes = bytes.substr(0, bytes.find_last_not_of(kPadding) + 1);
+    if (const std::size_t zero = bytes.find('\0'); zero != std::string_view::npos)
+      return at_line(line_at(bytes, zero), "there is a zero byte in the text");
+  }
   const std::string_view start = bytes.substr(0, 5);
   const bool claims_none = format == Format::kRows || (format == Format::kStlBinary && !has_size_of_stl(bytes));
   if (claims_none && lower_case(start) != "solid" && is_something_else(bytes, extension))
     return tl::unexpected(InputError{.what = "this is not a point file: xyz, csv, obj, ply or stl"});
   if (format == Format::kStlBinary && !has_size_of_stl(bytes) && extension != "stl" && lower_case(start) != "solid")
     return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "the data is binary, but neither PLY nor STL");
-  Read<PointFile> file = read_as(format, bytes);
+  Read<PointFile> file = read_as(format, bytes, skip_nan);
   if (file && file->points.empty()) return tl::unexpected(InputError{.what = "there are no points"});
+  return file;
+}
+
+/// Takes out the points with a NaN, which a reader lets through if asked, and the faces that name them.
+Read<PointFile> without_nan(PointFile file) {
+  const auto has_nan = [](const Vector<double, 3>& point) { return point.hasNaN(); };
+  const auto first = std::find_if(file.points.begin(), file.points.end(), has_nan);
+  if (first == file.points.end()) return file;
+  std::vector<Index> number(file.points.size(), -1);
+  Index kept = 0;
+  for (std::size_t i = 0; i < file.points.size(); ++i) {
+    if (has_nan(file.points[i])) continue;
+    file.points[static_cast<std::size_t>(kept)] = file.points[i];
+    number[i] = kept++;
+  }
+  pass_over(file, Passed::kNan, static_cast<std::int64_t>(file.points.size()) - kept);
+  file.points.resize(static_cast<std::size_t>(kept));
+  const auto lost = [&](std::array<Index, 3>& face) {
+    for (Index& corner : face) corner = number[static_cast<std::size_t>(corner)];
+    return std::find(face.begin(), face.end(), -1) != face.end();
+  };
+  file.triangles.erase(std::remove_if(file.triangles.begin(), file.triangles.end(), lost), file.triangles.end());
+  if (file.points.empty()) return tl::unexpected(InputError{.what = "there are no points"});
   return file;
 }
 
 }  // namespace
 
-tl::expected<PointFile, InputError> read_points(std::string_view bytes, std::string_view name) {
-  Read<PointFile> file = read_any(bytes, name);
+std::string passed_text(const PassedOver& passed) {
+  constexpr std::array<std::array<std::string_view, 2>, 8> kNames{{{"point", " with a coordinate that is not a number"},
+                                                                   {"line", " with more columns than three"},
+                                                                   {"header line", ""},
+                                                                   {"statement", " unknown to OBJ"},
+                                                                   {"face", " of fewer than three vertices"},
+                                                                   {"line", " after the data"},
+                                                                   {"byte", " after the data"},
+                                                                   {"missing endsolid", ""}}};
+  std::string text;
+  for (std::size_t i = 0; i < passed.size(); ++i)
+    if (passed[i] > 0)
+      text.append(text.empty() ? "passed over: " : ", ").append(counted(passed[i], kNames[i][0])).append(kNames[i][1]);
+  return text;
+}
+
+tl::expected<PointFile, InputError> read_points(std::string_view bytes, std::string_view name, bool skip_nan) {
+  Read<PointFile> file = read_any(bytes, name, skip_nan);
+  if (file) file = without_nan(std::move(*file));
   if (!file) file.error().file = name;
   return file;
 }

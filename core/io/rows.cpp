@@ -1,4 +1,5 @@
 // xyz, csv and txt: two or three numbers a line.
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -38,7 +39,9 @@ Fields fields_of(std::string_view line, bool csv) {
   for (bool more = true; more && !fields.full();) {
     const std::size_t end = line.find(separator);
     more = end != std::string_view::npos;
-    fields.add(trim(line.substr(0, end)));
+    const std::string_view field = trim(line.substr(0, end));
+    if (!more && field.empty() && fields.count > 0) break;  // the line ends with a separator
+    fields.add(field);
     if (more) line.remove_prefix(end + 1);
   }
   return fields;
@@ -53,43 +56,81 @@ bool is_header(const Fields& fields) {
   return true;
 }
 
-tl::expected<Vector<double, 3>, std::string> point_of(const Fields& fields) {
+/// "1,5" and "5 2" are what decimal commas leave of a line.
+std::string hint(std::string_view field) {
+  const bool starts = !field.empty() && std::string_view("0123456789+-").find(field.front()) != std::string_view::npos;
+  const bool split = starts && field.find_first_of(", \t") != std::string_view::npos;
+  return split ? ": write decimals with a point, not a comma" : "";
+}
+
+/// What is wrong with a header that has more than three columns; empty if the first three are x, y and z. Another
+/// order would give other points, silently.
+std::string wrong_columns(const Fields& fields) {
+  const std::string_view names = "xyz";
+  for (std::size_t i = 0; i < std::min<std::size_t>(fields.count, 3); ++i) {
+    const std::string name = lower_case(fields.at[i]);
+    const bool other = name.size() == 1 && names.find(name) != std::string_view::npos && name[0] != names[i];
+    if (other || (fields.full() && name.find(names[i]) == std::string::npos))
+      return "column " + std::to_string(i + 1) + " is " + quoted(fields.at[i]) +
+             ": the first columns must be x, y and z";
+  }
+  return {};
+}
+
+/// A line without its comment.
+std::string_view content_of(std::string_view line) {
+  line = trim(line.substr(0, line.find('#')));
+  return line.substr(0, 2) == "//" ? std::string_view() : line;
+}
+
+tl::expected<Vector<double, 3>, std::string> point_of(const Fields& fields, bool skip_nan) {
   Vector<double, 3> point = Vector<double, 3>::Zero();
-  for (std::size_t i = 0; i < fields.count; ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(fields.count, 3); ++i) {
     if (fields.at[i].empty()) return tl::unexpected("field " + std::to_string(i + 1) + " is empty");
-    if (i == 3) return tl::unexpected(std::string("there are more than three numbers on the line"));
-    const auto value = parse_coordinate(fields.at[i]);
-    if (!value) return tl::unexpected(value.error());
+    const auto value = parse_coordinate(fields.at[i], skip_nan);
+    if (!value) return tl::unexpected(value.error() + hint(fields.at[i]));
     point[static_cast<int>(i)] = *value;
   }
   if (fields.count < 2) return tl::unexpected(std::string("there is one number on the line: a point has two or three"));
   return point;
 }
 
+std::string columns_text(std::size_t n) { return n > 3 ? "more than 3" : std::to_string(n); }
+
 }  // namespace
 
-Read<PointFile> read_rows(std::string_view text, bool csv) {
+Read<PointFile> read_rows(std::string_view text, bool csv, bool skip_nan) {
   PointFile file;
+  std::size_t columns = 0;      // of the first point
   std::int64_t first_line = 0;  // the line of the first point, which sets the dimension
-  bool header_may_come = csv;
+  bool header_may_come = true;
+  std::optional<InputError> header;
   for (Lines lines(text); lines.next();) {
-    const std::string_view line = trim(lines.line().substr(0, lines.line().find('#')));
-    if (line.empty()) continue;
+    const std::string_view line = content_of(lines.line());
+    if (line.empty() || (header_may_come && line.substr(0, 4) == "sep=")) continue;
     const Fields fields = fields_of(line, csv);
-    if (std::exchange(header_may_come, false) && is_header(fields)) continue;
-    const auto point = point_of(fields);
+    if (std::exchange(header_may_come, false) && is_header(fields)) {
+      if (const std::string wrong = wrong_columns(fields); !wrong.empty()) return at_line(lines.number(), wrong);
+      if (csv) continue;
+      header = at_line(lines.number(), quoted(fields.at[0]) + " is not a number").value();
+      pass_over(file, Passed::kHeader);
+      continue;
+    }
+    const auto point = point_of(fields, skip_nan);
     if (!point) return at_line(lines.number(), point.error());
-    const int dim = static_cast<int>(fields.count);
     if (first_line == 0) {
       first_line = lines.number();
-      file.dim = dim;
+      columns = fields.count;
+      file.dim = columns == 2 ? 2 : 3;
     }
-    if (dim != file.dim)
-      return at_line(lines.number(), "there are " + std::to_string(dim) + " numbers on the line, and on line " +
-                                         std::to_string(first_line) + " there were " + std::to_string(file.dim));
+    if (fields.count != columns)
+      return at_line(lines.number(), "there are " + columns_text(fields.count) + " numbers on the line, and on line " +
+                                         std::to_string(first_line) + " there were " + columns_text(columns));
+    if (fields.full()) pass_over(file, Passed::kColumns);
     if (file.points.size() == kMostPoints) return at_line(lines.number(), std::string(kTooManyPoints));
     file.points.push_back(*point);
   }
+  if (file.points.empty() && header) return tl::unexpected(*header);
   return file;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/corner_merger.hpp"
 #include "io/formats.hpp"
 #include "number/bits.hpp"
@@ -23,21 +25,27 @@ std::uint64_t size_claimed(std::string_view bytes) {
 
 bool has_size_of_stl(std::string_view bytes) { return bytes.size() >= kStart && bytes.size() == size_claimed(bytes); }
 
-Read<PointFile> read_stl_binary(std::string_view bytes) {
+Read<PointFile> read_stl_binary(std::string_view bytes, bool skip_nan) {
   const auto size = static_cast<std::int64_t>(bytes.size());
   if (bytes.size() < kStart) return at_byte(size, "the file is cut short: a binary STL has at least 84 bytes");
-  if (!has_size_of_stl(bytes))
+  const std::uint64_t claimed = size_claimed(bytes);
+  // Four letters as a count would be more triangles than any file holds.
+  const std::string_view count = bytes.substr(kHeader, 4);
+  if (bytes.size() < claimed && std::all_of(count.begin(), count.end(),
+                                            [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); }))
+    return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "there is a zero byte in the text");
+  if (bytes.size() < claimed || (claimed == kStart && bytes.size() > kStart))
     return at_byte(kHeader, "the header claims " + counted(word_at(bytes, kHeader), "triangle") + ", which is " +
                                 std::to_string(size_claimed(bytes)) + " bytes, and the file has " +
                                 std::to_string(size));
   CornerMerger merger;
-  for (std::size_t triangle = kStart; triangle < bytes.size(); triangle += kTriangle) {
+  for (std::size_t triangle = kStart; triangle < claimed; triangle += kTriangle) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {
       Vector<double, 3> point;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t at = triangle + 12 * corner + 4 * axis;
         const double value = static_cast<double>(float_of(word_at(bytes, at)));
-        const std::string_view fault = fault_of_coordinate(value);
+        const std::string_view fault = fault_of_coordinate(value, skip_nan);
         if (!fault.empty()) return at_byte(static_cast<std::int64_t>(at), std::string("the coordinate ").append(fault));
         point[static_cast<int>(axis)] = value;
       }
@@ -45,7 +53,9 @@ Read<PointFile> read_stl_binary(std::string_view bytes) {
       merger.add(point);
     }
   }
-  return merger.take();
+  PointFile file = merger.take();
+  pass_over(file, Passed::kBytes, size - static_cast<std::int64_t>(claimed));
+  return file;
 }
 
 }  // namespace snug::io

@@ -19,7 +19,11 @@ bool Lines::next() {
   const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
   line_ = rest_.substr(0, end);
   rest_.remove_prefix(end);
-  rest_.remove_prefix(rest_.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(1, rest_.size()));
+  const std::string_view two = rest_.substr(0, 2);
+  if (ends_ == Ends::kUnknown && !two.empty())
+    ends_ = two == "\n\r" ? Ends::kLfCr : two[0] == '\r' && two != "\r\n" ? Ends::kCr : Ends::kUsual;
+  const bool pair = (two == "\r\n" && ends_ != Ends::kCr) || (two == "\n\r" && ends_ == Ends::kLfCr);
+  rest_.remove_prefix(pair ? 2 : std::min<std::size_t>(1, rest_.size()));
   ++number_;
   return true;
 }
@@ -88,19 +92,19 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
   return value;
 }
 
-tl::expected<double, std::string> parse_coordinate(std::string_view word) {
+tl::expected<double, std::string> parse_coordinate(std::string_view word, bool allow_nan) {
   const std::optional<double> value = parse_number(word);
   if (!value) return tl::unexpected(quoted(word) + " is not a number");
-  std::string_view fault = fault_of_coordinate(*value);
+  std::string_view fault = fault_of_coordinate(*value, allow_nan);
   // An infinity that was written in digits is a number that no double can represent.
   if (std::isinf(*value) && word.find_first_of("0123456789") != std::string_view::npos)
-    fault = fault_of_coordinate(std::numeric_limits<double>::max());
+    fault = fault_of_coordinate(std::numeric_limits<double>::max(), allow_nan);
   if (fault.empty()) return *value;
   return tl::unexpected(quoted(word).append(" ").append(fault));
 }
 
-std::string_view fault_of_coordinate(double value) {
-  if (!std::isfinite(value)) return "is not a finite number";
+std::string_view fault_of_coordinate(double value, bool allow_nan) {
+  if (std::isinf(value) || (std::isnan(value) && !allow_nan)) return "is not a finite number";
   if (std::abs(value) > PointSet<double, 3>::kLargest) return "is too large: coordinates reach to 2^508, about 8.3e152";
   return {};
 }

@@ -21,7 +21,8 @@ using Read = tl::expected<T, InputError>;
   return tl::unexpected(InputError{std::move(what), {}, InputError::Unit::kByte, byte});
 }
 
-/// A text's lines with their numbers. A line ends with LF, CRLF or CR; blank ones count.
+/// A text's lines with their numbers. A line ends with LF, CRLF, CR or LFCR; blank ones count. The first line end tells
+/// whether a CR stands alone, so that a byte LF after a CR belongs to the data.
 class Lines {
  public:
   explicit Lines(std::string_view text, std::int64_t first = 1) : rest_(text), number_(first - 1) {}
@@ -38,6 +39,9 @@ class Lines {
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
  private:
+  enum class Ends : std::uint8_t { kUnknown, kUsual, kCr, kLfCr };
+
+  Ends ends_ = Ends::kUnknown;
   std::string_view rest_;
   std::string_view line_;
   std::int64_t number_;
@@ -63,10 +67,10 @@ class Lines {
 /// None if the word is not a 64-bit integer.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word);
 
-/// A coordinate that a PointSet takes, or what is wrong with it.
-[[nodiscard]] tl::expected<double, std::string> parse_coordinate(std::string_view word);
+/// A coordinate that a PointSet takes, or a NaN if that is allowed, or what is wrong with it.
+[[nodiscard]] tl::expected<double, std::string> parse_coordinate(std::string_view word, bool allow_nan);
 
 /// What is wrong with a coordinate; empty if a PointSet takes it.
-[[nodiscard]] std::string_view fault_of_coordinate(double value);
+[[nodiscard]] std::string_view fault_of_coordinate(double value, bool allow_nan);
 
 }  // namespace snug::io

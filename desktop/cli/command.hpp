@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "desktop/cli/files.hpp"
 #include "desktop/window.hpp"
 #include "geometry/input_error.hpp"
 
@@ -20,9 +21,6 @@ struct Printed {
   int status = 0;                         // 1 if a check says no
   std::vector<InputError> warnings = {};  // each is a line on stderr
 };
-
-/// How a warning begins.
-inline constexpr const char* kWarning = "warning: ";
 
 /// The output, or errors: each is a line on stderr, and the status is 2.
 using CommandResult = tl::expected<Printed, std::vector<InputError>>;
@@ -54,6 +52,12 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
     return std::string();
   };
   return CLI::Validator(read, "");
+}
+
+/// The options of every command that reads points from a file.
+inline void add_reading(CLI::App& command, Reading& reading) {
+  command.add_flag("--strict", reading.strict, "Refuse a point file of which something would be passed over");
+  command.add_flag("--skip-nan", reading.skip_nan, "Pass over points with a coordinate that is not a number");
 }
 
 /// How commands that read a file take a named case in its place.

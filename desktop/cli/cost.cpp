@@ -30,6 +30,7 @@ constexpr double kWatchedLonger = 10;
 constexpr double kEnough = 2e9;
 
 struct CostOptions {
+  Reading reading;
   std::string generate;
   std::string file;
   std::string volume;
@@ -87,7 +88,7 @@ tl::expected<Subject, InputError> generated(const CostOptions& options) {
 tl::expected<Subject, InputError> subject_of(const CostOptions& options) {
   if (options.generate.empty() == options.file.empty()) return wrong("give either --generate KIND:N or FILE");
   if (!options.generate.empty()) return generated(options);
-  auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
+  auto points = read_point_file(options.file, options.reading).and_then([&](const io::PointFile& file) {
     return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
   });
   if (!points) return Wrong(points.error());
@@ -366,6 +367,7 @@ void add_cost(Commands& commands) {
   const auto options = add_command<CostOptions>(commands, command, run_cost);
   command.add_option("--generate", options->generate, "N points of a kind, KIND:N; kinds: " + kinds());
   command.add_option("FILE", options->file, "Point file, as for snug fit; - is xyz on standard input");
+  add_reading(command, options->reading);
   command.add_option("--volume", options->volume, "Only this kind of volume");
   command
       .add_option("--algorithms", options->algorithms,

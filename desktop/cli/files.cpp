@@ -74,8 +74,16 @@ tl::expected<std::string, InputError> read_start(const std::string& path, std::s
   return read_all(file.get(), path, most);
 }
 
-tl::expected<io::PointFile, InputError> read_point_file(const std::string& path) {
-  return read_file(path).and_then([&](const std::string& bytes) { return io::read_points(bytes, path); });
+tl::expected<io::PointFile, InputError> read_point_file(const std::string& path, const Reading& reading) {
+  auto file = read_file(path).and_then(
+      [&](const std::string& bytes) { return io::read_points(bytes, path, reading.skip_nan); });
+  if (!file) return file;
+  const std::string passed = io::passed_text(file->passed);
+  if (passed.empty()) return file;
+  if (reading.strict) return tl::unexpected(InputError{.what = passed, .file = path});
+  const InputError warning{.what = kWarning + passed, .file = path};
+  std::fprintf(stderr, "snug: %s\n", warning.message().c_str());
+  return file;
 }
 
 tl::expected<NewFile, InputError> NewFile::create(const std::string& path) {

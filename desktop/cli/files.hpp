@@ -29,8 +29,18 @@ inline constexpr std::size_t kMostFileBytes = std::size_t{512} << 20;
 /// What follows the last dot of the file's name, in lower case: "csv"; empty if there is none.
 [[nodiscard]] std::string ending_of(const std::string& path);
 
-/// The points of a file, as io::read_points reads them. Errors: those of both.
-[[nodiscard]] tl::expected<io::PointFile, InputError> read_point_file(const std::string& path);
+/// How a warning begins.
+inline constexpr const char* kWarning = "warning: ";
+
+/// What becomes of the parts of a point file that are passed over.
+struct Reading {
+  bool strict = false, skip_nan = false;
+};
+
+/// The points of a file, as io::read_points reads them. What is passed over is a warning on stderr. Errors: those of
+/// both, and of a strict reading what would be passed over.
+[[nodiscard]] tl::expected<io::PointFile, InputError> read_point_file(const std::string& path,
+                                                                      const Reading& reading = {});
 
 /// A file that is written as a whole: the old content stays until all of the new content is on the disk. A device or
 /// pipe is written to directly.

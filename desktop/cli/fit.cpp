@@ -11,6 +11,7 @@ namespace snug::desktop {
 namespace {
 
 struct FitOptions {
+  Reading reading;
   std::string volume;
   std::string algorithm;
   std::string scalar;  // empty: double, or a case's own
@@ -50,7 +51,7 @@ tl::expected<AnyPointSet, InputError> read_points(const FitOptions& options) {
       const int dim = options.dim == 0 ? fit::dim_of(own.points) : options.dim;
       return lesson::to_set(lesson::all_points(own.points), dim, options.scalar == "float");
     });
-  return read_point_file(options.file).and_then([&](const io::PointFile& file) {
+  return read_point_file(options.file, options.reading).and_then([&](const io::PointFile& file) {
     return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
   });
 }
@@ -150,8 +151,9 @@ constexpr const char* kFitFooter = R"(Prints one JSON object:
   time_ns                   {median, min, repeats} of a run without an observer
 
 Point files, recognized by content and extension: .xyz .csv .txt (two or three numbers a line; # begins a comment),
-.obj, .ply (ascii, binary little and big endian), .stl (ascii, binary); - is xyz on standard input. A file may have up
-to 512 MiB.
+.obj, .ply (ascii, binary little and big endian), .stl (ascii, binary), .off (ascii); - is xyz on standard input. More
+columns, statements that OBJ lacks and the like are passed over with a warning that counts them; --strict refuses them.
+A file may have up to 512 MiB.
 
 Exit status: 0 done, 1 the volume does not contain all points, 2 bad input or usage.)";
 
@@ -175,6 +177,7 @@ void add_fit(Commands& commands) {
   command.add_option("--steps", options->steps, "File to write the trace to, one JSON object a line");
   command.add_option("--case", options->name, std::string(kCaseHelp) + ". Its own algorithm is the default");
   command.add_option("FILE", options->file, "Point file");
+  add_reading(command, options->reading);
 }
 
 }  // namespace snug::desktop

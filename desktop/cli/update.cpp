@@ -15,6 +15,7 @@ namespace snug::desktop {
 namespace {
 
 struct UpdateOptions {
+  Reading reading;
   std::string volume;
   std::string strategy;
   std::string scalar = "double";
@@ -50,7 +51,7 @@ tl::expected<const fit::UpdateStrategy*, InputError> strategy_of(const UpdateOpt
 }
 
 tl::expected<AnyPointSet, InputError> points_of(const UpdateOptions& options, const fit::UpdateStrategy& strategy) {
-  auto points = read_point_file(options.file).and_then([&](const io::PointFile& file) {
+  auto points = read_point_file(options.file, options.reading).and_then([&](const io::PointFile& file) {
     return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
   });
   if (points && !(fit::dim_of(*points) == 2 ? strategy.plane : strategy.space))
@@ -166,6 +167,7 @@ void add_update(Commands& commands) {
       ->capture_default_str();
   command.add_option("--steps", options->steps, "File to write the trace of all frames to, one JSON object a line");
   command.add_option("FILE", options->file, "Point file, as for snug fit; - is xyz on standard input")->required();
+  add_reading(command, options->reading);
 }
 
 }  // namespace snug::desktop

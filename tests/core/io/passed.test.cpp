@@ -1,0 +1,174 @@
+// What the readers pass over: each odd file gives the right points, and what was passed over is counted.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "core/io/samples.hpp"
+#include "io/point_file.hpp"
+
+using namespace snug;
+
+namespace {
+
+struct Odd {
+  std::string file, bytes;
+  std::size_t points;
+  std::string passed = {};  // without "passed over: "
+  std::size_t triangles = 0;
+};
+
+void check(const std::vector<Odd>& files, bool skip_nan = false) {
+  for (const Odd& odd : files) {
+    CAPTURE(odd.file);
+    const auto file = io::read_points(odd.bytes, odd.file, skip_nan);
+    INFO((file ? "" : file.error().message()));
+    REQUIRE(file);
+    CHECK(file->points.size() == odd.points);
+    CHECK(file->triangles.size() == odd.triangles);
+    CHECK(io::passed_text(file->passed) == (odd.passed.empty() ? "" : "passed over: " + odd.passed));
+  }
+}
+
+void check_refused(const std::vector<std::array<std::string, 3>>& cases) {
+  for (const auto& [name, bytes, message] : cases) {
+    const auto file = io::read_points(bytes, name);
+    REQUIRE(!file);
+    CHECK(file.error().message() == name + message);
+  }
+}
+
+std::string zeros(std::size_t n) { return std::string(n, '\0'); }
+const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string kFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+const std::string kPly = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n";
+
+}  // namespace
+
+TEST_CASE("tables with more columns, headers and other punctuation") {
+  check({
+      {"rgb.xyz", "1 2 3 255 0 0\n4 5 6 red x\n", 2, "2 lines with more columns than three"},
+      {"rgb.csv", "x,y,z,r\n1,2,3,nan\n", 1, "1 line with more columns than three"},
+      {"trailing.csv", "x,y,z,\n1,2,3,\n4,5,6,\n", 2},
+      {"cloud.txt", "//X Y Z\n1 2 3\n", 1},
+      {"header.txt", "x y z\n1 2 3\n", 1, "1 header line"},
+      {"sep.csv", "sep=;\nx;y\n1;2\n", 1},
+      {"padded.xyz", "1 2 3\n" + zeros(9), 1},
+      {"dos.xyz", "1 2 3\n\x1a", 1},
+      {"cr.xyz", "1 2 3\r4 5 6\r", 2},
+      {"lfcr.xyz", "1 2 3\n\r4 5 6\n\r", 2},
+  });
+  check_refused({
+      {"order.csv", "id,x,y,z\n7,1,2,3\n", ":1: column 1 is \"id\": the first columns must be x, y and z"},
+      {"swapped.csv", "y,x\n1,2\n", ":1: column 1 is \"y\": the first columns must be x, y and z"},
+      {"comma.csv", "1,5;2,5\n", ":1: \"1,5\" is not a number: write decimals with a point, not a comma"},
+      {"comma.xyz", "1,5 2,5 3,5\n", ":1: \"5 2\" is not a number: write decimals with a point, not a comma"},
+      {"zero.xyz", "1 2 3\n4 " + zeros(1) + "5 6\n", ":2: there is a zero byte in the text"},
+      {"utf16.stl", std::string("s\0o\0l\0i\0d\0", 10), ":byte 0: the text is UTF-16: save it as UTF-8"},
+      {"lfcr.xyz", "1 2 3\n\rx 5 6\n\r", ":2: \"x\" is not a number"},
+  });
+}
+
+TEST_CASE("OBJ: what points do not need") {
+  check({
+      {"colour.obj", "v 0 0 0 nan nan nan\nv 1 1 1 1 1 1 1 1 1\n", 2},
+      {"slashes.obj", kThree + "f 1// 2// 3//\nf 1/ 2/ 3/\n", 3, "", 2},
+      {"faces.obj", kThree + "f\nf 1\nf 1 2\n", 3, "3 faces of fewer than three vertices"},
+      {"words.obj", kThree + "vw 1\nt 0 0\nKa 1 1 1\n", 3, "3 statements unknown to OBJ"},
+      {"lone.obj", "v 0 0 0\rv 1 0 0\r", 2},
+  });
+  check_refused({
+      {"joined.obj", "v 0 0 0\nvt 0 0 \\\nv 9 9 9\n",
+       ":2: the line ends in a backslash, and the next line is a statement of its own"},
+      {"joined.obj", "v 0 0 0 \\\nv 9 9 9\n",
+       ":1: the line ends in a backslash, and the next line is a statement of its own"},
+      {"zero.obj", kThree + "v 1 " + zeros(3) + "\nv 0 0 1\n", ":4: there is a zero byte in the text"},
+  });
+}
+
+TEST_CASE("PLY: what points do not need") {
+  const std::string bytes =
+      "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty uchar x\rproperty uchar y\r"
+      "end_header\r";
+  check({
+      {"blank.ply", "ply \n" + kPly.substr(4) + "end_header\n1 2\n3 4\n", 2},
+      {"int64.ply", kPly + "property int64 id\nend_header\n1 2 x\n3 4 5\n", 2},
+      {"wrapped.ply", kPly + "end_header\n1\n2\n3\n4\n", 2},
+      {"more.ply", kPly + "end_header\n1 2\n3 4\n5 6\n7 8\n", 2, "2 lines after the data"},
+      {"list.ply",
+       kPly + "element face 2\nproperty list uchar int vertex_indices\nend_header\n1 2\n3 4\n3.0 0 1 0\n2 0 1\n", 2,
+       "1 face of fewer than three vertices", 1},
+      {"cr.ply", bytes + "\n\r", 1},
+      {"more_bytes.ply", bytes + "\n\rabc", 1, "3 bytes after the data"},
+  });
+  CHECK(io::read_points(bytes + "\n\r", "cr.ply")->points[0] == Vector<double, 3>(10, 13, 0));
+  check_refused({{"short.ply", kPly + "end_header\n1\n2 3\n4\n",
+                  ":7: the line has fewer values than the header says, and the next line has more"}});
+}
+
+TEST_CASE("STL: what points do not need") {
+  const std::string binary = samples::stl_binary("x");
+  std::string line = "solid a " + kFacet + "endsolid a";
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::string normal = kFacet;
+  normal.replace(normal.find("0 0 1"), 5, "-1.#IND nan x");
+  std::string quad = kFacet;
+  quad.insert(quad.find("endloop"), "vertex 1 1 0\n");
+  check({
+      {"lf.stl", binary + "\n", 4, "1 byte after the data", 4},
+      {"padded.stl", "solid a\n" + kFacet + "endsolid\n" + zeros(100), 3, "", 1},
+      {"two_words.stl", "solid a\n" + kFacet + "end solid a\n", 3, "", 1},
+      {"one_word.stl", "SOLID a\n" + kFacet + "endsolidName\n", 3, "", 1},
+      {"open.stl", "solid a\n" + kFacet, 3, "1 missing endsolid", 1},
+      {"line.stl", line, 3, "", 1},
+      {"two_lines.stl", line + " " + line, 3, "", 2},
+      {"normal.stl", "solid a\n" + normal + "endsolid a\n", 3, "", 1},
+      {"quad.stl", "solid a\n" + quad + "endsolid a\n", 4, "", 2},
+      {"facet.stl", "solid my facet normal\n" + kFacet + "endsolid my facet normal\n", 3, "", 1},
+  });
+  check_refused(
+      {{"start.stl", zeros(1) + "solid a\n" + kFacet + "endsolid a\n", ":byte 0: there is a zero byte in the text"}});
+  check_refused({{"zeros.stl", "solid a\n" + kFacet + zeros(80) + kFacet + "endsolid\n",
+                  ":9: there is a zero byte in the text"}});
+}
+
+TEST_CASE("OFF is read; its variants, PCD and JSON are named") {
+  check({
+      {"t.off", "OFF # a\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n", 3, "", 1},
+      {"t.off", "OFF 4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n2 0 1\n5\n", 4,
+       "1 face of fewer than three vertices, 1 line after the data", 2},
+  });
+  check_refused({
+      {"t.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n", ":4: the file ends before all that it claims"},
+      {"t.off", "OFF\n999999999 0 0\n0 0 0\n", ":2: the file claims 999999999 vertices, and is too short for that"},
+      {"t.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n", ":4: the face names vertex 1, counted from 0, and there are 1"},
+      {"t.off", "COFF\n1 0 0\n0 0 0 1 1 1 1\n",
+       ": only plain OFF is read, without colours or normals: save the points as OFF, PLY or OBJ"},
+      {"t.pcd", "VERSION .7\n", ": PCD is not read: save the points as PLY or xyz"},
+      {"t.txt", "# .PCD v.7\nVERSION .7\n", ": PCD is not read: save the points as PLY or xyz"},
+      {"t.json", "{\n", ": JSON is not read: give a point file: xyz, csv, obj, ply, stl or off"},
+  });
+}
+
+TEST_CASE("points and points passed over add up to the file, in every format") {
+  const std::string nan = "1 point with a coordinate that is not a number";
+  std::string binary = samples::stl_binary("x");
+  binary.replace(84 + 12, 4, samples::Bytes().f32(std::numeric_limits<float>::quiet_NaN()).take());
+  check(
+      {
+          {"t.xyz", "0 0 0\nnan 0 0\n1 1 1\n", 2, nan},
+          {"t.csv", "0,0\n1,NaN\n", 1, nan},
+          {"t.obj", kThree + "v nan 0 0\nv 1 1 1\nf 1 2 5\nf 1 2 4\n", 4, nan, 1},
+          {"t.ply", kPly + "end_header\n1 nan\n3 4\n", 1, nan},
+          {"t.stl",
+           "solid\n" + kFacet +
+               "facet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+               "endloop\nendfacet\nendsolid\n",
+           3, nan, 1},
+          {"binary.stl", binary, 4, nan, 3},
+          {"t.off", "OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", 2, nan},
+      },
+      true);
+  check_refused({{"t.off", "OFF\n2 0 0\n0 0 0\n1 0 nan\n", ":4: \"nan\" is not a finite number"},
+                 {"t.xyz", "0 0 0\nnan 0 0\n", ":2: \"nan\" is not a finite number"}});
+}
