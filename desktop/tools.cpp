@@ -189,7 +189,7 @@ void draw_sources(Shell& shell, Column& column) {
   }
   column.gap(12);
   column.heading("Your own");
-  column.words("Drop a point file on this window: xyz, csv, obj, ply or stl.", Face::kRegular, 14,
+  column.words("Drop a point file on this window: xyz, csv, obj, ply, stl or off.", Face::kRegular, 14,
                column.look()->muted);
 }
 

@@ -146,7 +146,7 @@ Read<PointFile> read_any(std::string_view bytes, std::string_view name, bool ski
   const std::string_view start = bytes.substr(0, 5);
   const bool claims_none = format == Format::kRows || (format == Format::kStlBinary && !has_size_of_stl(bytes));
   if (claims_none && lower_case(start) != "solid" && is_something_else(bytes, extension))
-    return tl::unexpected(InputError{.what = "this is not a point file: xyz, csv, obj, ply or stl"});
+    return tl::unexpected(InputError{.what = "this is not a point file: xyz, csv, obj, ply, stl or off"});
   if (format == Format::kStlBinary && !has_size_of_stl(bytes) && extension != "stl" && lower_case(start) != "solid")
     return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "the data is binary, but neither PLY nor STL");
   Read<PointFile> file = read_as(format, bytes, skip_nan);

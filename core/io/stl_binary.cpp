@@ -23,6 +23,16 @@ std::uint64_t size_claimed(std::string_view bytes) {
 
 }  // namespace
 
+namespace {
+
+/// Whether what follows the claimed triangles could be more of them: then some would be lost. Padding is none.
+bool has_more_triangles(std::string_view bytes, std::uint64_t claimed) {
+  if (bytes.size() < claimed + kTriangle) return false;
+  return bytes.find_first_not_of(std::string_view("\0 \t\r\n", 5), claimed) != std::string_view::npos;
+}
+
+}  // namespace
+
 bool has_size_of_stl(std::string_view bytes) { return bytes.size() >= kStart && bytes.size() == size_claimed(bytes); }
 
 Read<PointFile> read_stl_binary(std::string_view bytes, bool skip_nan) {
@@ -34,7 +44,7 @@ Read<PointFile> read_stl_binary(std::string_view bytes, bool skip_nan) {
   if (bytes.size() < claimed && std::all_of(count.begin(), count.end(),
                                             [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); }))
     return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "there is a zero byte in the text");
-  if (bytes.size() < claimed || (claimed == kStart && bytes.size() > kStart))
+  if (bytes.size() < claimed || (claimed == kStart && bytes.size() > kStart) || has_more_triangles(bytes, claimed))
     return at_byte(kHeader, "the header claims " + counted(word_at(bytes, kHeader), "triangle") + ", which is " +
                                 std::to_string(size_claimed(bytes)) + " bytes, and the file has " +
                                 std::to_string(size));

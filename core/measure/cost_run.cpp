@@ -104,7 +104,8 @@ bool CostRun::climb() {
   row_.algorithm = algorithm().name;
   row_.points = ladder.reached();
   row_.of = fit::size_of(points_);
-  if (row_.points < std::min(row_.of, algorithm().most_finished)) row_.whole_ns = whole_time(ladder);
+  const bool stopped = algorithm().most_finished < algorithm().max_points && row_.points == algorithm().most_finished;
+  if (row_.points < row_.of && !stopped) row_.whole_ns = whole_time(ladder);
   return true;
 }
 

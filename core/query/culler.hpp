@@ -20,7 +20,7 @@ class Culler {
     for (int i = 0; i < kFrustumPlanes<Dim>; ++i) {
       const Plane<Scalar, Dim>& plane = frustum[i];
       const Scalar length = length_of(plane);
-      planes_[static_cast<std::size_t>(i)] = {plane.normal / length, plane.d / length};
+      planes_[i] = {plane.normal / length, plane.d / length};
       farthest_ = std::max(farthest_, std::abs(plane.d / length));
     }
   }

@@ -49,6 +49,7 @@ test("sizes and counted operations are those of snug cost", () => {
         if (fitter.endsWith("by_hand") || size === undefined) continue;
         const [row] = JSON.parse(good(["cost", ...from, "--dim", `${dim}`, "--seed", `${seed}`, "--volume", kind, "--algorithms", fitter, "--repeat", "1", "--json"])).rows;
         const says = `${lesson.id}, ${name}, ${algorithm}`;
+        if (row.points < row.of) continue; // a limit of its own would stop the run: fewer points are measured
         if (kind === "sphere") same(figures.radius, row.size, `${says}: radius`), ++compared.sizes;
         else if (figures.measure !== undefined) same(figures.measure, row.size, `${says}: size`), ++compared.sizes;
         for (const [count, value] of Object.entries(row.operations))

@@ -29,7 +29,7 @@ export class PointTools {
   #seed = element("input", { type: "number", min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, inputmode: "numeric" });
   #point = element("input", { type: "number", min: 0, step: 1, inputmode: "numeric", placeholder: "none", "aria-label": "Selected point" });
   #axes = kAxes.map((axis) => element("input", { type: "number", step: "any", inputmode: "decimal", "aria-label": `${axis} of the selected point` }));
-  #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.json" });
+  #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.off,.json" });
   #delete = button("Delete", () => this.#command("delete_point"));
   #count_label = label("How many", this.#count);
 

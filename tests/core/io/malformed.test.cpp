@@ -34,7 +34,7 @@ std::string little_ply(const std::string& header, const std::string& body) {
   return "ply\nformat binary_little_endian 1.0\n" + header + "end_header\n" + body;
 }
 
-const std::string kNoPointFile = ": this is not a point file: xyz, csv, obj, ply or stl";
+const std::string kNoPointFile = ": this is not a point file: xyz, csv, obj, ply, stl or off";
 const std::string kTooLarge = " is too large: coordinates reach to 2^508, about 8.3e152";
 
 }  // namespace

@@ -29,7 +29,7 @@ void check(const std::vector<Odd>& files, bool skip_nan = false) {
   }
 }
 
-void check_refused(const std::vector<std::array<std::string, 3>>& cases) {
+void check_refusals(const std::vector<std::array<std::string, 3>>& cases) {
   for (const auto& [name, bytes, message] : cases) {
     const auto file = io::read_points(bytes, name);
     REQUIRE(!file);
@@ -58,7 +58,7 @@ TEST_CASE("tables with more columns, headers and other punctuation") {
       {"cr.xyz", "1 2 3\r4 5 6\r", 2},
       {"lfcr.xyz", "1 2 3\n\r4 5 6\n\r", 2},
   });
-  check_refused({
+  check_refusals({
       {"order.csv", "id,x,y,z\n7,1,2,3\n", ":1: column 1 is \"id\": the first columns must be x, y and z"},
       {"swapped.csv", "y,x\n1,2\n", ":1: column 1 is \"y\": the first columns must be x, y and z"},
       {"comma.csv", "1,5;2,5\n", ":1: \"1,5\" is not a number: write decimals with a point, not a comma"},
@@ -77,7 +77,7 @@ TEST_CASE("OBJ: what points do not need") {
       {"words.obj", kThree + "vw 1\nt 0 0\nKa 1 1 1\n", 3, "3 statements unknown to OBJ"},
       {"lone.obj", "v 0 0 0\rv 1 0 0\r", 2},
   });
-  check_refused({
+  check_refusals({
       {"joined.obj", "v 0 0 0\nvt 0 0 \\\nv 9 9 9\n",
        ":2: the line ends in a backslash, and the next line is a statement of its own"},
       {"joined.obj", "v 0 0 0 \\\nv 9 9 9\n",
@@ -102,8 +102,8 @@ TEST_CASE("PLY: what points do not need") {
       {"more_bytes.ply", bytes + "\n\rabc", 1, "3 bytes after the data"},
   });
   CHECK(io::read_points(bytes + "\n\r", "cr.ply")->points[0] == Vector<double, 3>(10, 13, 0));
-  check_refused({{"short.ply", kPly + "end_header\n1\n2 3\n4\n",
-                  ":7: the line has fewer values than the header says, and the next line has more"}});
+  check_refusals({{"short.ply", kPly + "end_header\n1\n2 3\n4\n",
+                   ":7: the line has fewer values than the header says, and the next line has more"}});
 }
 
 TEST_CASE("STL: what points do not need") {
@@ -116,6 +116,7 @@ TEST_CASE("STL: what points do not need") {
   quad.insert(quad.find("endloop"), "vertex 1 1 0\n");
   check({
       {"lf.stl", binary + "\n", 4, "1 byte after the data", 4},
+      {"zeros.stl", binary + zeros(512), 4, "512 bytes after the data", 4},
       {"padded.stl", "solid a\n" + kFacet + "endsolid\n" + zeros(100), 3, "", 1},
       {"two_words.stl", "solid a\n" + kFacet + "end solid a\n", 3, "", 1},
       {"one_word.stl", "SOLID a\n" + kFacet + "endsolidName\n", 3, "", 1},
@@ -126,10 +127,10 @@ TEST_CASE("STL: what points do not need") {
       {"quad.stl", "solid a\n" + quad + "endsolid a\n", 4, "", 2},
       {"facet.stl", "solid my facet normal\n" + kFacet + "endsolid my facet normal\n", 3, "", 1},
   });
-  check_refused(
+  check_refusals(
       {{"start.stl", zeros(1) + "solid a\n" + kFacet + "endsolid a\n", ":byte 0: there is a zero byte in the text"}});
-  check_refused({{"zeros.stl", "solid a\n" + kFacet + zeros(80) + kFacet + "endsolid\n",
-                  ":9: there is a zero byte in the text"}});
+  check_refusals({{"zeros.stl", "solid a\n" + kFacet + zeros(80) + kFacet + "endsolid\n",
+                   ":9: there is a zero byte in the text"}});
 }
 
 TEST_CASE("OFF is read; its variants, PCD and JSON are named") {
@@ -138,7 +139,7 @@ TEST_CASE("OFF is read; its variants, PCD and JSON are named") {
       {"t.off", "OFF 4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n2 0 1\n5\n", 4,
        "1 face of fewer than three vertices, 1 line after the data", 2},
   });
-  check_refused({
+  check_refusals({
       {"t.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n", ":4: the file ends before all that it claims"},
       {"t.off", "OFF\n999999999 0 0\n0 0 0\n", ":2: the file claims 999999999 vertices, and is too short for that"},
       {"t.off", "OFF\n1 1 0\n0 0 0\n3 0 0 1\n", ":4: the face names vertex 1, counted from 0, and there are 1"},
@@ -169,6 +170,6 @@ TEST_CASE("points and points passed over add up to the file, in every format") {
           {"t.off", "OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", 2, nan},
       },
       true);
-  check_refused({{"t.off", "OFF\n2 0 0\n0 0 0\n1 0 nan\n", ":4: \"nan\" is not a finite number"},
-                 {"t.xyz", "0 0 0\nnan 0 0\n", ":2: \"nan\" is not a finite number"}});
+  check_refusals({{"t.off", "OFF\n2 0 0\n0 0 0\n1 0 nan\n", ":4: \"nan\" is not a finite number"},
+                  {"t.xyz", "0 0 0\nnan 0 0\n", ":2: \"nan\" is not a finite number"}});
 }
