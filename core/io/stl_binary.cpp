@@ -28,7 +28,8 @@ namespace {
 /// Whether what follows the claimed triangles could be more of them: then some would be lost. Padding is none.
 bool has_more_triangles(std::string_view bytes, std::uint64_t claimed) {
   if (bytes.size() < claimed + kTriangle) return false;
-  return bytes.find_first_not_of(std::string_view("\0 \t\r\n", 5), claimed) != std::string_view::npos;
+  const std::string_view rest = bytes.substr(static_cast<std::size_t>(claimed));
+  return rest.find_first_not_of(std::string_view("\0 \t\r\n", 5)) != std::string_view::npos;
 }
 
 }  // namespace
