@@ -53,6 +53,7 @@ class PointSubject : public Subject {
   [[nodiscard]] std::string name_of(Index i) const override { return point_name(i, names_); }
   /// In float, the rounded ones.
   [[nodiscard]] const AnyPointSet* points() const override { return rounded_ ? &*rounded_ : &unrounded_; }
+  [[nodiscard]] const AnyPointSet* unrounded_points() const override { return &unrounded_; }
   Done set_float(bool in_float) override;
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "the points and the volume around them"; }

@@ -262,6 +262,8 @@ class Subject {
 
   /// The points, if the subject has points; null otherwise.
   [[nodiscard]] virtual const AnyPointSet* points() const { return nullptr; }
+  /// The same before they were rounded to float.
+  [[nodiscard]] virtual const AnyPointSet* unrounded_points() const { return points(); }
   /// The triangles of the mesh whose vertices the points are; empty otherwise.
   [[nodiscard]] virtual std::span<const std::array<Index, 3>> triangles() const { return {}; }
 

@@ -3,6 +3,7 @@
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_files.hpp"
+#include "lesson/point_subject.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::desktop {
@@ -58,7 +59,8 @@ tl::expected<PointCase, InputError> point_case(const std::string& name) {
   const lesson::Lesson& own = session->lesson();
   const lesson::Method* const first = lesson::find_method(own, own.algorithms.front());
   if (points == nullptr || first == nullptr) return not_about(name, "points");
-  return PointCase{*points, std::string(first->volume), std::string(first->name)};
+  return PointCase{*points, lesson::all_points(*session->subject().unrounded_points()), std::string(first->volume),
+                   std::string(first->name)};
 }
 
 tl::expected<std::string, InputError> overlap_case(const std::string& name) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "fit/catalogue.hpp"
 #include "geometry/input_error.hpp"
@@ -11,8 +12,9 @@ namespace snug::desktop {
 
 /// A case of points.
 struct PointCase {
-  AnyPointSet points;             // in the case's own scalar
-  std::string volume, algorithm;  // the first that it offers
+  AnyPointSet points;                    // in the case's own scalar
+  std::vector<Vector<double, 3>> given;  // before they were rounded to it
+  std::string volume, algorithm;         // the first that it offers
 };
 
 /// Errors: there is no such case; those of its file; it is not about points.

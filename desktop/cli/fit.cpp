@@ -5,6 +5,7 @@
 #include "desktop/cli/timing.hpp"
 #include "desktop/cli/trace_file.hpp"
 #include "fit/catalogue.hpp"
+#include "fit/rounded.hpp"
 #include "lesson/point_subject.hpp"
 
 namespace snug::desktop {
@@ -44,15 +45,30 @@ tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& o
                                                      options.volume + "; known: " + known});
 }
 
-tl::expected<AnyPointSet, InputError> read_points(const FitOptions& options) {
+/// The points that are fitted, and where they are in float, what they were before they were rounded.
+struct FitPoints {
+  AnyPointSet set;
+  std::vector<Vector<double, 3>> given = {};
+};
+FitPoints with_given(AnyPointSet&& set, std::vector<Vector<double, 3>>&& given) {
+  if (!fit::are_float(set)) return {std::move(set)};
+  return {std::move(set), std::move(given)};
+}
+
+tl::expected<FitPoints, InputError> read_points(const FitOptions& options) {
+  const bool single = options.scalar == "float";
   if (!options.name.empty())
-    return point_case(options.name).and_then([&](PointCase&& own) -> tl::expected<AnyPointSet, InputError> {
-      if (options.scalar.empty() && options.dim == 0) return std::move(own.points);
+    return point_case(options.name).and_then([&](PointCase&& own) -> tl::expected<FitPoints, InputError> {
+      if (options.scalar.empty() && options.dim == 0) return with_given(std::move(own.points), std::move(own.given));
       const int dim = options.dim == 0 ? fit::dim_of(own.points) : options.dim;
-      return lesson::to_set(lesson::all_points(own.points), dim, options.scalar == "float");
+      return lesson::to_set(lesson::all_points(own.points), dim, single).map([&](AnyPointSet&& set) {
+        return with_given(std::move(set), std::move(own.given));
+      });
     });
-  return read_point_file(options.file, options.reading).and_then([&](const io::PointFile& file) {
-    return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
+  return read_point_file(options.file, options.reading).and_then([&](io::PointFile&& file) {
+    return io::to_point_set(file, options.file, options.dim, single).map([&](AnyPointSet&& set) {
+      return with_given(std::move(set), std::move(file.points));
+    });
   });
 }
 
@@ -75,15 +91,15 @@ tl::expected<FitOptions, InputError> completed(FitOptions options) {
   return options;
 }
 
-tl::expected<AnyPointSet, InputError> points_of(const FitOptions& options, const fit::Algorithm& algorithm) {
+tl::expected<FitPoints, InputError> points_of(const FitOptions& options, const fit::Algorithm& algorithm) {
   auto points = read_points(options);
-  if (points && !fit::takes(algorithm, fit::dim_of(*points)))
+  if (points && !fit::takes(algorithm, fit::dim_of(points->set)))
     return tl::unexpected(InputError{.what = options.algorithm + " takes points of " + (algorithm.plane ? "2" : "3") +
-                                             " coordinates, and these have " + std::to_string(fit::dim_of(*points)),
+                                             " coordinates, and these have " + std::to_string(fit::dim_of(points->set)),
                                      .file = options.file});
-  if (points && fit::size_of(*points) > algorithm.max_points)
-    return tl::unexpected(InputError{.what = "there are " + std::to_string(fit::size_of(*points)) + " points, and " +
-                                             options.algorithm + " takes at most " +
+  if (points && fit::size_of(points->set) > algorithm.max_points)
+    return tl::unexpected(InputError{.what = "there are " + std::to_string(fit::size_of(points->set)) +
+                                             " points, and " + options.algorithm + " takes at most " +
                                              std::to_string(algorithm.max_points),
                                      .file = options.file});
   return points;
@@ -104,17 +120,23 @@ tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fi
   return (*trace)->put_in_place().map([&] { return watched; });
 }
 
-Json result_of(const fit::Algorithm& algorithm, const AnyPointSet& points, const fit::Watched& watched,
+Json result_of(const fit::Algorithm& algorithm, const FitPoints& points, const fit::Watched& watched,
                const cost::Timing& timing) {
-  const int dim = fit::dim_of(points);
+  const int dim = fit::dim_of(points.set);
   const fit::Certificate& proof = watched.certificate;
   Json json;
   json[std::string(algorithm.volume)] = json_of(watched.result.volume, dim);
-  json["points"] = fit::size_of(points);
+  json["points"] = fit::size_of(points.set);
   json["support"] = Json::array();
   for (const Index i : watched.result.support) json["support"].push_back(i);
   json["measure"] = fit::measure_of(watched.result.volume, dim);
   json["max_outside"] = proof.max_outside;
+  if (fit::are_float(points.set)) {
+    const fit::Rounded rounded = fit::rounded(watched.result, proof, points.set, points.given);
+    json["rounded_by"] = rounded.by;
+    json["max_outside_of_file"] = rounded.max_outside;
+    json["certificate_of"] = "points rounded to float";
+  }
   json["certificate"] = {{"contains", proof.contains},
                          {"on_boundary", proof.on_boundary},
                          {"optimal", proof.optimal ? Json(*proof.optimal) : Json()}};
@@ -134,10 +156,10 @@ CommandResult run_fit(const FitOptions& given) {
   const auto points = points_of(options, **algorithm);
   if (!points) return bad_input(points.error());
 
-  const auto watched = watch(options, **algorithm, *points);
+  const auto watched = watch(options, **algorithm, points->set);
   if (!watched) return bad_input(watched.error());
   const fit::Options chosen{.seed = options.seed};
-  const cost::Timing timing = time_of([&] { (void)(*algorithm)->fit(*points, chosen); }, options.repeat);
+  const cost::Timing timing = time_of([&] { (void)(*algorithm)->fit(points->set, chosen); }, options.repeat);
   return Printed{line_of(result_of(**algorithm, *points, *watched, timing)), watched->certificate.contains ? 0 : 1};
 }
 
@@ -147,6 +169,11 @@ constexpr const char* kFitFooter = R"(Prints one JSON object:
   measure                   its 3-D volume or 2-D area; null if that is too large for a double
   max_outside               the farthest any point lies outside; 0 if the volume contains all points
   certificate               {contains, on_boundary, optimal}; optimal is null if the algorithm does not guarantee it
+  In float the points are rounded first. measure, max_outside, the certificate and the exit status are then about the
+  rounded points, and three more fields say what that leaves out:
+  rounded_by                how far rounding moved a point, at most
+  max_outside_of_file       the farthest any point lies outside as it was read, in double; of a case, as it is written
+  certificate_of            which points the certificate is about: "points rounded to float"
   steps, operations         the number of steps, and the operation counts by name
   time_ns                   {median, min, repeats} of a run without an observer
 

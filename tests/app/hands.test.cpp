@@ -466,6 +466,9 @@ TEST_CASE("at the end the certificate stands beside the stage with its exact num
   const std::string heading = "The certificate, number by number";
   const auto drawn = drawn_at_end(bench);
   CHECK(wrote(drawn, heading));
+  CHECK(std::any_of(drawn.begin(), drawn.end(), [](const DrawnWords& one) {  // it runs in float
+    return one.words.starts_with("All of this is about the points");
+  }));
   const auto lines = lesson::certificate_lines(lesson::fit_run(bench.session().run(0)));
   REQUIRE(lines.has_value());
   CHECK(lines->contained.front().excess.sign > 0);              // the naive circle leaves a point outside

@@ -70,6 +70,31 @@ test("numbers read back to the same bits, and float results are floats", () => {
   assert.deepEqual(fit("ritter", "--scalar", "float", points).sphere.center, [0.1, 0.2, 0.3].map(Math.fround));
 });
 
+test("in float fit says how far rounding moved the points, and how far outside it leaves those of the file", () => {
+  const far = write("far_off.xyz", "100000003 0 0\n100000003 0 1\n"); // floats there are 8 apart
+  const volumes = { sphere: "welzl", aabb: "min_max", obb: "exact", capsule: "pca", lozenge: "pca", kdop: "k14", hull: "quickhull" };
+  for (const [volume, algorithm] of Object.entries(volumes)) {
+    const result = JSON.parse(good(["fit", "--volume", volume, "--algorithm", algorithm, "--scalar", "float", far]));
+    assert.equal(result.max_outside, 0, volume);
+    assert.equal(result.certificate.contains, true, volume);
+    assert.equal(result.rounded_by, 3, volume);
+    assert.equal(result.certificate_of, "points rounded to float", volume);
+    const outside = volume === "sphere" ? Math.hypot(3, 0.5) - 0.5 : 3;
+    assert.ok(Math.abs(result.max_outside_of_file - outside) < 1e-6, `${volume} ${result.max_outside_of_file}`);
+  }
+});
+
+test("points that are floats already lose nothing, and in double there is nothing to say of rounding", () => {
+  const same = fit("welzl", "--scalar", "float", tetra);
+  assert.deepEqual([same.rounded_by, same.max_outside_of_file], [0, 0]);
+  const third = fit("welzl", "--scalar", "float", "--dim", "3", write("thirds.csv", "0.1,0.2\n-0.1,0.7\n"));
+  assert.ok(third.rounded_by > 1e-9 && third.rounded_by < 1e-7);
+  assert.ok(third.max_outside_of_file <= third.rounded_by);
+  assert.equal("rounded_by" in fit("welzl", tetra), false);
+  const twins = JSON.parse(good(["fit", "--case", "far-sphere", "--volume", "sphere", "--algorithm", "welzl"]));
+  assert.ok(twins.rounded_by >= 0 && twins.max_outside_of_file >= 0);
+});
+
 test("- is xyz on standard input", () => {
   const out = good(fit_args("welzl", "-"), "-3 0 0\n3 0 0\n");
   assert.equal(JSON.parse(out).sphere.radius, 3);

@@ -135,6 +135,7 @@ float draw_certificate_panel(const Look& look, const lesson::Session& session, c
     for (std::size_t axis = 0; axis < lines.mean_off.size(); ++axis)
       writer.sum(std::string("∑ λp − c, ") + "xyz"[axis], lines.mean_off[axis]);
   }
+  if (lines.rounded) writer.says(lesson::rounded_text(*lines.rounded));
   pointed = writer.pointed();
   return writer.bottom() - at.y;
 }

@@ -220,6 +220,21 @@ class Prover {
     return proof_;
   }
 
+  double max_outside(std::span<const double> at_most) {
+    if (!well_formed()) return 0;
+    prove_shape();
+    std::vector<Index> order(static_cast<std::size_t>(points_.size()));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return at_most[a] != at_most[b] ? at_most[a] > at_most[b] : a < b; });
+    double most = 0;
+    for (const Index i : order) {
+      if (at_most[i] <= most) break;
+      if (!holds(points_[i])) most = std::max(most, query::outside_by(hull_, points_[i]));
+    }
+    return most;
+  }
+
  private:
   /// Whether every index is in range, and there are as many vertices and facets as the dimension asks for.
   [[nodiscard]] bool well_formed() const {
@@ -310,6 +325,15 @@ Certificate certify(const Fit<ConvexHull<Scalar, Dim>>& fit, PointSpan<Scalar, D
   if (claims_optimal) certificate.optimal = proof.holds();
   return certificate;
 }
+
+template <class Scalar, int Dim>
+double max_outside(const ConvexHull<Scalar, Dim>& hull, PointSpan<Scalar, Dim> points,
+                   std::span<const double> at_most) {
+  return Prover<Scalar, Dim>(hull, points).max_outside(at_most);
+}
+
+template double max_outside(const ConvexHull<double, 2>&, PointSpan<double, 2>, std::span<const double>);
+template double max_outside(const ConvexHull<double, 3>&, PointSpan<double, 3>, std::span<const double>);
 
 #define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
   template HullProof prove_hull(const ConvexHull<Scalar, Dim>&, PointSpan<Scalar, Dim>);                               \

@@ -1,6 +1,8 @@
 // Proves a convex hull from the returned numbers and the points alone.
 #pragma once
 
+#include <span>
+
 #include "fit/certify.hpp"
 #include "geometry/hull.hpp"
 
@@ -31,5 +33,11 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard]] Certificate certify(const Fit<ConvexHull<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> points,
                                   bool claims_optimal);
+
+/// The farthest that a point lies outside the hull, as the proof says it. at_most: a bound for each point; only those
+/// with the largest bounds are looked at, since a point outside takes time that is linear in the hull.
+template <class Scalar, int Dim>
+[[nodiscard]] double max_outside(const ConvexHull<Scalar, Dim>& hull, PointSpan<Scalar, Dim> points,
+                                 std::span<const double> at_most);
 
 }  // namespace snug::fit

@@ -68,12 +68,13 @@ CovarianceFound<Scalar, Dim> covariance_of(const Vector<Scalar, Dim>& mean, Poin
 template <class Scalar, int Dim>
 [[nodiscard]] AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread);
 
-/// The same for points so close together that their squared distances underflow: the axes are then those of the points
-/// magnified by a power of two, which takes two more passes.
+/// The same for points so close together that their squared distances lose digits to underflow: the axes are then those
+/// of the points magnified by a power of two, to the same bits, which takes two more passes.
 template <class Scalar, int Dim, class Observer>
 AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread, PointSpan<Scalar, Dim> points,
                                       Observer& observe) {
-  constexpr Scalar kSound = std::numeric_limits<Scalar>::min() / tolerance::kRoundoff<Scalar>;
+  constexpr Scalar kRoundoff = tolerance::kRoundoff<Scalar>;
+  constexpr Scalar kSound = std::numeric_limits<Scalar>::min() / kRoundoff / kRoundoff / kRoundoff;
   if (spread.covariance.cwiseAbs().maxCoeff() > kSound) return principal_axes(spread);
   Scalar largest = 0;
   for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - spread.mean).cwiseAbs().maxCoeff());
@@ -81,9 +82,10 @@ AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread
   if (largest == 0) return principal_axes(spread);
   const Scalar scale =
       std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), std::numeric_limits<Scalar>::max_exponent - 1));
-  CovarianceFound<Scalar, Dim> magnified{spread.mean, sum_of_products(spread.mean, scale, points, observe)};
+  const auto n = static_cast<Scalar>(points.size());
+  const CovarianceFound<Scalar, Dim> magnified{spread.mean, sum_of_products(spread.mean, scale, points, observe) / n};
   AxesFound<Scalar, Dim> found = principal_axes(magnified);
-  found.variances = (found.variances / static_cast<Scalar>(points.size()) / scale / scale).eval();
+  found.variances = (found.variances / scale / scale).eval();
   return found;
 }
 

@@ -39,7 +39,7 @@ inline std::vector<Index> random_sample(Index points, std::uint64_t seed) {
 /// >= 1 finite points, scene units. O(n) time for each pass. There are few passes, but no bound on their number is
 /// proven. O(sqrt n) memory.
 /// Where points are closer together than about 1e-154 (in float 1e-19), squared distances underflow: the sphere then
-/// contains them all but need not be the smallest, and the certificate says so.
+/// contains them all but need not be the smallest. The catalogue's rows enlarge such points first (tiny.hpp).
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> pivot(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
   using Step = SphereStep<Scalar, Dim>;

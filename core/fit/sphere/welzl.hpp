@@ -113,7 +113,7 @@ class Welzl {
 /// The smallest enclosing ball, by Welzl's move-to-front recursion over the points in random order.
 /// points: n >= 1 finite points, scene units. Expected O(n) time; 4 n bytes for the list.
 /// Where points are closer together than about 1e-154 (in float 1e-19), squared distances underflow: the sphere then
-/// contains them all but need not be the smallest, and the certificate says so.
+/// contains them all but need not be the smallest. The catalogue's rows enlarge such points first (tiny.hpp).
 template <class Scalar, int Dim, StepObserver<SphereStep<Scalar, Dim>> Observer = Ignore>
 Fit<Sphere<Scalar, Dim>> welzl(PointSpan<Scalar, Dim> points, const Options& options, Observer&& observe = {}) {
   return Welzl<Scalar, Dim, std::remove_reference_t<Observer>>(points, observe).run(options.seed);

@@ -167,7 +167,7 @@ struct Draw {
     return turned(std::move(all));
   }
   Points scaled() {
-    const int exponent = is_float ? static_cast<int>(random.below(35)) - 18 : static_cast<int>(random.below(303)) - 151;
+    const int exponent = is_float ? static_cast<int>(random.below(54)) - 37 : static_cast<int>(random.below(459)) - 307;
     const double size = ten_to(exponent);
     return points([&] { return any(size); });
   }
@@ -211,9 +211,8 @@ constexpr std::array kFamilies{
            [](const Traits& t, bool f) { return t.farthest > (f ? 5e2 : 5e5) * t.radius; }},
     Family{"a unit sphere 1e9 away", true, 1, 1,
            [](const Traits& t, bool f) { return t.farthest > (f ? 1.5e4 : 5e8) * t.radius; }},
-    // A PointSet takes coordinates up to 2^508, about 8e152. Below 1e-154 squares of distances lose digits: Ritter's
-    // spheres still contain all points, but what supports them is no longer on the boundary.
-    Family{"scales from 1e-151 to 1e151", true, 1, 0.8,
+    // A PointSet takes coordinates up to 2^508, about 8e152; normal numbers end at 2e-308.
+    Family{"scales from 1e-307 to 1e151", true, 1, 0.8,
            [](const Traits& t, bool f) { return t.radius < (f ? 1e-2 : 1e-20) || t.radius > (f ? 1e2 : 1e20); }},
     Family{"one far outlier", true, 1, 0.9, [](const Traits& t, bool) { return t.support == 2 && t.farthest > 100; }},
     Family{"platonic solids", true, 1, 0.6, round_to_ulps},

@@ -78,7 +78,7 @@ ExactNumber exact_number(const Dyadic& value) {
   return {(negative ? "−" : "") + digits, exponent != 0 ? " × 2" + raised(exponent) : "", value.sign()};
 }
 
-std::optional<CertificateLines> certificate_lines(const FitRun& run) {
+std::optional<CertificateLines> certificate_lines(const FitRun& run, const AnyPointSet* given) {
   const fit::Result& result = run.recording().result;
   const auto* sphere = std::get_if<fit::Sphere3>(&result.volume);
   if (sphere == nullptr) return std::nullopt;
@@ -92,12 +92,23 @@ std::optional<CertificateLines> certificate_lines(const FitRun& run) {
                              i < weights.size() ? std::optional(weights[i]) : std::nullopt});
   }
   add_mean(lines, run, *sphere);
+  if (given != nullptr && fit::are_float(run.points()))
+    lines.rounded = fit::rounded(result, run.recording().certificate, run.points(), all_points(*given));
   return lines;
+}
+
+std::string rounded_text(const fit::Rounded& rounded) {
+  if (rounded.by == 0) return "All of this is about the points in float: rounding moved none of them.";
+  const std::string moved = "All of this is about the points as rounded to float, which moved them by " +
+                            number_text(rounded.by) + " units at most. Before that, ";
+  return moved + (rounded.max_outside == 0
+                      ? "they were all inside as well."
+                      : "the farthest lay " + number_text(rounded.max_outside) + " units outside.");
 }
 
 double widened_ulps(const AnyPointSet& points, const fit::Sphere3& sphere) {
   double nearest = farthest_distance(points, sphere.center);
-  if (are_float(points)) nearest = static_cast<float>(nearest);
+  if (fit::are_float(points)) nearest = static_cast<float>(nearest);
   return (sphere.radius - nearest) / ulp_of(points, sphere.radius);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/rounded.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "number/dyadic.hpp"
 
@@ -39,10 +40,15 @@ struct CertificateLines {
   // axis.
   std::optional<ExactNumber> sum_off;
   std::vector<ExactNumber> mean_off;
+  std::optional<fit::Rounded> rounded;  // in float: what lines about the rounded points leave out
 };
 
-/// Those of a finished run; none if its result is no sphere.
-[[nodiscard]] std::optional<CertificateLines> certificate_lines(const FitRun& run);
+/// Those of a finished run; none if its result is no sphere. given: its points before they were rounded to float;
+/// null if they are not known.
+[[nodiscard]] std::optional<CertificateLines> certificate_lines(const FitRun& run, const AnyPointSet* given = nullptr);
+
+/// Which points the lines are about, where the run is in float: "These points are rounded to float, …".
+[[nodiscard]] std::string rounded_text(const fit::Rounded& rounded);
 
 /// The ulps by which the radius is larger than the farthest point's distance, once that is rounded to the nearest
 /// number of its scalar. A certified radius is widened by so much.

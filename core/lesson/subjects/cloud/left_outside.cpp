@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/rounded.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/orientation.hpp"
 #include "geometry/sphere.hpp"
@@ -86,12 +87,8 @@ class Outline {
 
 }  // namespace
 
-bool are_float(const AnyPointSet& points) {
-  return std::visit([](const auto& set) { return sizeof(set[0][0]) == sizeof(float); }, points);
-}
-
 double ulp_of(const AnyPointSet& points, double size) {
-  return are_float(points) ? ulp_in<float>(size) : ulp_in<double>(size);
+  return fit::are_float(points) ? ulp_in<float>(size) : ulp_in<double>(size);
 }
 
 LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> support) {

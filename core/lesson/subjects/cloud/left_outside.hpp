@@ -27,8 +27,6 @@ struct LeftOutside {
   [[nodiscard]] double ulps() const { return by > 0 ? by / radius_ulp : 0; }
 };
 
-/// Whether the points are held in float.
-[[nodiscard]] bool are_float(const AnyPointSet& points);
 /// An ulp of a size in the scalar of the points, scene units.
 [[nodiscard]] double ulp_of(const AnyPointSet& points, double size);
 

@@ -122,6 +122,24 @@ TEST_CASE("points beyond the first few are counted, and so are those of them tha
   CHECK(certificate_lines(FitRun(points, false, std::move(small)))->others_outside == 24);
 }
 
+TEST_CASE("in float the lines say how far rounding moved the points, and how far outside that leaves those given") {
+  const AnyPointSet given = *PointSet<double, 2>::make({{1e8 + 3, 0}, {1e8 + 5, 0}});  // floats there are 8 apart
+  const AnyPointSet rounded = *PointSet<float, 2>::make({{1e8f, 0}, {1e8f + 8, 0}});
+  const auto lines = certificate_lines(run_of(rounded, "welzl"), &given);
+  REQUIRE(lines->rounded.has_value());
+  CHECK(lines->rounded->by == 3);
+  CHECK(lines->rounded->max_outside == 0);
+  CHECK(rounded_text(*lines->rounded)
+            .ends_with("moved them by 3.000 units at most. Before that, they were all inside as well."));
+
+  const AnyPointSet moved = *PointSet<float, 2>::make({{1e8f, 0}});
+  const AnyPointSet near = *PointSet<double, 2>::make({{1e8 + 3, 0}});
+  CHECK(rounded_text(*certificate_lines(run_of(moved, "welzl"), &near)->rounded)
+            .ends_with("Before that, the farthest lay 3.000 units outside."));
+  CHECK(rounded_text({}) == "All of this is about the points in float: rounding moved none of them.");
+  CHECK_FALSE(certificate_lines(run_of(given, "welzl"), &given)->rounded.has_value());
+}
+
 TEST_CASE_TEMPLATE("a certified radius is the rounded distance, widened by an ulp at most", Scalar, float, double) {
   int widened = 0, kept = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
