@@ -94,6 +94,7 @@ struct App::State {
   [[nodiscard]] bool look_around(std::string_view name);
   [[nodiscard]] bool move(std::string_view name);
   [[nodiscard]] int percent() const { return cover != nullptr ? static_cast<int>(100 * cover->progress()) : 0; }
+  void decide_by_measuring();
   [[nodiscard]] bool covered() const { return cover != nullptr && cover->shown(); }
   void draw_stage(const Rect& rect);
   void invite(const Rect& rect);
@@ -230,6 +231,13 @@ bool App::State::player(std::string_view name) {
   else return false;
   playing = false;
   return session->step() != before || session->previewing() != previewing;
+}
+
+/// Starts what decides the predictions about the cover, once all of them are given and one waits for it.
+void App::State::decide_by_measuring() {
+  const auto waits = [](const lesson::Outcome& outcome) { return outcome.pending && !outcome.skipped; };
+  if (cover == nullptr || cover->running() || session->asked() != nullptr) return;
+  if (std::any_of(session->outcomes().begin(), session->outcomes().end(), waits)) cover->command(*session, "measure");
 }
 
 bool App::State::edit(std::string_view name) {
@@ -434,6 +442,14 @@ bool App::command(std::string_view name) {
                         : s.player(name) || s.edit(name) || s.select(name) || s.look_around(name) || s.move(name);
   if (s.covered() && (s.playing || s.session->step() != step)) s.cover->show(false);  // a step is shown on the stage
   if (done) s.settle = std::max(s.settle, 1);
+  if (name == "commit_answer") s.decide_by_measuring();
+  return done;
+}
+
+bool App::pick_choice(int choice) {
+  if (!state_->session) return false;
+  const bool done = state_->session->pick({lesson::Answer::Kind::kChoice, choice});
+  state_->decide_by_measuring();
   return done;
 }
 

@@ -129,6 +129,9 @@ class App {
   /// command ends that. watch_outcome goes back to the question and plays up to the outcome; it fails if no steps lie
   /// between. Returns false if the name is unknown or the command impossible now (undo with nothing to undo).
   bool command(std::string_view name);
+  /// Chooses an answer to the open question by its number, as Session::pick does. Where the last prediction about a
+  /// cover was given, by this or by a command, measuring begins: it is what decides it.
+  bool pick_choice(int choice);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
   /// Arrow keys move the selected point if it was selected by a key, by select() or by a click without a drag.
   /// Otherwise, as after a drag or an answer, they step.

@@ -14,13 +14,15 @@ namespace snug::desktop {
 namespace {
 
 template <class Row>
-tl::expected<app::Chart, InputError> chart_of(const std::string& path, const std::string& then,
+tl::expected<app::Chart, InputError> chart_of(const std::string& text, const std::string& path, const std::string& then,
                                               app::Chart (*draw)(const cost::Table<Row>&, const cost::Table<Row>*)) {
-  const auto now = read_table<Row>(path);
+  const auto now = read_table<Row>(text, path);
   if (!now) return tl::unexpected(now.error());
   std::optional<cost::Table<Row>> before;
   if (!then.empty()) {
-    auto table = read_table<Row>(then);
+    const auto earlier = read_file(then);
+    if (!earlier) return tl::unexpected(earlier.error());
+    auto table = read_table<Row>(*earlier, then);
     if (!table) return tl::unexpected(table.error());
     constexpr bool kAnyNumber = std::is_same_v<Row, cost::GrowthRow>;
     if (auto other = of_other_points(now->provenance, table->provenance, then, kAnyNumber))
@@ -37,11 +39,12 @@ tl::expected<app::Chart, InputError> chart_of(const std::string& path, const std
 }
 
 /// The chart of the claim that the table is about.
-tl::expected<app::Chart, InputError> chart_of_trials(const std::string& path, const std::string& then) {
+tl::expected<app::Chart, InputError> chart_of_trials(const std::string& text, const std::string& path,
+                                                     const std::string& then) {
   const auto wrong = [&](std::string what) {
     return tl::unexpected(InputError{.what = std::move(what), .file = path});
   };
-  const auto table = read_table<cost::TrialRow>(path);
+  const auto table = read_table<cost::TrialRow>(text, path);
   if (!table) return tl::unexpected(table.error());
   if (!then.empty()) return wrong("is a table of trials, which are the same everywhere: --against has no use for it");
   if (table->rows.empty()) return wrong("has no rows");
@@ -64,10 +67,10 @@ tl::expected<app::Chart, InputError> read_chart(const std::string& path, const s
   const auto text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   const std::string table = table_name(*text);
-  if (table == cost::GrowthRow::kTable) return chart_of<cost::GrowthRow>(path, then, app::growth_chart);
-  if (table == cost::TurnRow::kTable) return chart_of<cost::TurnRow>(path, then, app::turn_chart);
-  if (table == cost::TrialRow::kTable) return chart_of_trials(path, then);
-  return chart_of<cost::CostRow>(path, then, app::cost_chart);
+  if (table == cost::GrowthRow::kTable) return chart_of<cost::GrowthRow>(*text, path, then, app::growth_chart);
+  if (table == cost::TurnRow::kTable) return chart_of<cost::TurnRow>(*text, path, then, app::turn_chart);
+  if (table == cost::TrialRow::kTable) return chart_of_trials(*text, path, then);
+  return chart_of<cost::CostRow>(*text, path, then, app::cost_chart);
 }
 
 }  // namespace snug::desktop

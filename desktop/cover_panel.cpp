@@ -98,7 +98,9 @@ void draw_cover_panel(Shell& shell, const app::Rect& rect) {
     column.gap(8);
     lesson::ProseFigures figures(session);
     if (session.asked() == nullptr && !cover.running() && cover.decided(session))
-      for (const lesson::Outcome& outcome : session.outcomes()) draw_outcome(column, outcome, figures), column.gap(8);
+      for (const lesson::Asked& asked : session.questions())  // those of this situation: the score counts no others
+        if (const lesson::Outcome* outcome = session.outcome_of(asked))
+          draw_outcome(column, *outcome, figures), column.gap(8);
     if (!session.lesson().subject->asks_of_steps) draw_score(shell, column);
   });
 }

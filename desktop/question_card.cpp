@@ -172,7 +172,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
                                  session.picked() != nullptr && answers(asked, *session.picked())},
                        RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
   const int clicked = draw_row(column, says, color, row);
-  if (chosen >= 0) static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, chosen}));
+  if (chosen >= 0) shell.app().pick_choice(chosen);
   else if (clicked == 0) shell.app().command("commit_answer");
   else if (clicked == 1) shell.app().command("skip_question");
 }
@@ -228,6 +228,20 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
 }
 
+/// Questions of the lesson that are still open: under what title, and the command that leads to them.
+struct Waiting {
+  std::string title, command;
+};
+
+std::vector<Waiting> waiting_in(const lesson::Session& session) {
+  std::vector<Waiting> all;
+  for (const lesson::Method* method : session.waiting())
+    all.push_back({lesson::title_in(session.lesson(), *method), "ask:" + lesson::name_in(session.lesson(), *method)});
+  for (const std::string& name : session.situations_waiting())
+    all.push_back({lesson::situation_title(session.lesson(), name), "situation:" + name});
+  return all;
+}
+
 /// The card at the lesson's end: each prediction leads back to its reason. The caller does what was clicked, after
 /// drawing the card.
 std::string draw_summary(Shell& shell, Column& column) {
@@ -271,16 +285,15 @@ std::string draw_summary(Shell& shell, Column& column) {
   }
   app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
   column.gap(12);
-  const auto situations = session.situations_waiting();
-  if (const auto waiting = session.waiting(); !waiting.empty() || !situations.empty()) {
+  // While questions wait, the main button leads to them, and not to the next lesson.
+  const std::vector<Waiting> waiting = waiting_in(session);
+  if (waiting.size() > 1) {
     column.words(lesson::kWaitingWord, Face::kRegular, 14);
     column.gap(6);
     std::vector<std::string> titles;
-    for (const lesson::Method* method : waiting) titles.push_back(lesson::title_in(session.lesson(), *method));
-    for (const std::string& name : situations) titles.push_back(lesson::situation_title(session.lesson(), name));
-    if (const auto clicked = static_cast<std::size_t>(column.buttons("waiting", titles, -1)); clicked < titles.size())
-      command = clicked < waiting.size() ? "ask:" + lesson::name_in(session.lesson(), *waiting[clicked])
-                                         : "situation:" + situations[clicked - waiting.size()];
+    for (std::size_t i = 1; i < waiting.size(); ++i) titles.push_back(waiting[i].title);
+    if (const auto clicked = static_cast<std::size_t>(column.buttons("waiting", titles)); clicked < titles.size())
+      command = waiting[clicked + 1].command;
     column.gap(10);
   }
   const auto grade = session.grade();
@@ -289,10 +302,13 @@ std::string draw_summary(Shell& shell, Column& column) {
   std::vector<RowButton> row{{"close_summary", lesson::kCloseWord, ButtonKind::kQuiet},
                              {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
   if (grade) row.push_back({"task", task});
-  if (shell.beside(1)) row.push_back({"next", lesson::kNextLessonWord, ButtonKind::kPrimary});
+  const auto next = waiting.empty() ? ButtonKind::kPrimary : ButtonKind::kOutlined;
+  if (shell.beside(1)) row.push_back({"next", lesson::kNextLessonWord, next});
+  const std::string go_on = waiting.empty() ? "" : std::string(lesson::kGoOnWord) + ' ' + waiting.front().title;
+  if (!waiting.empty()) row.push_back({waiting.front().command.c_str(), go_on, ButtonKind::kPrimary});
   // What leads on stands apart where a row has no room for all of them.
   const std::span<const RowButton> all = row;
-  const std::size_t apart = column.width() < look.px(420) ? 2 : 0;
+  const std::size_t apart = column.width() < look.px(420) || !waiting.empty() ? 2 : 0;
   if (apart > 0) {
     if (const int clicked = draw_row(column, {}, 0, all.first(apart)); clicked >= 0) command = all[clicked].id;
     column.gap(8);

@@ -191,8 +191,9 @@ void Shell::use_mesh(const std::string& name) {
 }
 
 void Shell::use_file(const std::string& path) {
-  if (app_.cover() != nullptr && is_table(path)) {
-    const auto table = table_as_csv(path);
+  if (const auto start = read_start(path, 4096); app_.cover() != nullptr && start && !table_name(*start).empty()) {
+    auto text = read_file(path);
+    const auto table = text ? table_as_csv(std::move(*text), path) : std::move(text);
     if (tell(table)) tell(*app_.cover()->lay_over(session(), *table, path));
     return;
   }

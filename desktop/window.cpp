@@ -258,7 +258,7 @@ bool choose(Shell& shell, const std::string& key) {
   if (asked == nullptr || key.size() != 1 || key[0] < '1' || key[0] > '9') return false;
   const int choice = key[0] - '1';
   if (choice >= static_cast<int>(asked->choices.size())) return false;
-  return shell.session().pick({lesson::Answer::Kind::kChoice, choice});
+  return shell.app().pick_choice(choice);
 }
 
 /// Closes what lies on top, or ends the presentation. Returns false if there was nothing to close.

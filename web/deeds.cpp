@@ -39,7 +39,7 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
 }
 
 void pick_choice(int choice) {
-  if (session()) session()->pick({lesson::Answer::Kind::kChoice, choice});
+  if (door().app) door().app->pick_choice(choice);
 }
 bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
 val targets() { return session() ? target_names(*session()) : val::array(); }

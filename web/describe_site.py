@@ -1,5 +1,8 @@
-"""describe_site.py SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a static host
-does not tell.
+"""describe_site.py INDEX.html SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a
+static host does not tell.
+
+index.html: the page, which asks for all its modules at once: each names the next ones, and to follow them takes a round trip
+a level.
 
 cases.json: the same of the named cases, in the folder cases beside the course: the id, title and summary of each, and where a
 program failed on it.
@@ -56,16 +59,34 @@ def write(path: pathlib.Path, what: dict) -> None:
     path.write_text(json.dumps(what, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
 
 
-def main(site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
+def modules_of(page: pathlib.Path, name: str) -> list[str]:
+    """The modules that one imports, directly or not, without those that it loads later."""
+    found, open_ = [], [name]
+    while open_:
+        for other in re.findall(r'^import .* from "\./(.+)";$', (page / open_.pop()).read_text(encoding="utf-8"), re.MULTILINE):
+            if other not in found:
+                found.append(other)
+                open_.append(other)
+    return sorted(found)
+
+
+def with_modules(first_page: pathlib.Path) -> str:
+    text = first_page.read_text(encoding="utf-8")
+    links = "".join(f'<link rel="modulepreload" href="{name}">\n' for name in modules_of(first_page.parent, "main.js"))
+    return text.replace("<script src", links + "<script src", 1)
+
+
+def main(first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     try:
         cases = course.parent / "cases"
         write(site / "cases.json", course_of(cases / course.name, {path.stem: case_entry(path) for path in cases.glob("*.toml") if path.name != course.name}))
         write(site / "course.json", course_of(course, {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}))
     except ValueError as error:
         sys.exit(str(error))
+    (site / "index.html").write_text(with_modules(first_page), encoding="utf-8")
     files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name != "sizes.json")
     write(site / "sizes.json", {path.relative_to(site).as_posix(): path.stat().st_size for path in files})
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), [pathlib.Path(name) for name in sys.argv[3:]])
+    main(*(pathlib.Path(name) for name in sys.argv[1:4]), [pathlib.Path(name) for name in sys.argv[4:]])

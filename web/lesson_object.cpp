@@ -110,6 +110,7 @@ val words_object() {
   object.set("go_on", text(lesson::kContinueWord));
   object.set("show", text(lesson::kShowMeWord));
   object.set("summary", text(lesson::kSummaryWord));
+  object.set("go_on_with", text(lesson::kGoOnWord));
   object.set("waiting", text(lesson::kWaitingWord));
   object.set("to_task", text(lesson::kToTaskWord));
   object.set("next_lesson", text(lesson::kNextLessonWord));

@@ -127,11 +127,13 @@ bool menu_open() {
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
-/// Reads a lesson's file for open_lesson: {draws, mesh, error, says}. mesh: the one that the page must load for it, ""
-/// for none. error: the first mistake, "" for none. says: all of them, {heading, lines: [{text, warning}]}.
-val read_lesson(const std::string& toml, const std::string& name) {
+/// Reads a lesson's file for open_lesson: {draws, mesh, error, says}. checked: whether its algorithms are run to check
+/// it, as for a lesson that is being written; those of the course were checked before. mesh: the one that the page must
+/// load for it, "" for none. error: the first mistake, "" for none. says: all of them, {heading, lines: [{text,
+/// warning}]}.
+val read_lesson(const std::string& toml, const std::string& name, bool checked) {
   lesson::Draft& draft = door().draft;
-  draft = lesson::read_draft(toml, name);
+  draft = lesson::read_draft(toml, name, checked ? lesson::Checked::kAsRun : lesson::Checked::kAsWritten);
   val answer = val::object();
   answer.set("draws", draft.lesson.has_value());
   answer.set("mesh", draft.lesson ? draft.lesson->points.mesh : std::string());

@@ -28,6 +28,9 @@ struct PointFile {
   PassedOver passed = {};
 };
 
+/// Whether a file's extension, in lower case, is one of the formats'.
+[[nodiscard]] bool is_point_extension(std::string_view extension);
+
 /// Reads a whole file's bytes. name: the file's name, for its extension and for errors; the format is recognized by
 /// content first and extension second. STL's repeated corners are merged where their bits are equal.
 /// Errors in form or content, with the line (text) or byte (binary). Memory stays within a few times the bytes given,

@@ -48,8 +48,7 @@ Format format_of_text(std::string_view text, std::string_view extension) {
 /// Whether a file has none of the formats' extensions, and its first line is not text that a person wrote: a picture or
 /// an archive, for instance. Latin-1 is accepted in a comment, or in a table that begins with a number.
 bool is_something_else(std::string_view bytes, std::string_view extension) {
-  constexpr std::array<std::string_view, 7> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl", "off"};
-  if (std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end()) return false;
+  if (is_point_extension(extension)) return false;
   if (looks_binary(bytes)) return true;
   const std::string_view line = first_content(bytes);
   if (parse_number(line.substr(0, line.find_first_of(" \t,;")))) return false;
@@ -178,6 +177,11 @@ Read<PointFile> without_nan(PointFile file) {
 }
 
 }  // namespace
+
+bool is_point_extension(std::string_view extension) {
+  constexpr std::array<std::string_view, 7> kOurs{"xyz", "txt", "csv", "obj", "ply", "stl", "off"};
+  return std::find(kOurs.begin(), kOurs.end(), extension) != kOurs.end();
+}
 
 std::string passed_text(const PassedOver& passed) {
   constexpr std::array<std::array<std::string_view, 2>, 8> kNames{{{"point", " with a coordinate that is not a number"},

@@ -392,6 +392,8 @@ bool check_lesson(Lesson& lesson, const toml::table& toml, const CheckedWith& wi
     }
   }
   warn_of_words(lesson, toml, subjects, complaints);
+  for (const Question& question : lesson.questions)
+    if (question.sound) warn_of_reasons(question, complaints);
   check_on_runs(lesson, toml, situations, complaints);
   check_gates_elsewhere(lesson, situations, complaints);
   keep_sound(lesson, all ? &situations : nullptr);

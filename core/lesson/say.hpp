@@ -17,8 +17,9 @@ inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answe
                                   kDismissWord = "Dismiss", kAlgorithmWord = "Algorithm", kCompareWord = "Compare with",
                                   kNoneWord = "(none)", kComparedWord = "Final result, compared",
                                   kContinueWord = "Continue", kShowMeWord = "Show me",
-                                  kSummaryWord = "Your predictions", kWaitingWord = "More questions wait under",
-                                  kNextLessonWord = "Next lesson", kToTaskWord = "To the task", kCloseWord = "Close";
+                                  kSummaryWord = "Your predictions", kGoOnWord = "Go on with",
+                                  kWaitingWord = "More questions wait under", kNextLessonWord = "Next lesson",
+                                  kToTaskWord = "To the task", kCloseWord = "Close";
 
 /// After a wrong answer that has a second try; and after the "next" key at a question.
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",

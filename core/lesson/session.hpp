@@ -225,8 +225,8 @@ class Session {
   /// The handles that can be the answer to the open question, in rising order; none if it is not answered on the stage.
   [[nodiscard]] std::vector<Index> targets() const;
   [[nodiscard]] std::vector<std::string> target_names() const;
-  /// The outcome that is shown: from the step where it is decided, until it is acknowledged or the player moves away;
-  /// null otherwise.
+  /// The outcome that is shown: from the step where it is decided (or where it was asked, if another question is asked
+  /// there as well), until it is acknowledged or the player moves away; null otherwise.
   [[nodiscard]] const Outcome* outcome() const;
   /// Marks the outcome as read. Returns false if none is shown.
   bool acknowledge();
@@ -352,8 +352,7 @@ class Session {
   bool pick_one_more(const Asked& question, const Answer& chosen);
   bool pick_number(const Asked& question, std::string_view typed);
   bool pick_names(const Asked& question, std::string_view typed);
-  bool close_outcome();
-  bool tell_next();
+  [[nodiscard]] int told_at(const Asked& own) const;
   Outcome& outcome_for(const std::string& id);
 
   std::unique_ptr<const Lesson> lesson_;
@@ -392,8 +391,7 @@ class Session {
   bool play_answers_ = false;
   int shown_outcome_ = -1;  // index into outcomes_, shown once step shown_at_ is reached
   int shown_at_ = -1;
-  std::vector<int> to_tell_;  // more outcomes, of questions that were asked at the same place
-  bool deciding_ = false;     // whether the steps up to there are being played
+  bool deciding_ = false;  // whether the steps up to there are being played
   bool answer_shown_ = false;
   bool summary_closed_ = false;
   std::uint64_t revision_ = 1;

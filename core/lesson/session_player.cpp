@@ -27,7 +27,6 @@ void Session::run_changed(bool at_end) {
   step_ = at_end ? steps() : std::min(step_, steps());
   hash_.reset();
   shown_outcome_ = -1;
-  to_tell_.clear();
   deciding_ = false;
   tried_.reset();
   unpick();
@@ -46,14 +45,14 @@ void Session::stand(int step) {
   step_ = step;
   previewing_ = false;
   if (step >= shown_at_) deciding_ = false;
-  if (!deciding_ && step != shown_at_) shown_outcome_ = -1, to_tell_.clear();
+  if (!deciding_ && step != shown_at_) shown_outcome_ = -1;
   unpick();
   ++revision_;
 }
 
 void Session::go(int step) {
   if (previewing_ && step == steps()) return;
-  if (step != step_) close_outcome();
+  if (step != step_) acknowledge();
   if (deciding_) {  // a step on the way there; any other step ends it
     if (step > step_) return stand(std::min(step, shown_at_));
     deciding_ = false;

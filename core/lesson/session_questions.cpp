@@ -254,27 +254,21 @@ bool Session::give(const Answer& answer, bool for_good) {
   unpick();
   summary_closed_ = false;
   if (question->step == Asked::kAnytime) return ++revision_, true;
-  to_tell_.push_back(static_cast<int>(&outcome - outcomes_.data()));
-  if (standing() != nullptr) return true;  // another is asked here, before anything is shown
-  const bool plays = play_answers_ && !for_good;
-  tell_next();
-  if (!plays) decide();
-  return true;
-}
-
-/// Goes on to the outcome that is decided next, of those that are still to be told.
-bool Session::tell_next() {
-  const auto sooner = [&](int a, int b) { return outcomes_[a].step < outcomes_[b].step; };
-  const auto next = std::min_element(to_tell_.begin(), to_tell_.end(), sooner);
-  if (next == to_tell_.end()) return false;
-  shown_outcome_ = *next;
-  to_tell_.erase(next);
-  shown_at_ = outcomes_[shown_outcome_].step;
+  shown_outcome_ = static_cast<int>(&outcome - outcomes_.data());
+  shown_at_ = told_at(*question);
   answer_shown_ = false;
   deciding_ = shown_at_ - step_ > 1;
   if (!deciding_) stand(shown_at_);
   ++revision_;
+  if (for_good || !play_answers_) decide();
   return true;
+}
+
+/// Where an outcome is told: where it is decided. If another question is open where it was asked, there instead, for
+/// the step would answer that one.
+int Session::told_at(const Asked& own) const {
+  const auto waits = [&](const Asked& other) { return other.step == own.step && is_open(*other.question); };
+  return std::any_of(asked_.begin(), asked_.end(), waits) ? own.step : own.until;
 }
 
 const Outcome* Session::deciding() const { return deciding_ ? &outcomes_[shown_outcome_] : nullptr; }
@@ -288,22 +282,16 @@ const Outcome* Session::outcome() const {
   return &outcomes_[shown_outcome_];
 }
 
-bool Session::close_outcome() {
+bool Session::acknowledge() {
   if (outcome() == nullptr) return false;
   shown_outcome_ = -1;
   ++revision_;
   return true;
 }
 
-bool Session::acknowledge() {
-  if (!close_outcome()) return false;
-  if (tell_next() && !play_answers_) decide();
-  return true;
-}
-
 bool Session::watch_outcome() {
   const Outcome* told = outcome();
-  if (told == nullptr || told->step - told->from_step < 2) return false;
+  if (told == nullptr || told->step != shown_at_ || told->step - told->from_step < 2) return false;
   deciding_ = true;
   stand(told->from_step);
   return true;
@@ -315,10 +303,9 @@ bool Session::review(std::string_view question) {
     const Asked* own = question_of(past);
     if (past.question != question || standing_of(&past) == Standing::kOpen || own == nullptr) continue;
     deciding_ = false;
-    to_tell_.clear();
-    stand(own->until);
+    stand(told_at(*own));
     shown_outcome_ = static_cast<int>(i);
-    shown_at_ = own->until;
+    shown_at_ = step_;
     answer_shown_ = false;
     return ++revision_, true;
   }
@@ -374,7 +361,6 @@ void Session::take_up_answers(std::vector<Outcome> outcomes) {
   });
   outcomes_ = std::move(outcomes);
   shown_outcome_ = -1;
-  to_tell_.clear();
   deciding_ = false;
   ++revision_;
 }
@@ -384,7 +370,6 @@ void Session::forget_answers() {
   unpick();
   tried_.reset();
   shown_outcome_ = -1;
-  to_tell_.clear();
   deciding_ = summary_closed_ = false;
   ++revision_;
 }

@@ -211,4 +211,17 @@ void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints) 
                                                better);
 }
 
+void warn_of_reasons(const Question& question, Complaints& complaints) {
+  if (question.asks != "choice") return;
+  std::string without;
+  for (std::size_t i = 0; i < question.choices.size(); ++i) {
+    const auto speaks = [&](const Meaning& meaning) { return meaning.answer == question.choices[i]; };
+    if (static_cast<int>(i) == question.answer ||
+        std::any_of(question.meanings.begin(), question.meanings.end(), speaks))
+      continue;
+    without += (without.empty() ? "\"" : ", \"") + question.choices[i] + '"';
+  }
+  if (!without.empty()) complaints.warn(question.place, "\"wrong\" has no reason for " + without);
+}
+
 }  // namespace snug::lesson

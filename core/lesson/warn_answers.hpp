@@ -1,4 +1,4 @@
-// Fixed answers that a run tells better, or contradicts.
+// Fixed answers that a run tells better, or contradicts, and wrong ones without a reason.
 #pragma once
 
 #include "lesson/ask.hpp"
@@ -14,5 +14,9 @@ namespace snug::lesson {
 /// Warns of a "choice" whose answer in the file the lesson's own run contradicts, and of one that a drag makes false
 /// although the file says that it always holds.
 void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints);
+
+/// Warns of the choices of a "choice" that are wrong and that `wrong` says nothing about: a student would learn from
+/// them only what is left.
+void warn_of_reasons(const Question& question, Complaints& complaints);
 
 }  // namespace snug::lesson

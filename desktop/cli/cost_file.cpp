@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 
 namespace snug::desktop {
@@ -77,21 +76,19 @@ std::string set_table(cost::Table<Row>& table, const Json& json) {
 }  // namespace
 
 template <class Row>
-tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path) {
-  const auto text = read_file(path);
-  if (!text) return tl::unexpected(text.error());
-  if (text->empty() || text->front() != '{') return cost::read_csv<Row>(*text, path);
-  const Json json = Json::parse(*text, nullptr, false);
+tl::expected<cost::Table<Row>, InputError> read_table(std::string_view text, const std::string& path) {
+  if (text.empty() || text.front() != '{') return cost::read_csv<Row>(text, path);
+  const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return tl::unexpected(InputError{.what = "is not JSON", .file = path});
   cost::Table<Row> table;
   if (const std::string wrong = set_table(table, json); !wrong.empty())
     return tl::unexpected(InputError{.what = wrong, .file = path});
   return table;
 }
-template tl::expected<cost::Table<cost::CostRow>, InputError> read_table(const std::string&);
-template tl::expected<cost::Table<cost::GrowthRow>, InputError> read_table(const std::string&);
-template tl::expected<cost::Table<cost::TurnRow>, InputError> read_table(const std::string&);
-template tl::expected<cost::Table<cost::TrialRow>, InputError> read_table(const std::string&);
+template tl::expected<cost::Table<cost::CostRow>, InputError> read_table(std::string_view, const std::string&);
+template tl::expected<cost::Table<cost::GrowthRow>, InputError> read_table(std::string_view, const std::string&);
+template tl::expected<cost::Table<cost::TurnRow>, InputError> read_table(std::string_view, const std::string&);
+template tl::expected<cost::Table<cost::TrialRow>, InputError> read_table(std::string_view, const std::string&);
 
 std::optional<InputError> of_other_points(const cost::Provenance& now, const cost::Provenance& then,
                                           const std::string& path, bool any_number) {
@@ -109,29 +106,23 @@ std::optional<InputError> of_other_points(const cost::Provenance& now, const cos
                     .file = path};
 }
 
-bool is_table(const std::string& path) {
-  const auto text = read_file(path);
-  return text && !table_name(*text).empty();
-}
-
 namespace {
 
 template <class Row>
-tl::expected<std::string, InputError> as_csv(const std::string& path) {
-  const auto table = read_table<Row>(path);
+tl::expected<std::string, InputError> as_csv(std::string_view text, const std::string& path) {
+  const auto table = read_table<Row>(text, path);
   if (!table) return tl::unexpected(table.error());
   return cost::csv_of(table->provenance, std::span<const Row>(table->rows));
 }
 
 }  // namespace
 
-tl::expected<std::string, InputError> table_as_csv(const std::string& path) {
-  auto text = read_file(path);
-  if (!text || text->empty() || text->front() != '{') return text;
-  const std::string name = table_name(*text);
-  if (name == cost::GrowthRow::kTable) return as_csv<cost::GrowthRow>(path);
-  if (name == cost::TurnRow::kTable) return as_csv<cost::TurnRow>(path);
-  return as_csv<cost::CostRow>(path);
+tl::expected<std::string, InputError> table_as_csv(std::string text, const std::string& path) {
+  if (text.empty() || text.front() != '{') return text;
+  const std::string name = table_name(text);
+  if (name == cost::GrowthRow::kTable) return as_csv<cost::GrowthRow>(text, path);
+  if (name == cost::TurnRow::kTable) return as_csv<cost::TurnRow>(text, path);
+  return as_csv<cost::CostRow>(text, path);
 }
 
 std::string table_name(std::string_view text) {

@@ -12,17 +12,17 @@
 
 namespace snug::desktop {
 
-/// Reads a table in CSV or JSON, which differ in the first character. Row: CostRow, GrowthRow, TurnRow or TrialRow.
-/// Errors: in CSV with the line, in JSON with the field.
+/// Reads the text of a table in CSV or JSON, which differ in the first character; a file is read once, for it may be a
+/// pipe. Row: CostRow, GrowthRow, TurnRow or TrialRow. path: the file's, for errors: in CSV with the line, in JSON with
+/// the field.
 template <class Row>
-[[nodiscard]] tl::expected<cost::Table<Row>, InputError> read_table(const std::string& path);
+[[nodiscard]] tl::expected<cost::Table<Row>, InputError> read_table(std::string_view text, const std::string& path);
 
 /// The name of the table that a text begins with, such as "growth"; empty if it is not a table.
 [[nodiscard]] std::string table_name(std::string_view text);
 
-/// Whether a file begins as a table of any kind; and the whole table as CSV. Errors: those of read_table.
-[[nodiscard]] bool is_table(const std::string& path);
-[[nodiscard]] tl::expected<std::string, InputError> table_as_csv(const std::string& path);
+/// The text of a table of any kind as CSV. Errors: those of read_table.
+[[nodiscard]] tl::expected<std::string, InputError> table_as_csv(std::string text, const std::string& path);
 
 /// The error if an earlier result is on other points; none if the points are the same: in name, kind, number, dimension
 /// and, if they are generated, seed. For growth, which has any number of points, only kinds are compared. path: that of

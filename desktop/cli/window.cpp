@@ -35,6 +35,9 @@ tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
   return known ? tl::expected<void, InputError>() : tl::unexpected(no_lesson(options.folder, options.lesson));
 }
 
+/// The lesson that shows a point file that no lesson was named for: all volumes around it, side by side.
+constexpr const char* kPointsLesson = "which-volume";
+
 /// Whether the program has a lesson with that id.
 bool is_offered(const std::string& id) { return find_lesson("", id, lesson::Checked::kAsWritten).has_value(); }
 
@@ -127,13 +130,17 @@ bool is_own(const WindowOptions& options) { return !options.folder.empty() || is
 void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
   auto word = std::make_shared<std::string>();
-  constexpr const char* kWhich = "The lesson to open: its id, or its file, which ends in .toml; by default the first";
+  constexpr const char* kWhich =
+      "The lesson to open: its id, or its file, which ends in .toml; by default the first. Or a "
+      "point file, to see which volume suits it";
   CLI::Option* const lesson = commands.app.add_option("--lesson", options->lesson, "The same as LESSON");
   commands.app.add_option("LESSON", *word, kWhich)->excludes(lesson);
   add_common(commands.app, *options);
   commands.chosen = [options, word, open_window = commands.open_window]() -> CommandResult {
-    if (!word->empty()) options->lesson = *word;
-    if (!word->empty() && !is_own(*options) && !is_offered(*word))
+    if (!word->empty() && options->points_file.empty() && io::is_point_extension(ending_of(*word)))
+      options->points_file = *word, options->lesson = kPointsLesson;
+    else if (!word->empty()) options->lesson = *word;
+    if (!word->empty() && !is_own(*options) && !is_offered(options->lesson))
       return bad_input('"' + *word + "\" is neither a command nor a lesson (see `snug --help`)");
     if (options->width < kLeastWidth || options->height < kLeastHeight)
       return bad_input("--size: the window is at least " + std::to_string(kLeastWidth) + "x" +

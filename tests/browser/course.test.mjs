@@ -19,13 +19,13 @@ async function violations(page, every) {
 
 const shown = async (page) => (await page.locator(".lesson-card:visible .card-title b").allTextContents()).map((title) => title.replaceAll("\u2060", ""));
 
-test("the bare address opens the course, without the program, in a few kilobytes", async (t) => {
+test("the bare address opens the course; the program follows when the page is idle, unless data are to be saved", async (t) => {
   site.sent.clear();
-  const page = await load(t, "");
+  const page = await load(t, "", { init: () => Object.defineProperty(navigator, "connection", { value: { saveData: true } }) });
   await page.waitForLoadState("networkidle");
   const total = [...site.sent.values()].reduce((sum, size) => sum + size, 0);
   t.diagnostic(`${total} bytes in ${site.sent.size} files`);
-  assert.ok(!site.sent.has("snug.wasm") && !site.sent.has("snug.mjs"));
+  assert.ok(!site.sent.has("snug.wasm") && !site.sent.has("snug.js"));
   assert.ok(total <= 450_000, `${total} bytes`);
   const now = await state(page);
   assert.equal(now.lesson, null);
@@ -36,6 +36,11 @@ test("the bare address opens the course, without the program, in a few kilobytes
   assert.equal(await page.locator(".card-foot > :first-child").first().textContent(), `${all[0].minutes} min`);
   assert.equal(await page.locator(".progress").first().textContent(), "Not begun");
   assert.equal(await page.locator("main:visible").count(), 1);
+  await page.waitForTimeout(2000);
+  assert.ok(!site.sent.has("snug.wasm"));
+  await load(t, "");
+  for (let i = 0; i < 100 && !site.sent.has("snug.wasm"); ++i) await page.waitForTimeout(100);
+  assert.ok(site.sent.has("snug.wasm") && site.sent.has("snug.js"));
 });
 
 test("a pointer leads from the course to a lesson and back, and nothing is loaded again", async (t) => {

@@ -31,7 +31,7 @@ async function colours_on_stage(page) {
   return new Set(new Uint32Array(pixels.buffer)).size;
 }
 
-for (const missing of ["snug.wasm", "snug.mjs", "fonts/Inter-Regular.otf", "course.json"]) {
+for (const missing of ["snug.wasm", "snug.js", "fonts/Inter-Regular.otf", "course.json"]) {
   test(`a failed download (${missing}) is said, and trying again mends it`, async (t) => {
     site.refuse.add(missing);
     t.after(() => site.refuse.delete(missing));

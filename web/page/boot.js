@@ -1,7 +1,19 @@
 // Runs before anything else has loaded. It is a separate, classic script, because the page's policy forbids inline ones.
 
-// The course is shown at once; a lesson stays under the veil until the program is loaded.
-document.documentElement.dataset.view = new URLSearchParams(location.search).get("lesson") === null ? "course" : "lesson";
+// The course is shown at once; a lesson stays under the veil until the program is loaded. Its largest files are asked for
+// here, before the page's modules have arrived.
+const to_lesson = new URLSearchParams(location.search).get("lesson");
+document.documentElement.dataset.view = to_lesson === null ? "course" : "lesson";
+
+function ask_for(href, rel, as) {
+  document.head.append(Object.assign(document.createElement("link"), { rel, as, href, crossOrigin: "anonymous" }));
+}
+
+if (to_lesson !== null) {
+  ask_for("snug.wasm", "preload", "fetch");
+  ask_for("snug.js", "modulepreload", "script");
+  for (const file of ["sizes.json", "formulas.json"]) ask_for(file, "preload", "fetch");
+}
 
 // Scripts and tests can use this at once; main.js fills it in.
 window.snug = { ready: new Promise((resolve) => addEventListener("snug-ready", resolve, { once: true })), state: () => null, handles: () => [], frameTimes: () => [] };

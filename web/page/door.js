@@ -7,12 +7,14 @@ const kFonts = {
   "JetBrainsMono-Bold": "fonts/JetBrainsMono-Bold.ttf",
 };
 
+const kQuiet = 1000; // milliseconds that a page is left alone first
+
 /** The functions of web/main.cpp. attempt: each retry increases it, because a browser remembers a module that failed. */
 export async function open_door(downloads, attempt) {
   const fonts = Object.entries(kFonts).map(async ([font, path]) => [font, await downloads.bytes(path)]);
   const [program, glue, ...loaded] = await Promise.all([
     downloads.answer("snug.wasm", "application/wasm"),
-    import(`./snug.mjs${attempt ? `?attempt=${attempt}` : ""}`),
+    import(`./snug.js${attempt ? `?attempt=${attempt}` : ""}`),
     ...fonts,
   ]);
   const door = await new Promise((resolve, reject) => {
@@ -26,4 +28,15 @@ export async function open_door(downloads, attempt) {
   });
   for (const [font, bytes] of loaded) door.give_font(font, bytes);
   return door;
+}
+
+/** Fetches what the first lesson needs into the browser's cache, once the page has nothing else to do. What fails is fetched
+ *  again when it is needed. */
+export function warm_up() {
+  if (navigator.connection?.saveData) return;
+  const begin = () => {
+    for (const path of ["snug.wasm", "snug.js", ...Object.values(kFonts)])
+      fetch(path, { priority: "low" }).then((answer) => answer.arrayBuffer()).catch(() => {});
+  };
+  setTimeout(() => (window.requestIdleCallback ?? setTimeout)(begin), kQuiet);
 }

@@ -2,7 +2,7 @@
 import { read_address, write_address } from "./address.js";
 import { Code } from "./code.js";
 import { by_id, element, followed_here, make_anew, set_text, when_changed } from "./dom.js";
-import { open_door } from "./door.js";
+import { open_door, warm_up } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
@@ -252,7 +252,7 @@ class Page {
     try {
       const toml = await this.#downloads.text(`lessons/${this.#is_of_course(id) ? "" : "cases/"}${id}.toml`);
       if (turn !== this.#opens) return null; // the program holds one lesson that it has read
-      const { draws, error, says, mesh } = this.#door.read_lesson(toml, `${id}.toml`);
+      const { draws, error, says, mesh } = this.#door.read_lesson(toml, `${id}.toml`, Boolean(this.#preview));
       this.#preview?.lesson_says(says);
       const opens = draws && (Boolean(this.#preview) || !error);
       return { toml, opens, error, bytes: opens && mesh ? await this.#mesh(mesh) : "" };
@@ -444,6 +444,7 @@ class Site {
   #page = null;
   #shown = null; // the address that is shown
   #scrolled = 0; // how far the course was scrolled
+  #warm = false; // whether the program was asked for ahead of the first lesson
 
   constructor() {
     name_layout();
@@ -463,10 +464,13 @@ class Site {
     document.documentElement.classList.toggle("embed", asked.embed);
     const at_lesson = asked.lesson !== null;
     try {
+      const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null; // beside the course and the lesson
+      door?.catch(() => {});
       this.#course ??= await this.#bring_course();
       if (!at_lesson) return this.#show_course(back);
+      if (door) this.#bring_ahead(asked.lesson);
       if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil shows the program's progress
-      this.#page ??= await this.#bring_page(asked.embed, attempt);
+      this.#page ??= await this.#bring_page(asked.embed, door);
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";
@@ -530,10 +534,19 @@ class Site {
     return JSON.parse(await this.#downloads.text("formulas.json").catch(() => "{}"));
   }
 
-  async #bring_page(embed, attempt) {
+  /** Asks for a lesson's file and mesh, which open reads later, while the program still arrives. */
+  #bring_ahead(id) {
+    if (!this.#course.lessons.some((lesson) => lesson.id === id)) return;
+    const mesh_of = (toml) => /^mesh = "([a-z]+)"/m.exec(toml)?.[1];
+    const mesh = this.#downloads.text(`lessons/${id}.toml`).then(mesh_of);
+    mesh.then((name) => name && this.#downloads.bytes(`meshes/${name}.ply`)).catch(() => {});
+  }
+
+  /** opened: what open_door promises. */
+  async #bring_page(embed, opened) {
     veil.loading();
-    const door = await open_door(this.#downloads, attempt);
-    Object.assign(this.#typeset, await this.#formulas());
+    const [door, formulas] = await Promise.all([opened, this.#formulas()]);
+    Object.assign(this.#typeset, formulas);
     const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, playground: this.#course.playground, gallery: this.#gallery, formulas: this.#typeset, settings: this.#settings,
       kept: this.#kept, embed, preview: this.#preview, go_to: (id) => this.#go_into(id) });
     return page;
@@ -550,6 +563,8 @@ class Site {
     this.#course.show_theme(["dark", "contrast"].includes(this.#settings.theme));
     scrollTo(0, back ? this.#scrolled : 0);
     dispatchEvent(new Event("snug-ready"));
+    if (!this.#warm && !this.#page) warm_up();
+    this.#warm = true;
   }
 
   #erase() {

@@ -47,7 +47,8 @@ export class QuestionCard {
   update(view) {
     const { asked, outcome, deciding, outcomes, score } = view;
     this.#watching = Boolean(deciding);
-    const told = view.cover?.decided ? outcomes : [];
+    // Those of this situation: the score below counts no others.
+    const told = view.cover?.decided ? outcomes.filter(({ question }) => view.predictions.some(({ id }) => id === question)) : [];
     const question = asked && { ...asked, picked: null, ready: false, says: "" };
     const waiting = view.waiting.length > 0 ? view.waiting : this.#waiting; // while a stage is edited, the card stays as it is
     const ends = view.summary && [view.tasksDone, waiting, view.situationsWaiting];
@@ -201,8 +202,9 @@ export class QuestionCard {
 
   /** The card at the lesson's end: each prediction leads back to its reason. */
   #summary_card({ score, predictions, lesson, grade, tasksDone, waiting, situationsWaiting }) {
-    const others = [...waiting.map((name) => button(this.#title_of(name), () => this.#ask(name))),
-      ...situationsWaiting.map((name) => button(this.#door.lesson().situations.find((one) => one.name === name).title, () => this.#act(() => this.#door.show_situation(name))))];
+    // While questions wait, the main button leads to them, and not to the next lesson.
+    const [first, ...others] = [...waiting.map((name) => [this.#title_of(name), () => this.#ask(name)]),
+      ...situationsWaiting.map((name) => [this.#door.lesson().situations.find((one) => one.name === name).title, () => this.#act(() => this.#door.show_situation(name))])];
     const lines = predictions.map(({ id, short, kind, standing }) => element("li", {},
       element("button", { type: "button", class: `line ${kind}`, onclick: () => this.#do(`review:${id}`) },
         element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]), element("span", { class: "what" }, ...spelled(short)), element("b", {}, standing))));
@@ -210,11 +212,12 @@ export class QuestionCard {
     return element("div", { class: "card summary", tabindex: "-1" },
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
-      ...(others.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...others)] : []),
+      ...(others.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...others.map(([title, go]) => button(title, go)))] : []),
       row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
         ...(grade && this.#after.show_task ? [button(tasksDone ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
-        ...(next ? [element("a", { class: "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, "data-first": true, title: next.title,
-          onclick: followed_here(() => this.#after.go(next.id)) }, this.#words.next_lesson)] : [])));
+        ...(next ? [element("a", { class: first ? "button" : "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, ...(first ? {} : { "data-first": true }), title: next.title,
+          onclick: followed_here(() => this.#after.go(next.id)) }, this.#words.next_lesson)] : []),
+        ...(first ? [button(`${this.#words.go_on_with} ${first[0]}`, first[1], { class: "button primary waiting", "data-first": true })] : [])));
   }
 
   #title_of(name) {
@@ -229,14 +232,14 @@ export class QuestionCard {
     });
   }
 
-  /** Where all are decided at once: one line each, to unfold. */
+  /** Where all are decided at once: one line each, with the reason, to fold. */
   #told_card(outcome, prompt) {
     const { verdict, right, kind, pending, happened, says, becauseWords, skipped } = outcome;
     if (pending) return element("div", { class: "card outcome skipped" }, element("h2", { class: "kicker" }, verdict), element("p", {}, says));
     // Beside "Not quite", what happened alone would read as the prediction.
     const line = right ? happened : `${this.#words.answer}: ${happened}`;
     return element("div", { class: `card outcome told ${kind}` },
-      element("details", {}, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
+      element("details", skipped ? {} : { open: true }, element("summary", {}, kicker(skipped ? verdict : `${kMarks[kind]} ${verdict}`), ` · ${line}`),
         element("p", { class: "asked" }, ...spelled(prompt)), ...this.#said(outcome), element("p", {}, ...spelled(says)),
         element("p", {}, ...this.#texts.of(becauseWords))));
   }

@@ -39,7 +39,7 @@ TEST_CASE("a question's words of one run are warned of, unless it is asked of th
   };
   const std::string prompt = "prompt = \"These points lie on a line. Why?\"\n", because = "because = \"So.\"\n";
   CHECK(warnings(prompt + because + "holds = \"always\"") ==
-        "small.toml:67:11: \"prompt\" says \"These points lie\", which a drag or other points may make false: "
+        "small.toml:68:11: \"prompt\" says \"These points lie\", which a drag or other points may make false: "
         "\"prompt_here\" is for the lesson's own run\n");
   CHECK(warnings(prompt + because + "holds = \"here\"").empty());
   CHECK(

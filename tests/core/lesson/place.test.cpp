@@ -135,7 +135,8 @@ TEST_CASE("answers are judged by what the file says now") {
   for (const Outcome& outcome : gone.outcomes()) CHECK(outcome.question != "number");
   const Session other =
       reread(small_lesson_with("asks = \"choice\"\nprompt = \"How many passes?\"\nchoices = [\"one\", "
-                               "\"three\"]\nanswer = \"three\"\nholds = \"here\"",
+                               "\"three\"]\nanswer = \"three\"\nholds = \"here\"\nwrong = { one = \"That one finds the "
+                               "extremes.\" }",
                                "asks = \"point\"\nprompt = \"Which?\""),
              before);
   for (const Outcome& outcome : other.outcomes()) CHECK((outcome.question != "number" || outcome.passed));

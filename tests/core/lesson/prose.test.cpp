@@ -174,7 +174,7 @@ TEST_CASE("a mistake is told with its line and column, in prompts and hints too"
             "small.toml:39:20: \"because\" shows a figure that is none of "},
            {"because = \"It lies outside.\"", "because = \"It does.\"\nwrong = {P0 = \"It *lies.\"}",
             "small.toml:40:19: \"wrong\" has a * without a partner"},
-           {"\"Think.\"", "\"Think `twice.\"", "small.toml:64:15: \"hint\" has a ` without a partner"},
+           {"\"Think.\"", "\"Think `twice.\"", "small.toml:65:15: \"hint\" has a ` without a partner"},
        })) {
     CAPTURE(one.to);
     const Draft draft = read_draft(small_lesson_with(one.from, one.to), "small.toml");

@@ -85,12 +85,13 @@ constexpr BrokenLesson kBrokenLessons[] = {
     {"seed = 5", "seed = 5\nreference = \"spher/welzl\"", "reference", "spher; did you mean sphere?"},
     {"holds = \"here\"", "holds = \"there\"", "holds", "none of always or here: there; did you mean here?"},
     {"holds = \"here\"\n", "", "id = \"number\"", "a choice needs \"holds\""},
-    {"holds = \"here\"\nbecause = \"Extremes, growth, check.\"",
+    {"holds = \"here\"\nwrong = { one = \"That one finds the extremes.\" }\nbecause = \"Extremes, growth, check.\"",
      "because = \"So.\"\n[[question.require]]\nfigure = \"excess\"\nat_most = 3", "figure = \"excess\"\nat_most",
      "9.8 %; it must be at most 3 %"},
     {"figure = \"excess\"\nat_least = 5", "figure = \"gap\"\nat_least = 5", "figure = \"gap\"",
      "is none of radius, excess"},
-    {"holds = \"here\"", "holds = \"here\"\nwrong = { \"two\" = \"No.\" }", "wrong", "cannot be given: two"},
+    {"wrong = { one = \"That one finds the extremes.\" }", "wrong = { \"two\" = \"No.\" }", "wrong",
+     "cannot be given: two"},
     {"holds = \"here\"", "holds = \"here\"\nbecause_here = 3", "because_here", "a text in quotes"},
     {"holds = \"here\"", "holds = \"here\"\nprompt_here = \"\"", "prompt_here", "is empty"},
     {"because = \"All are inside.\"\n", "", "id = \"again\"", "lacks the key \"because\""},
@@ -210,8 +211,8 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "cheapest, cheapest_order or grows: grow; did you mean grows?",
       "small.toml:50:1: there is another question with the id growth, in line 32",
       "small.toml:57:10: \"answer\" is none of one or three: two",
-      "small.toml:66:1: [[task]] has no key \"hints\": did you mean \"hint\"?",
-      "small.toml:67:9: the model does not solve the task: Excess over the optimum: 9.8 %; it must be at least 50 %.",
+      "small.toml:67:1: [[task]] has no key \"hints\": did you mean \"hint\"?",
+      "small.toml:68:9: the model does not solve the task: Excess over the optimum: 9.8 %; it must be at least 50 %.",
   };
   INFO(said.back());
   REQUIRE(said.size() == due.size());
@@ -310,6 +311,13 @@ TEST_CASE("what is allowed and probably not meant is warned of") {
   CHECK(wrong.warnings[0].what == "\"wrong\" speaks of P8, which is not there: the last one is P5");
 }
 
+TEST_CASE("a choice that is wrong and has no reason is warned of") {
+  const Draft draft =
+      read_draft(small_lesson_with("wrong = { one = \"That one finds the extremes.\" }\n", ""), "s.toml");
+  REQUIRE(draft.warnings.size() == 1);
+  CHECK(draft.warnings[0].what == "\"wrong\" has no reason for \"one\"");
+}
+
 TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, is warned of") {
   const auto warnings = [](const std::string& keys) {
     const std::string text = test::small_lesson_with(
@@ -321,11 +329,11 @@ TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, 
   SUBCASE("handles") {
     const std::string about = "prompt = \"Which point supports it?\"\nchoices = [\"P4\", \"P2\"]\n";
     CHECK(warnings(about + "answer = \"P2\"\nholds = \"here\"") ==
-          "small.toml:60:1: the run contradicts the answer \"P2\": it is P0, P1 and P4; asks = \"points\" works it out "
+          "small.toml:61:1: the run contradicts the answer \"P2\": it is P0, P1 and P4; asks = \"points\" works it out "
           "from the run\n");
     CHECK(
         warnings(about + "answer = \"P4\"\nholds = \"always\"") ==
-        "small.toml:60:1: the answer \"P4\" is true only of the lesson's own stage, and needs holds = \"here\"; asks = "
+        "small.toml:61:1: the answer \"P4\" is true only of the lesson's own stage, and needs holds = \"here\"; asks = "
         "\"points\" works it out from the run\n");
     CHECK(warnings(about + "answer = \"P4\"\nholds = \"here\"").empty());
   }
