@@ -145,7 +145,8 @@ void draw_lesson(Shell& shell, Column& column) {
   const int now = lesson::section_at(shell.session()).value_or(-1);
   if (shell.unread) {
     ImGui::SetScrollY(0);
-    shell.section = -1, shell.scroll_to = -1, shell.unread = false, shell.measured_anew = true;
+    const bool begins = shell.session().step() == 0 || shell.session().previewing();  // who begins reads from the top
+    shell.section = begins ? now : -1, shell.scroll_to = -1, shell.unread = false, shell.measured_anew = true;
   }
   if (const float by = std::exchange(shell.scroll_by, 0.0f); by != 0) {
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + by, 0.0f, ImGui::GetScrollMaxY()));

@@ -97,7 +97,7 @@ export class Reading {
   update(view) {
     this.#show_grades(view.lesson, view.tasks, view.task);
     this.#show_section(view.lesson, view.section);
-    if (this.#opened && view.step === 0) by_id("read").scrollTop = 0; // who begins a lesson reads it from its top
+    if (this.#opened && (view.step === 0 || view.previewing)) by_id("read").scrollTop = 0; // who begins a lesson reads it from its top
     this.#opened = false;
     this.#show_lit(view.lesson, view.lit);
     for (const { name, node } of this.#shows) node.setAttribute("aria-pressed", name === view.situation);
