@@ -21,7 +21,7 @@ constexpr float kWideStage = 560;
 constexpr float kLowStage = 300, kLowMargin = 20;  // the tools of a low one stand beside the picture
 constexpr double kFootSeconds = 0.06;  // the time in which the remaining way falls to 1/e, as for the camera
 constexpr float kFootMargin = 16;
-constexpr double kRoomy = 0.55, kTight = 1.06;  // fractions of the free room at which an automatic view is framed again
+constexpr double kRoomy = 0.7, kTight = 1.06;  // fractions of the free room at which an automatic view is framed again
 
 float radius_for(Index points, bool has_surface) {
   if (has_surface) return 1.7f;

@@ -29,6 +29,10 @@ struct RowButton {
   bool enabled = true;
 };
 
+/// What a row's text should have beside its buttons, pixels at 100 %: else it stands above them.
+constexpr float kLeastText = 150;
+constexpr float kAnswerAndSkip = 150;  // both buttons, at least
+
 /// Draws buttons at the right end of a row, after its text. Returns the one that was clicked, or -1.
 int draw_row(Column& column, std::string_view says, app::Color color, std::span<const RowButton> buttons) {
   const app::Look& look = column.look();
@@ -40,13 +44,13 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
     all += widths.back() + gap;
   }
   const float room = column.width() - all - 8;
-  Column words(look, column.x(), column.y(), room < look.px(150) ? column.width() : room);
+  Column words(look, column.x(), column.y(), room < look.px(kLeastText) ? column.width() : room);
   if (!says.empty()) {
     const auto lines = app::lines_of(look, Face::kRegular, 13, says, words.width()).size();
     words.gap(std::max(0.0f, (height - look.px(20) * static_cast<float>(lines)) / 2));
     words.words(says, Face::kRegular, 13, color);
   }
-  if (room < look.px(150) && !says.empty()) column.gap(words.y() - column.y() + 8);
+  if (room < look.px(kLeastText) && !says.empty()) column.gap(words.y() - column.y() + 8);
   int clicked = -1;
   float x = column.x() + column.width() - all + gap;
   for (std::size_t i = 0; i < buttons.size(); ++i) {
@@ -60,7 +64,7 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
       clicked = static_cast<int>(i);
     x += widths[i] + gap;
   }
-  column.gap(std::max(height, room < look.px(150) ? 0.0f : words.y() - column.y()));
+  column.gap(std::max(height, room < look.px(kLeastText) ? 0.0f : words.y() - column.y()));
   return clicked;
 }
 
@@ -103,9 +107,13 @@ bool draw_answer_field(Shell& shell, Column& column, std::string_view label) {
   return true;
 }
 
-/// Draws the choices, and marks those that are chosen but not committed yet, and the one that was tried. Returns the
-/// one that was clicked, or -1.
-int draw_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked) {
+/// The choices, with marks at those that are chosen but not committed yet, and at the one that was tried.
+struct Choices {
+  std::vector<std::string> words;
+  int chosen = -1;
+};
+
+Choices choices_of(const lesson::Session& session, const lesson::Asked& asked) {
   const lesson::Answer *picked = session.picked(), *tried = session.tried();
   std::vector<std::string> words = asked.choices;
   int chosen = -1;
@@ -121,7 +129,7 @@ int draw_choices(Column& column, const lesson::Session& session, const lesson::A
     if (asked.many) words[i] = "✓ " + words[i];
     else chosen = choice;
   }
-  return column.buttons("choice", words, chosen);
+  return {std::move(words), chosen};
 }
 
 /// The choices, once the right one was asked for: it has a tick, and the one that was given a cross.
@@ -161,17 +169,25 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   lesson::ProseFigures figures(session);
   draw_prompt(column, asked.prompt, figures, kPromptWriting);
   column.gap(10);
-  const int chosen = draw_choices(column, session, asked);
+  const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary,
+                                 session.picked() != nullptr && answers(asked, *session.picked())},
+                       RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
+  const Choices choices = choices_of(session, asked);
+  const float beside = column.last_row_of(choices.words);
+  const int chosen = column.buttons("choice", choices.words, choices.chosen);
   const std::string_view field = lesson::field_word(asked);
   if (!field.empty() && draw_answer_field(shell, column, field)) return;
   std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
   if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
   const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
-  const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary,
-                                 session.picked() != nullptr && answers(asked, *session.picked())},
-                       RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
-  const int clicked = draw_row(column, says, color, row);
+  // What is said of the choices and gives the answer stands after the last of them, where a row has room for it: the
+  // figure needs the height.
+  const bool flows = beside > 0 && beside + look.px(kLeastText + kAnswerAndSkip) < column.width();
+  if (flows) column.gap(-look.px(34) - 8);
+  Column last(look, column.x() + (flows ? beside : 0), column.y(), column.width() - (flows ? beside : 0));
+  const int clicked = draw_row(last, says, color, row);
+  column.gap(last.y() - column.y());
   if (chosen >= 0) shell.app().pick_choice(chosen);
   else if (clicked == 0) shell.app().command("commit_answer");
   else if (clicked == 1) shell.app().command("skip_question");

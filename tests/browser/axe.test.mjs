@@ -127,7 +127,7 @@ test("each of the parts that share a place, the menu and a presentation are clea
     assert.deepEqual(await violations(page), [], "presented");
     await page.keyboard.press("t");
     assert.deepEqual(await violations(page), [], "presented, with its text");
-    const figure = await load(t, "?lesson=frustum-3d&step=0&embed=1", { viewport: { width: 400, height: 300 } });
+    const figure = await load(t, "?lesson=frustum-3d&step=1&embed=1", { viewport: { width: 400, height: 300 } });
     let now = await state(figure);
     for (const seen = new Set(); !seen.has("summary"); now = await state(figure)) {
       const where = now.summary ? "summary" : now.outcome ? "told" : now.asked ? "asked" : "rest";
@@ -141,7 +141,7 @@ test("each of the parts that share a place, the menu and a presentation are clea
 
 test("a question is clean after a first wrong try, and where the right answer is shown", async (t) => {
   for (const size of [kWide, kPhone]) {
-    const page = await visit(t, "?lesson=frustum-3d&step=0", size);
+    const page = await visit(t, "?lesson=frustum-3d&step=1", size);
     await page.keyboard.press("1");
     await page.keyboard.press("Enter");
     await until(page, (now) => now.asked.tried);

@@ -78,10 +78,10 @@ test("a conversation goes on where it stood: before the second try, on the way, 
 });
 
 test("a wrong first answer before the first step is kept too", async (t) => {
-  const page = await load(t, "?lesson=kdop-slabs");
+  const page = await load(t, "?lesson=kdop-space");
   await until(page, (now) => now.asked?.id === "tightest" && now.step === 0);
   await page.locator("#canvas").focus();
-  await page.keyboard.press("1"); // the 8-DOP, which is not the tightest
+  await page.keyboard.press("1"); // the 14-DOP, which is not the tightest
   await page.keyboard.press("Enter");
   const { asked } = await until(page, (now) => now.asked?.tried);
   assert.deepEqual((await reload(page)).asked.tried, asked.tried);

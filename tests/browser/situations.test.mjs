@@ -58,7 +58,7 @@ test("each situation asks its own question, and the summary leads to the other's
   await page.keyboard.press("End");
   const end = await until(page, (now) => now.summary);
   assert.deepEqual(end.situationsWaiting, ["near"]);
-  await page.locator(".waiting").getByRole("button", { name: "Near" }).click();
+  await page.getByRole("button", { name: "Go on with Near" }).click();
   await until(page, (now) => now.situation === "near" && now.step === 0);
   await page.evaluate(() => document.getElementById("canvas").focus());
   await page.keyboard.press("End");

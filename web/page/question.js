@@ -124,8 +124,8 @@ export class QuestionCard {
     return element("div", { class: "card predict", tabindex: "-1" },
       kicker(this.#words.prediction, place),
       element("p", { class: "prompt" }, ...this.#texts.of(promptWords)),
-      ...(choices.length > 0 ? [element("div", { class: "choices" }, ...this.#choices)] : []),
-      row(this.#says, ...(field ? [this.#answer_form(field)] : [this.#commit]), pass),
+      element("div", { class: "answering" }, ...(choices.length > 0 ? [element("div", { class: "choices" }, ...this.#choices)] : []),
+        row(this.#says, ...(field ? [this.#answer_form(field)] : [this.#commit]), pass)),
       element("p", { class: "foot presented" }, "Page Down twice skips"));
   }
 

@@ -32,10 +32,8 @@ void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown&
 /// Draws the axis that a question asks about, through A's centre: only its direction, not the projections.
 void draw_asked_axis(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis) {
   if (axis.skipped) return;
-  const Point3& center = pair.boxes[0].center;
-  const double reach = std::max(axis.radius_a, axis.distance + axis.radius_b);
-  const ImVec2 from = brush.at(center - axis.axis.direction * (0.3 * reach)),
-               to = brush.at(center + axis.axis.direction * (1.1 * reach));
+  const auto ends = asked_arrow(pair, axis);
+  const ImVec2 from = brush.at(ends[0]), to = brush.at(ends[1]);
   arrow(brush.list, from, to, brush.p.examined, brush.stroke(1.1f));
   brush.canvas.obstacles.segments.push_back({from.x, from.y, to.x, to.y});
   brush.label(to, 6, {to.x - from.x, to.y - from.y}, lesson::axis_text(pair.dim, axis.axis), brush.p.examined_text,
@@ -59,6 +57,12 @@ void draw_cross_product(Brush& brush, const lesson::BoxPair& pair, const query::
 
 }  // namespace
 
+std::array<Point3, 2> asked_arrow(const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis) {
+  const Point3& center = pair.boxes[0].center;
+  const double reach = std::max(axis.radius_a, axis.distance + axis.radius_b);
+  return {center - axis.axis.direction * (0.3 * reach), center + axis.axis.direction * (1.1 * reach)};
+}
+
 void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_frame) {
   const Palette& p = brush.p;
   const lesson::BoxPair pair = seen.boxes(lesson::boxes_of(brush.session.subject()));
@@ -71,9 +75,12 @@ void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_fram
                 Face::kSemiBold, 18);
     if (!in_frame || i == 1) draw_knobs(brush, pair, i);
   }
-  if (shown.axis && !shown.axis->skipped) draw_projections(brush, pair, *shown.axis);
-  if (shown.axis_asked) draw_asked_axis(brush, pair, *shown.axis_asked);
-  if (shown.axis) draw_cross_product(brush, pair, *shown.axis);
+  if (shown.axis_asked) {  // the bars of the axis before it would be taken for its own
+    draw_asked_axis(brush, pair, *shown.axis_asked);
+  } else if (shown.axis) {
+    if (!shown.axis->skipped) draw_projections(brush, pair, *shown.axis);
+    draw_cross_product(brush, pair, *shown.axis);
+  }
   draw_wrong_test(brush, pair, shown, seen);
 }
 

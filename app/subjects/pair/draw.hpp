@@ -13,6 +13,17 @@ void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_fram
 /// box; and the distance between the centres, so that students see whether it is greater than the sum of the radii.
 void draw_projections(Brush& brush, const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis);
 
+/// What a view of the pair has to show: both boxes, the axis beside them with its bars and words, and the arrow of one
+/// that is asked about. pair, shown: as they are seen.
+[[nodiscard]] Outline outline_of(const lesson::BoxPair& pair, const PairShown& shown, const Camera& camera);
+/// The coordinates along the axis where its arrow begins and ends, beyond both projections.
+[[nodiscard]] std::array<double, 2> ends_of(const query::AxisTested<double, 3>& axis);
+/// Draws both projections in a panel at the top of the stage; the room that it takes.
+Rect draw_ruler(Brush& brush, int dim, const query::AxisTested<double, 3>& axis, ImVec2 at);
+[[nodiscard]] float ruler_height(const Look& look);
+/// The ends of the arrow of an axis that is asked about.
+[[nodiscard]] std::array<Point3, 2> asked_arrow(const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis);
+
 /// The projections of two volumes onto a direction. ends: least and greatest, scene units along it; farthest: the
 /// points there. reach: points that the axis is drawn clear of, a point of A first. tested: whether the test has
 /// reached that axis; if not, both intervals are faint, and nothing is said of them.

@@ -17,7 +17,9 @@ using Box = Obb<double, 3>;
 
 // Pixels from the axis: the projections are on the side of the boxes, the distance on the other side.
 constexpr float kLaneA = -6, kLaneB = -14, kLaneDistance = 14, kInner = -20;
-constexpr float kToAxis = 46;  // from the boxes to the axis, with room for a row of words
+constexpr float kKnobs = 40,
+                kAxisRoom = 88;  // around the boxes for knobs and names, beyond them for an axis with its words
+constexpr float kToAxis = 46;    // from the boxes to the axis, with room for a row of words
 
 ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
 
@@ -110,7 +112,49 @@ void draw_gap(const Ruler& ruler, const std::array<double, 2>& ends, bool separa
   }
 }
 
+/// The least rectangle around places, as it is seen.
+Outline around(std::span<const Point3> places, const Camera& camera) {
+  std::array<Point3, 3> along{camera.right(), camera.up(), camera.forward()};
+  Outline seen;
+  std::array<double, 3> half{};
+  for (int i = 0; i < 3; ++i) {
+    const auto by = [&](const Point3& a, const Point3& b) { return a.dot(along[i]) < b.dot(along[i]); };
+    const auto [low, high] = std::minmax_element(places.begin(), places.end(), by);
+    seen.center += along[i] * ((low->dot(along[i]) + high->dot(along[i])) / 2);
+    half[i] = (high->dot(along[i]) - low->dot(along[i])) / 2;
+  }
+  seen.half_width = half[0], seen.half_height = half[1];
+  return seen;
+}
+
 }  // namespace
+
+std::array<double, 2> ends_of(const Axis& axis) {
+  const double first = std::min(-axis.radius_a, axis.distance - axis.radius_b),
+               last = std::max(axis.radius_a, axis.distance + axis.radius_b), beyond = 0.08 * (last - first);
+  return {first - beyond, last + beyond};
+}
+
+Outline outline_of(const lesson::BoxPair& pair, const PairShown& shown, const Camera& camera) {
+  const std::vector<Point3> corners = corners_of(pair);
+  std::vector<Point3> places = corners;
+  const bool asked = shown.axis_asked && !shown.axis_asked->skipped;
+  if (asked)
+    for (const Point3& end : asked_arrow(pair, *shown.axis_asked)) places.push_back(end);
+  Point3 away = Point3::Zero();  // where the axis lies
+  if (shown.axis && !shown.axis->skipped && !asked) {
+    const Point3& base = pair.boxes[0].center;
+    const Line line = line_beside(base, shown.axis->axis.direction, pair.dim, corners, camera, 0);
+    for (const double end : ends_of(*shown.axis)) places.push_back(line.at(end));
+    if (line.base != base) away = (line.base - base).normalized();
+  }
+  Outline seen = around(places, camera);
+  const auto room = [&](const Point3& way) {
+    return kKnobs + kAxisRoom * static_cast<float>(std::max(0.0, away.dot(way)));
+  };
+  seen.left = room(-camera.right()), seen.right = room(camera.right()), seen.below = room(-camera.up());
+  return seen;
+}
 
 void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axis) {
   const Palette& p = brush.p;
@@ -119,9 +163,8 @@ void draw_projections(Brush& brush, const lesson::BoxPair& pair, const Axis& axi
   const Ruler ruler(brush,
                     line_beside(base, axis.axis.direction, pair.dim, corners, brush.canvas.camera, kToAxis * p.mark),
                     base, axis.distance + axis.radius_a + axis.radius_b);
-  const double first = std::min(-axis.radius_a, axis.distance - axis.radius_b),
-               last = std::max(axis.radius_a, axis.distance + axis.radius_b), beyond = 0.08 * (last - first);
-  const ImVec2 tip = ruler.at(last + beyond, 0), tail = ruler.at(first - beyond, 0);
+  const auto [first, last] = ends_of(axis);
+  const ImVec2 tip = ruler.at(last, 0), tail = ruler.at(first, 0);
   arrow(brush.list, tail, tip, axis.separates ? p.wrong : p.muted, brush.stroke(0.8f));
   brush.canvas.obstacles.segments.push_back({tail.x, tail.y, tip.x, tip.y});
 

@@ -19,6 +19,7 @@ constexpr double kRoomForAxis = 1.15;                              // room for t
 constexpr float kRoomForIntervals = 64, kRoomForDifference = 200;  // pixels
 // On a narrower stage the difference is above the volumes, if they have so much height below it. Between the two is
 // room for the marks on the uppermost vertex.
+constexpr float kUnderRuler = 320;  // the height that the boxes need below the second picture of an axis
 constexpr float kStageForBoth = 560, kUnderDifference = 178, kAroundDifference = 34;
 
 class PairView final : public SubjectView {
@@ -52,6 +53,18 @@ class PairView final : public SubjectView {
     return !in_frame_ || answered_on_stage(session) || lesson::place_of(session.dim(), i).box == 1;
   }
 
+  /// In space the axis has a second picture, where there is room above the boxes.
+  [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
+                                    const Rect& stage) const override {
+    const bool tested = shown_.axis && !shown_.axis->skipped && !shown_.axis_asked;
+    const bool wanted = session.dim() == 3 && tested && !session.lesson().view.inset && stage.width >= kStageForBoth;
+    ruler_ = wanted && room_over_picture(look, stage, ruler_height(look), kUnderRuler) > 0;
+    return ruler_ ? ruler_height(look) : 0;
+  }
+  [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override {
+    return ruler_ ? draw_ruler(brush, brush.dim(), *shown_.axis, at) : Rect{};
+  }
+
   void light(std::string_view mark) override { light_.mark = mark; }
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
@@ -60,6 +73,12 @@ class PairView final : public SubjectView {
     };
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
     return {place_shown(session, both.center), kRoomForAxis * both.radius};
+  }
+  [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
+    const SeenFrom seen = seen_from(session);
+    PairShown shown = shown_;
+    seen.turn(shown);
+    return outline_of(seen.boxes(lesson::boxes_of(session.subject())), shown, camera);
   }
   /// A centre has its box's name, a knob its arc.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
@@ -100,8 +119,9 @@ class PairView final : public SubjectView {
   }
 
   PairShown shown_;
-  bool in_frame_ = false;    // A's, instead of the world
-  mutable AxisLight light_;  // the panel says which row is pointed at
+  mutable bool ruler_ = false;  // whether the axis has its second picture
+  bool in_frame_ = false;       // A's, instead of the world
+  mutable AxisLight light_;     // the panel says which row is pointed at
 };
 
 /// Any two volumes and their test.
