@@ -241,6 +241,7 @@ test("bad usage is refused in one line", () => {
   refused(["--step", "-1"], /--step: "-1" is not a whole number from 0 to 2147483647/);
   refused(["--lesson", "nowhere"], /there is no lesson "nowhere"/);
   refused(["--points", "nowhere.xyz"], /nowhere\.xyz: cannot be opened/);
+  refused(["nowhere.ply"], /nowhere\.ply: cannot be opened/);
   assert.ok(!existsSync(join(folder, "x.png")));
 });
 
@@ -628,7 +629,7 @@ test("a test that does not suit the volumes is refused, and nothing is run with 
 });
 
 test("a fixed answer that the run contradicts is warned of, and makes play say no", () => {
-  const choice = ['id = "key"', 'algorithm = "welzl"', 'before = "finished"', 'asks = "choice"', 'prompt = "Which circle is smallest?"', 'choices = ["aabb_center", "welzl"]', 'answer = "aabb_center"', 'holds = "here"', 'because = "So."'];
+  const choice = ['id = "key"', 'algorithm = "welzl"', 'before = "finished"', 'asks = "choice"', 'prompt = "Which circle is smallest?"', 'choices = ["aabb_center", "welzl"]', 'answer = "aabb_center"', 'holds = "here"', 'wrong = { welzl = "No." }', 'because = "So."'];
   write("key.toml", readFileSync(join(lessons, "examples", "cloud.toml"), "utf8").replace("[[task]]", `[[question]]\n${choice.join("\n")}\n\n[[task]]`));
   const checked = snug(["lesson", "check", "key.toml"]);
   assert.equal(checked.status, 0);

@@ -97,6 +97,13 @@ test("a result in JSON is the page's CSV, with columns for times that nobody too
   }
 });
 
+test("a chart reads its table once, so that it may come through a pipe", () => {
+  good(["cost", "--repeat", "1", "--csv", "-o", "piped.csv", "--volume", "obb", cloud]);
+  good(["chart", "piped.csv", "-o", "of_file.svg"]);
+  good(["chart", "-", "-o", "of_pipe.svg"], read("piped.csv"));
+  assert.equal(read("of_pipe.svg"), read("of_file.svg"));
+});
+
 test("of flat points ratios are not known, nor a box's slack", () => {
   const line = write("line.xyz", Array.from({ length: 50 }, (_, i) => [1, 2, 3].map((axis) => axis * i / 10).join(" ")).join("\n"));
   for (const row of costs("--volume", "obb", line).rows) {

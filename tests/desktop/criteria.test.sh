@@ -18,3 +18,11 @@ xdotool key c # the AABB alone
 until_state 's.handles.every(h => /^P/.test(h.id))'
 xdotool key c
 until_state 's.handles.length === 7'
+close_window
+
+# A point file alone is shown there, with all volumes around it.
+printf '%s\n' '0 0 0' '4 0 0' '0 3 0' '0 0 2' '1 1 1' >"$work/mine.xyz"
+opened='s.handles.length === 7' open_window "$work/mine.xyz"
+[[ $(state 's.lesson') == which-volume ]] || fail "it opened $(state 's.lesson')"
+xdotool key c
+until_state 's.handles.length === 5 && s.handles.every(h => /^P/.test(h.id))'

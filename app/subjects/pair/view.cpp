@@ -74,7 +74,9 @@ class PairView final : public SubjectView {
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
     return {place_shown(session, both.center), kRoomForAxis * both.radius};
   }
+  /// A close-up has a corner of the stage: beside it the boxes are framed as a ball.
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
+    if (session.lesson().view.inset) return std::nullopt;
     const SeenFrom seen = seen_from(session);
     PairShown shown = shown_;
     seen.turn(shown);

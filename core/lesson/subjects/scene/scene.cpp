@@ -313,6 +313,10 @@ bool SceneSubject::turn(std::string_view name, bool on, const View& view) {
 
 /// Those whose numbers the scene takes: of the others a copy was edited, which is dropped.
 Done SceneSubject::is_sound() const {
+  if (set().is_too_long(size()))
+    return tl::unexpected(InputError{.what = "this scene can show at most " + std::to_string(set().most_points()) +
+                                             " points, and here are " + std::to_string(size()) +
+                                             ": all its frames are computed before the first is shown"});
   if (const auto sound = scene::check(declaration_of(set(), *points(), origin_.seed)); !sound)
     return tl::unexpected(InputError{.what = sound.error().what});
   return {};

@@ -44,6 +44,8 @@ struct SceneSet : Tables {
 
   /// Whether there are too many frames of too many bodies (kMostBodyFrames).
   [[nodiscard]] bool is_too_long(std::int64_t points) const;
+  /// The most points that it is not too long for.
+  [[nodiscard]] std::int64_t most_points() const;
   /// The body at the first of the points.
   [[nodiscard]] std::size_t first_at_points() const {
     const auto found = std::find_if(bodies.begin(), bodies.end(), [](const SceneBody& body) { return body.at_points; });
@@ -59,6 +61,10 @@ struct SceneSet : Tables {
 /// body takes a microsecond in each, or about 25 us in a crowd of 2,000, so a scene is ready within 6 s. SceneFrames
 /// bounds the memory. Tested by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
+
+/// With impulses each body touches the more others, the more there are: beyond this number the time of one grows with
+/// it. 200 bodies in a heap took 13 s for 600 frames.
+inline constexpr std::int64_t kFreeImpulses = 10;
 
 /// How many places of a trail count as one body.
 inline constexpr std::int64_t kPlacesOfBody = 10;
@@ -79,7 +85,16 @@ inline bool SceneSet::is_too_long(std::int64_t points) const {
   for (const SceneBody& body : bodies) count += body.at_points ? points : 1;
   for (const scene::EffectCall& effect : effects)
     if (effect.name == "trail") places += (effect.body.empty() ? count : 1) * places_of(effect, frames);
+  const bool impulses =
+      std::any_of(effects.begin(), effects.end(), [](const auto& one) { return one.name == "bounce"; });
+  if (impulses) count *= std::max<std::int64_t>(1, count / kFreeImpulses);
   return (count + places / kPlacesOfBody) * frames > kMostBodyFrames;
+}
+
+inline std::int64_t SceneSet::most_points() const {
+  std::int64_t least = 0, beyond = kMostBodyFrames + 1;
+  while (beyond - least > 1) (is_too_long((least + beyond) / 2) ? beyond : least) = (least + beyond) / 2;
+  return least;
 }
 
 [[nodiscard]] inline std::string too_long_text() {

@@ -30,6 +30,14 @@ const lesson::FrameTaken& frame(const lesson::Session& session) {
   return *std::get_if<lesson::FrameTaken>(&step(session).fact);
 }
 
+std::string heap_of(int bodies) {
+  lesson::Session session = opened_lesson("scene-effects");
+  io::PointFile heap{.dim = 3};
+  for (int i = 0; i < bodies; ++i) heap.points.emplace_back(0.1 * i, 1 + 0.1 * i, 0);
+  const auto loaded = session.load(heap, "heap.xyz");
+  return loaded ? "" : loaded.error().what;
+}
+
 /// What effects did by frame n: effect, constructed, run, skipped.
 std::vector<std::string> counts(const lesson::Session& session, std::size_t n) {
   std::vector<std::string> lines;
@@ -55,6 +63,13 @@ double fine() { return readings += 3000; }
 double coarse() { return 1e5 * std::floor(fine() / 1e5); }
 
 }  // namespace
+
+TEST_CASE("a scene takes no more points than it shows within seconds, and says how many these are") {
+  const std::string refused = heap_of(300);
+  CHECK(refused.starts_with("this scene can show at most "));
+  CHECK(refused.find(" points, and here are 300: ") != std::string::npos);
+  CHECK(heap_of(20).empty());
+}
 
 TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
   const lesson::Session untimed = opened_lesson("scene-updates"), timed = opened_lesson("scene-updates", fine),
