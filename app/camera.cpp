@@ -59,14 +59,16 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
 Sphere<double, 3> Camera::framing(const Outline& outline) const {
   constexpr double kNearer = 1.06;  // in space, by how much what is nearer than the middle may look larger
   const double free_x = std::max(free_width() - outline.left - outline.right, free_width() / 2),
-               free_y = std::max(free_height() - outline.below, free_height() / 2);
+               free_y = std::max(free_height() - outline.below - outline.above, free_height() / 2);
   // In a small room there is less beside the outline than it wants.
   const double wanted = outline.left + outline.right, share = wanted > 0 ? (free_width() - free_x) / wanted : 0;
+  const double wanted_y = outline.below + outline.above,
+               share_y = wanted_y > 0 ? (free_height() - free_y) / wanted_y : 0;
   const double unit = (dim_ == 3 ? kNearer : 1) *
                       std::max(2 * outline.half_width / free_x, 2 * outline.half_height / free_y);  // to a pixel
   const double fit = std::min(1.0, free_width() / free_height());
   return {outline.center + right_ * ((outline.right - outline.left) * share / 2 * unit) -
-              up_ * ((free_height() - free_y) / 2 * unit),
+              up_ * ((outline.below - outline.above) * share_y / 2 * unit),
           unit * fit * free_height() / 2};
 }
 

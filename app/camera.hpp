@@ -21,7 +21,7 @@ struct ScreenPoint {
 struct Outline {
   Vector<double, 3> center = Vector<double, 3>::Zero();
   double half_width = 0, half_height = 0;
-  float left = 0, right = 0, below = 0;
+  float left = 0, right = 0, below = 0, above = 0;
 };
 
 /// The state of the camera, which easing interpolates. Scene units; angles in radians.

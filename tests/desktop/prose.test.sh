@@ -63,7 +63,7 @@ kill "$pid" && wait "$pid" 2>/dev/null || true
 open_window --lesson sphere-ritter
 xdotool mousemove --window "$window" 150 400
 for i in $(seq 40); do xdotool click 5; done
-until_state 's.figures.length === 5 && s.figures.every((text) => /^[+]?[0-9.]+/.test(text))'
+until_state 's.figures.length === 7 && s.figures.every((text) => /^[+]?[0-9.]+/.test(text))'
 before=$(state 's.figures.join()')
 last=
 until [[ $(handle P3) == "$last" ]]; do last=$(handle P3) && sleep 0.3; done

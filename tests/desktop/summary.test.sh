@@ -25,7 +25,7 @@ until_state 's.course[0].done && s.lead === "Next lesson"'
 xdotool key Right Return
 until_state 's.lesson === "sphere-ritter" && s.summary && s.tally.skipped > 0'
 xdotool key Tab
-until_state 's.focus === "Next lesson"'
+until_state 's.focus === "Go on with AABB centre"'
 tab_to "To the task"
 xdotool key Return
 until_state 's.scrolled > 0'

@@ -17,7 +17,7 @@ using Box = Obb<double, 3>;
 
 // Pixels from the axis: the projections are on the side of the boxes, the distance on the other side.
 constexpr float kLaneA = -6, kLaneB = -14, kLaneDistance = 14, kInner = -20;
-constexpr float kKnobs = 40,
+constexpr float kOverBoxes = 24, kKnobs = 40,
                 kAxisRoom = 88;  // around the boxes for knobs and names, beyond them for an axis with its words
 constexpr float kToAxis = 46;    // from the boxes to the axis, with room for a row of words
 
@@ -153,6 +153,7 @@ Outline outline_of(const lesson::BoxPair& pair, const PairShown& shown, const Ca
     return kKnobs + kAxisRoom * static_cast<float>(std::max(0.0, away.dot(way)));
   };
   seen.left = room(-camera.right()), seen.right = room(camera.right()), seen.below = room(-camera.up());
+  seen.above = kOverBoxes;
   return seen;
 }
 
