@@ -70,6 +70,6 @@ until [[ $(handle P3) == "$last" ]]; do last=$(handle P3) && sleep 0.3; done
 read -r x y <<<"$last"
 xdotool mousemove --window "$window" "$x" "$y" sleep 0.3 mousedown 1 sleep 0.2 mousemove --window "$window" $((x + 40)) $((y - 90)) sleep 0.3 mousemove --window "$window" $((x + 60)) $((y - 150)) sleep 0.3 mouseup 1
 until_state "s.figures.join() !== '$before'"
-until_state 's.figures[2].startsWith(s.readout.radius.toFixed(3))'
+until_state 's.figures[4].startsWith(s.readout.radius.toFixed(3))'
 xdotool key Home Page_Down
 until_state 's.asked && s.figures.every((text) => text === "…")'
