@@ -47,6 +47,9 @@ CommandResult answer_text(const std::string& text, const std::string& name,
     progress.advance();
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const auto answered = json_line(line).and_then(answer);
+    if (!answered && printed.text.empty() && !Json::accept(line) && Json::accept(text))
+      return bad_input(InputError{"this is one JSON value over several lines: write each object in a line of its own",
+                                  name, InputError::Unit::kLine, number});
     if (!answered) return bad_input(InputError{answered.error(), name, InputError::Unit::kLine, number});
     printed.text += line_of(*answered);
   }

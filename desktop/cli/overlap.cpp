@@ -32,9 +32,6 @@ struct VolumePair {
 
 tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOptions& options) {
   if (!json.is_object()) return tl::unexpected(std::string("the line is not an object with the fields a and b"));
-  for (const auto& item : json.items())
-    if (item.key() != "a" && item.key() != "b")
-      return tl::unexpected("the line has an unknown field " + Json(item.key()).dump() + "; it takes a, b");
   for (const char* name : {"a", "b"})
     if (!json.contains(name)) return tl::unexpected(std::string(name) + " is missing");
 
@@ -207,6 +204,7 @@ CommandResult run_overlap(const OverlapOptions& options) {
 
 constexpr const char* kOverlapFooter =
     R"(Reads JSON Lines, {"a":V,"b":V} on each, and prints one object for each; empty lines are skipped.
+A V may be what `snug fit` prints: other fields, such as a name, are passed over.
 )";
 constexpr const char* kOverlapFooterEnd = R"(A 6-DOP exists in 2-D and 3-D: it takes the
                    dimension of the other volume, or of --dim, or is 3-D.

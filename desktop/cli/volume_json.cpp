@@ -46,18 +46,25 @@ class Fields {
     if (error_.empty()) error_ = std::move(what);
   }
 
-  /// Enters the only volume in an object, and returns its kind.
+  /// Enters the only volume in an object, and returns its kind. Other fields, such as a name or those of `snug fit`, are
+  /// passed over.
   std::string enter(const Json& json) {
     const std::string self = path_.empty() ? "the volume" : path_;
-    if (!json.is_object() || json.size() != 1) {
-      fail(self + " is not an object with one field that names its kind");
+    std::string kind;
+    if (json.is_object())
+      for (const std::string_view name : kVolumeNames) {
+        if (!json.contains(std::string(name))) continue;
+        if (!kind.empty()) fail(self + " is of two kinds: " + kind + " and " + std::string(name));
+        kind = name;
+      }
+    if (kind.empty()) {
+      const bool named = json.is_object() && json.size() == 1;
+      fail(named ? self + " is not a known kind: " + Json(json.begin().key()).dump() + "; known: " + listed(kVolumeNames)
+                 : self + " is not an object with a field that names its kind: " + listed(kVolumeNames));
       return {};
     }
-    const std::string& kind = json.begin().key();
-    if (std::find(kVolumeNames.begin(), kVolumeNames.end(), kind) == kVolumeNames.end())
-      fail(self + " is not a known kind: " + Json(kind).dump() + "; known: " + listed(kVolumeNames));
     path_ += (path_.empty() ? "" : ".") + kind;
-    object_ = &json.begin().value();
+    object_ = &json[kind];
     if (!object_->is_object()) fail(path_ + " is not an object");
     return kind;
   }

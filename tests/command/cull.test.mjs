@@ -226,7 +226,7 @@ test("a line that is wrong is refused by the name of its field", () => {
     [of({ view_projection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -2, 0] }), "frustum: the matrix gives plane 5 (far) no normal, as for a plane at infinity"],
     [{ frustum: square, volume: sphere }, "volume.sphere.center has 3 numbers instead of 2"],
     [{ frustum: cube, volume: { sphere: { center: [0, 0, 0], radius: -1 } } }, "volume.sphere.radius is negative"],
-    [{ frustum: cube, volume: {} }, "volume is not an object with one field that names its kind"],
+    [{ frustum: cube, volume: {} }, "volume is not an object with a field that names its kind: sphere, aabb, obb, capsule, lozenge, kdop, hull"],
   ])
     refused(line, what);
   const good = JSON.stringify(of(cube));

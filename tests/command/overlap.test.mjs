@@ -149,9 +149,9 @@ test("a volume that is wrong is refused by the name of its field", () => {
     [with_sphere({ sphere: { center: [0, 0], radius: 1 } }), "a is 3-D and b is 2-D"],
     [with_sphere({ sphere: 3 }), "b.sphere is not an object"],
     [with_sphere({ ball: {} }), 'b is not a known kind: "ball"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull'],
-    [with_sphere({}), "b is not an object with one field that names its kind"],
-    [with_sphere({ ...sphere, aabb: {} }), "b is not an object with one field that names its kind"],
-    [with_sphere([]), "b is not an object with one field that names its kind"],
+    [with_sphere({}), "b is not an object with a field that names its kind: sphere, aabb, obb, capsule, lozenge, kdop, hull"],
+    [with_sphere({ ...sphere, aabb: {} }), "b is of two kinds: sphere and aabb"],
+    [with_sphere([]), "b is not an object with a field that names its kind: sphere, aabb, obb, capsule, lozenge, kdop, hull"],
     [with_sphere({ aabb: { min: [0, 2, 0], max: [1, 1, 1] } }), "b.aabb.min[1] is above max[1]"],
     [with_sphere({ aabb: { min: [0, 2, 0], widths: [1, 1, -1] } }), "b.aabb.widths[2] is negative"],
     [with_sphere({ aabb: { center: [0, 2, 0], half_extents: [-1, 1, 1] } }), "b.aabb.half_extents[0] is negative"],
@@ -180,10 +180,16 @@ test("a volume that is wrong is refused by the name of its field", () => {
     [with_sphere({ hull: { points: [[0, 0, 0], [1, 0]] } }), "b.hull.points[1] has 2 numbers instead of 3"],
     [with_sphere({ hull: { points: 3 } }), "b.hull.points is not a list of points"],
     [{ a: sphere }, "b is missing"],
-    [{ a: sphere, b: sphere, c: 1 }, 'the line has an unknown field "c"; it takes a, b'],
     [[1, 2], "the line is not an object with the fields a and b"],
   ])
     refused(line, what);
+});
+
+test("it takes what snug fit prints, and passes over names; one JSON value over several lines is told apart from JSON Lines", () => {
+  const fit = JSON.parse(good(["fit", "--volume", "obb", "--algorithm", "pca", write("fitted.xyz", "0 0 0\n4 0 0\n0 2 0\n0 0 1\n4 2 1\n")]));
+  const pair = { name: "a pair", a: { ...fit, name: "mine" }, b: { sphere: { center: [9, 0, 0], radius: 1 } } };
+  assert.equal(JSON.parse(good(["overlap"], JSON.stringify(pair))).overlap, false);
+  refused_command(["overlap", write("pretty.json", JSON.stringify(pair, null, 2))], "pretty.json:1: this is one JSON value over several lines: write each object in a line of its own");
 });
 
 test("a line that is no JSON is refused with its number", () => {
