@@ -46,8 +46,8 @@ class Fields {
     if (error_.empty()) error_ = std::move(what);
   }
 
-  /// Enters the only volume in an object, and returns its kind. Other fields, such as a name or those of `snug fit`, are
-  /// passed over.
+  /// Enters the only volume in an object, and returns its kind. Other fields, such as a name or those of `snug fit`,
+  /// are passed over.
   std::string enter(const Json& json) {
     const std::string self = path_.empty() ? "the volume" : path_;
     std::string kind;
@@ -59,8 +59,9 @@ class Fields {
       }
     if (kind.empty()) {
       const bool named = json.is_object() && json.size() == 1;
-      fail(named ? self + " is not a known kind: " + Json(json.begin().key()).dump() + "; known: " + listed(kVolumeNames)
-                 : self + " is not an object with a field that names its kind: " + listed(kVolumeNames));
+      fail(named
+               ? self + " is not a known kind: " + Json(json.begin().key()).dump() + "; known: " + listed(kVolumeNames)
+               : self + " is not an object with a field that names its kind: " + listed(kVolumeNames));
       return {};
     }
     path_ += (path_.empty() ? "" : ".") + kind;
