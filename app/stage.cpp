@@ -21,7 +21,8 @@ constexpr float kWideStage = 560;
 constexpr float kLowStage = 300, kLowMargin = 20;  // the tools of a low one stand beside the picture
 constexpr double kFootSeconds = 0.06;  // the time in which the remaining way falls to 1/e, as for the camera
 constexpr float kFootMargin = 16;
-constexpr double kRoomy = 0.7, kTight = 1.06;  // fractions of the free room at which an automatic view is framed again
+constexpr double kRoomy = 0.55, kTight = 1.06,
+                 kOutlined = 0.85;  // fractions of the free room at which an automatic view is framed again
 
 float radius_for(Index points, bool has_surface) {
   if (has_surface) return 1.7f;
@@ -194,7 +195,7 @@ void Stage::keep_framed(const lesson::Session& session) {
     const fit::Sphere3 aim = aimed_at(session);
     const double share = camera_.share_of_room(aim);
     const bool elsewhere = (aim.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
-    if (share > kTight || share < kRoomy || (elsewhere && !camera_.moving())) {
+    if (share > kTight || share < (framed_room_[0] > 0 ? kOutlined : kRoomy) || (elsewhere && !camera_.moving())) {
       framed_ball_ = aim;
       camera_.frame(aim, false);
     }

@@ -18,7 +18,7 @@ using Box = Obb<double, 3>;
 // Pixels from the axis: the projections are on the side of the boxes, the distance on the other side.
 constexpr float kLaneA = -6, kLaneB = -14, kLaneDistance = 14, kInner = -20;
 constexpr float kOverBoxes = 24, kKnobs = 40,
-                kAxisRoom = 88;  // around the boxes for knobs and names, beyond them for an axis with its words
+                kAxisRoom = 60;  // around the boxes for knobs and names, beyond them for an axis with its words
 constexpr float kToAxis = 46;    // from the boxes to the axis, with room for a row of words
 
 ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
