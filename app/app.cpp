@@ -442,14 +442,14 @@ bool App::command(std::string_view name) {
                         : s.player(name) || s.edit(name) || s.select(name) || s.look_around(name) || s.move(name);
   if (s.covered() && (s.playing || s.session->step() != step)) s.cover->show(false);  // a step is shown on the stage
   if (done) s.settle = std::max(s.settle, 1);
-  if (name == "commit_answer") s.decide_by_measuring();
+  if (done && name == "commit_answer") s.decide_by_measuring();
   return done;
 }
 
 bool App::pick_choice(int choice) {
   if (!state_->session) return false;
   const bool done = state_->session->pick({lesson::Answer::Kind::kChoice, choice});
-  state_->decide_by_measuring();
+  if (done) state_->decide_by_measuring();
   return done;
 }
 

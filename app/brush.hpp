@@ -45,6 +45,13 @@ struct Brush {
   [[nodiscard]] ImVec2 at(const Point3& point) const { return canvas.at(point); }
   [[nodiscard]] Point3 point(Index i) const { return view.place_of(session, i); }
 
+  /// Draws the ground of a second picture.
+  void panel(const Rect& at) const {
+    const ImVec2 low{at.x, at.y}, high{at.x + at.width, at.y + at.height};
+    list->AddRectFilled(low, high, p.panel, 8);
+    list->AddRect(low, high, p.line, 8, 0, 1);
+  }
+
   /// Requests a label beside a place on the screen. The anchor's mark is gap / 2 across.
   void label(ImVec2 anchor, float gap, ImVec2 toward, std::string words, Color color, Face face = Face::kSemiBold,
              float size = 14, bool optional = false) {

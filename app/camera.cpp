@@ -58,18 +58,33 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
 
 Sphere<double, 3> Camera::framing(const Outline& outline) const {
   constexpr double kNearer = 1.06;  // in space, by how much what is nearer than the middle may look larger
-  const double free_x = std::max(free_width() - outline.left - outline.right, free_width() / 2),
-               free_y = std::max(free_height() - outline.below - outline.above, free_height() / 2);
-  // In a small room there is less beside the outline than it wants.
-  const double wanted = outline.left + outline.right, share = wanted > 0 ? (free_width() - free_x) / wanted : 0;
-  const double wanted_y = outline.below + outline.above,
-               share_y = wanted_y > 0 ? (free_height() - free_y) / wanted_y : 0;
+  // What is needed before and after the outline. In a small room there is less of it than it wants.
+  const auto free_of = [](double whole, double before, double after) {
+    return std::max(whole - before - after, whole / 2);
+  };
+  const auto moved = [](double whole, double free, double before, double after) {
+    const double wanted = before + after;
+    return wanted > 0 ? (after - before) / 2 * (whole - free) / wanted : 0;
+  };
+  const double width = free_width(), height = free_height();
+  const double free_x = free_of(width, outline.left, outline.right),
+               free_y = free_of(height, outline.below, outline.above);
   const double unit = (dim_ == 3 ? kNearer : 1) *
                       std::max(2 * outline.half_width / free_x, 2 * outline.half_height / free_y);  // to a pixel
-  const double fit = std::min(1.0, free_width() / free_height());
-  return {outline.center + right_ * ((outline.right - outline.left) * share / 2 * unit) -
-              up_ * ((outline.below - outline.above) * share_y / 2 * unit),
-          unit * fit * free_height() / 2};
+  const double fit = std::min(1.0, width / height);
+  return {outline.center + right_ * (moved(width, free_x, outline.left, outline.right) * unit) +
+              up_ * (moved(height, free_y, outline.below, outline.above) * unit),
+          unit * fit * height / 2};
+}
+
+Outline outline_within(const Camera& camera, const std::function<std::array<double, 2>(const V3&)>& range) {
+  const auto [left, right] = range(camera.right());
+  const auto [low, high] = range(camera.up());
+  const auto [near, far] = range(camera.forward());
+  return {.center = camera.right() * ((left + right) / 2) + camera.up() * ((low + high) / 2) +
+                    camera.forward() * ((near + far) / 2),
+          .half_width = (right - left) / 2,
+          .half_height = (high - low) / 2};
 }
 
 double Camera::share_of_room(const Sphere<double, 3>& ball) const {

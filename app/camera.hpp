@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "app/app.hpp"
@@ -118,5 +119,9 @@ class Camera {
     std::array<double, 2> from{}, to{};
   } lens_;
 };
+
+/// The outline of what reaches from the first of range(way) to the second along each direction.
+[[nodiscard]] Outline outline_within(const Camera& camera,
+                                     const std::function<std::array<double, 2>(const Vector<double, 3>&)>& range);
 
 }  // namespace snug::app

@@ -21,8 +21,8 @@ constexpr float kWideStage = 560;
 constexpr float kLowStage = 300, kLowMargin = 20;  // the tools of a low one stand beside the picture
 constexpr double kFootSeconds = 0.06;  // the time in which the remaining way falls to 1/e, as for the camera
 constexpr float kFootMargin = 16;
-constexpr double kRoomy = 0.55, kTight = 1.06,
-                 kOutlined = 0.85;  // fractions of the free room at which an automatic view is framed again
+// Fractions of the free room at which an automatic view is framed again: too tight, or too roomy.
+constexpr double kTight = 1.06, kRoomy = 0.55, kRoomyOutlined = 0.85;
 
 float radius_for(Index points, bool has_surface) {
   if (has_surface) return 1.7f;
@@ -195,7 +195,7 @@ void Stage::keep_framed(const lesson::Session& session) {
     const fit::Sphere3 aim = aimed_at(session);
     const double share = camera_.share_of_room(aim);
     const bool elsewhere = (aim.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
-    if (share > kTight || share < (framed_room_[0] > 0 ? kOutlined : kRoomy) || (elsewhere && !camera_.moving())) {
+    if (share > kTight || share < (is_outlined() ? kRoomyOutlined : kRoomy) || (elsewhere && !camera_.moving())) {
       framed_ball_ = aim;
       camera_.frame(aim, false);
     }
@@ -213,7 +213,7 @@ void Stage::keep_framed(const lesson::Session& session) {
 void Stage::keep_outline_framed(const lesson::Session& session) {
   const std::array<double, 2> room = camera_.room();
   if (room == framed_room_ || hands_.dragging || !camera_.framed()) return;
-  const bool outlined = view_->outline(session, camera_).has_value(), was_outlined = framed_room_[0] > 0;
+  const bool outlined = view_->outline(session, camera_).has_value(), was_outlined = is_outlined();
   if (!outlined && !was_outlined) return;
   framed_room_ = outlined ? room : std::array<double, 2>{};
   framed_ball_ = aimed_at(session);

@@ -85,6 +85,8 @@ class Stage {
   [[nodiscard]] Index meant_at(const lesson::Session& session, float x, float y, float reach) const;
   [[nodiscard]] Index grabbed(const lesson::Session& session, const Look& look, float x, float y) const;
   void steer_camera();
+  /// Whether the view was framed by an outline.
+  [[nodiscard]] bool is_outlined() const { return framed_room_[0] > 0; }
   // stage_handles.cpp
   void draw_handles(Brush& brush) const;
   void draw_invitation(Brush& brush) const;

@@ -20,9 +20,7 @@ tl::expected<app::Chart, InputError> chart_of(const std::string& text, const std
   if (!now) return tl::unexpected(now.error());
   std::optional<cost::Table<Row>> before;
   if (!then.empty()) {
-    const auto earlier = read_file(then);
-    if (!earlier) return tl::unexpected(earlier.error());
-    auto table = read_table<Row>(*earlier, then);
+    auto table = read_file(then).and_then([&](const std::string& earlier) { return read_table<Row>(earlier, then); });
     if (!table) return tl::unexpected(table.error());
     constexpr bool kAnyNumber = std::is_same_v<Row, cost::GrowthRow>;
     if (auto other = of_other_points(now->provenance, table->provenance, then, kAnyNumber))

@@ -9,7 +9,7 @@ namespace {
 
 using app::Face;
 
-constexpr float kCardPad = 18, kBetweenButtons = 8;
+constexpr float kCardPad = 18;
 
 }  // namespace
 
@@ -26,26 +26,14 @@ void Column::words(std::string_view words, Face face, float size, app::Color col
   y_ += app::paragraph(list_, look_, face, size, size + 7, {x_, y_}, width_, color != 0 ? color : look_->ink, words);
 }
 
-float Column::width_of_button(std::string_view words) const {
-  return std::min(std::max(app::measure(look_, Face::kSemiBold, 14, words).x + look_.px(26), look_.px(56)), width_);
-}
-
-float Column::last_row_of(const std::vector<std::string>& words) const {
-  float x = 0;
-  for (const std::string& one : words) {
-    const float width = width_of_button(one);
-    x = (x > 0 && x + width > width_ + 0.5f ? 0 : x) + width + kBetweenButtons;
-  }
-  return x;
-}
-
 int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen,
                     const std::vector<bool>& enabled) {
   int clicked = -1;
   float x = 0;
-  const float height = look_.px(34), gap = kBetweenButtons;
+  const float height = look_.px(34), gap = 8;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const float width = width_of_button(words[i]);
+    const float wanted = app::measure(look_, Face::kSemiBold, 14, words[i]).x + look_.px(26);
+    const float width = std::min(std::max(wanted, look_.px(56)), width_);
     if (x > 0 && x + width > width_ + 0.5f) x = 0, y_ += height + gap;
     const std::string name = std::string(id) + std::to_string(i);
     const bool on = static_cast<int>(i) == chosen;
@@ -58,6 +46,7 @@ int Column::buttons(const char* id, const std::vector<std::string>& words, int c
       clicked = static_cast<int>(i);
     x += width + gap;
   }
+  row_taken_ = x;
   if (!words.empty()) y_ += height + gap;
   return clicked;
 }

@@ -30,8 +30,8 @@ class Column {
   /// on. enabled: for each; empty for all.
   int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1,
               const std::vector<bool>& enabled = {});
-  /// How wide the last of the rows is that buttons take.
-  [[nodiscard]] float last_row_of(const std::vector<std::string>& words) const;
+  /// How far the last row of the buttons drawn last reaches, with the gap behind it; 0 if there were none.
+  [[nodiscard]] float row_taken() const { return row_taken_; }
   /// Draws a button that opens a list of choices, in the current row, which the caller ends. Returns the choice that
   /// was made, or -1.
   int chooser(const char* id, float from, float width, const std::vector<std::string>& words, int chosen);
@@ -40,12 +40,10 @@ class Column {
   void end_card();
 
  private:
-  [[nodiscard]] float width_of_button(std::string_view words) const;
-
   const app::Look& look_;
   ImDrawList* list_;
   float x_, width_, y_;
-  float card_top_ = 0;
+  float card_top_ = 0, row_taken_ = 0;
 };
 
 /// Draws the list of choices, if ImGui::OpenPopup(id) has opened it. Returns the choice that was made, or -1.

@@ -173,8 +173,8 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
                                  session.picked() != nullptr && answers(asked, *session.picked())},
                        RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
   const Choices choices = choices_of(session, asked);
-  const float beside = column.last_row_of(choices.words);
   const int chosen = column.buttons("choice", choices.words, choices.chosen);
+  const float beside = column.row_taken();
   const std::string_view field = lesson::field_word(asked);
   if (!field.empty() && draw_answer_field(shell, column, field)) return;
   std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
@@ -239,7 +239,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
     row.push_back(one), commands.push_back(command);
   };
   if (session.can_show_answer() && !session.answer_shown()) offer({"show", lesson::kShowMeWord}, "show_answer");
-  if (outcome.step - outcome.from_step > 1) offer({"watch", lesson::kWatchWord}, "watch_outcome");
+  if (session.can_watch_outcome()) offer({"watch", lesson::kWatchWord}, "watch_outcome");
   offer({"continue", lesson::kContinueWord, ButtonKind::kPrimary}, "continue");
   if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
 }

@@ -95,6 +95,7 @@ val told_object(const lesson::Session& session, const lesson::Outcome* outcome, 
   object.set("choices", array_of(asked->choices, text));
   object.set("ordered", asked->ordered);
   object.set("given", answer_object(*asked, session, &outcome->given));
+  object.set("canWatch", session.can_watch_outcome());
   object.set("canShow", session.can_show_answer());
   object.set("shown", session.answer_shown());
   object.set("rightChoices", session.answer_shown() || asked->ordered

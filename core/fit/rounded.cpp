@@ -16,7 +16,7 @@
 namespace snug::fit {
 namespace {
 
-/// By the proof of its kind, for that is what the certificate's own max_outside comes from.
+/// The proof of each kind says how far points lie outside, as it does in the certificate.
 template <template <class, int> class Kind, int Dim>
 double farthest_outside(const Kind<double, Dim>& volume, PointSpan<double, Dim> points, std::span<const double>) {
   return certify(Fit<Kind<double, Dim>>{volume, {}}, points, false).max_outside;

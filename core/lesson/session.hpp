@@ -232,6 +232,8 @@ class Session {
   bool acknowledge();
   /// Goes back to where its question was asked, and plays on. Returns false if there are no steps between.
   bool watch_outcome();
+  /// Whether the outcome that is shown has such steps. It has none where it is told before its step.
+  [[nodiscard]] bool can_watch_outcome() const;
   /// Shows a question's outcome again, at the step where it was decided. Returns false if it has none.
   bool review(std::string_view question);
   /// After a wrong answer: whether the right one can be marked; marks it; whether it is marked.

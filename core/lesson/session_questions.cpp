@@ -289,11 +289,15 @@ bool Session::acknowledge() {
   return true;
 }
 
-bool Session::watch_outcome() {
+bool Session::can_watch_outcome() const {
   const Outcome* told = outcome();
-  if (told == nullptr || told->step != shown_at_ || told->step - told->from_step < 2) return false;
+  return told != nullptr && told->step == shown_at_ && told->step - told->from_step > 1;
+}
+
+bool Session::watch_outcome() {
+  if (!can_watch_outcome()) return false;
   deciding_ = true;
-  stand(told->from_step);
+  stand(outcomes_[shown_outcome_].from_step);
   return true;
 }
 

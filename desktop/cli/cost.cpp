@@ -179,9 +179,9 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
                                          const std::vector<const fit::Algorithm*>& algorithms) {
   std::optional<cost::Table<cost::CostRow>> then;
   if (!options.against.empty()) {
-    const auto text = read_file(options.against);
-    if (!text) return Wrong(text.error());
-    auto table = read_table<cost::CostRow>(*text, options.against);
+    auto table = read_file(options.against).and_then([&](const std::string& text) {
+      return read_table<cost::CostRow>(text, options.against);
+    });
     if (!table) return Wrong(table.error());
     if (auto other = of_other_points(provenance_of(options, subject), table->provenance, options.against))
       return Wrong(std::move(*other));

@@ -38,7 +38,7 @@ test("an order is chosen one after the other, and is given once it is whole; the
   }
   // Two questions stand at the same place: the first is told there, before the step that both are about.
   const { outcome: order, step } = await until(page, (now) => now.outcome);
-  assert.deepEqual([order.question, step], ["order", 0]);
+  assert.deepEqual([order.question, step, order.canWatch], ["order", 0, false]);
   assert.match(order.predicted, /^Exact minimum, PCA of the /);
   // The right order is a list, with the place that each had in the prediction.
   const { choices, rightChoices, given } = order;

@@ -189,13 +189,13 @@ export class QuestionCard {
     return this.#told(outcome, this.#order(outcome), []);
   }
 
-  #told({ verdict, kind, promptWords, place, becauseWords, fromStep, step }, what, show) {
+  #told({ verdict, kind, promptWords, place, becauseWords, canWatch }, what, show) {
     return element("div", { class: `card outcome ${kind}`, tabindex: "-1" },
       kicker(`${kMarks[kind]} ${verdict}`, place, kind),
       element("p", { class: "asked" }, ...this.#texts.of(promptWords)),
       ...what, element("p", {}, ...this.#texts.of(becauseWords)),
       row(...show,
-        ...(step - fromStep > 1 ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
+        ...(canWatch ? [button(this.#words.watch, () => this.#do("watch_outcome"))] : []),
         element("span", { class: "gap" }),
         button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true })));
   }

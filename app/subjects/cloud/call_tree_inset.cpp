@@ -31,8 +31,7 @@ class TreeInset {
 
   void draw() {
     const ImVec2 low{panel_.x, panel_.y}, high{panel_.x + panel_.width, panel_.y + panel_.height};
-    brush_.list->AddRectFilled(low, high, p_.panel, 8);
-    brush_.list->AddRect(low, high, p_.line, 8, 0, 1);
+    brush_.panel(panel_);
     text(brush_.list, brush_.look, Face::kSemiBold, kNameSize, {low.x + kPad, low.y + brush_.look.px(6)}, p_.muted,
          "Calls");
     if (now_.calls.empty()) {

@@ -87,8 +87,7 @@ Rect draw_matrix_inset(Brush& brush, ImVec2 at) {
   const Rect panel{at.x, at.y, width, entries_height(look, dim)};
   if (panel.y + panel.height > brush.canvas.camera.free_bottom() || least > most) return {};
   const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
-  brush.list->AddRectFilled(low, high, p.panel, 8);
-  brush.list->AddRect(low, high, p.line, 8, 0, 1);
+  brush.panel(panel);
   text(brush.list, look, Face::kSemiBold, 12, {low.x + kEntryPad, low.y + look.px(5)}, p.muted, bars->title);
   float y = low.y + look.px(kEntryHead);
   for (int row = 0; row < dim; ++row)

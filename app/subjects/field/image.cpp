@@ -77,8 +77,7 @@ Rect draw_camera_image(Brush& brush, ImVec2 at) {
   const Rect panel{at.x, at.y, width, head + image.height + kImagePad};
   if (panel.y + panel.height > brush.canvas.camera.free_bottom()) return {};
   const ImVec2 low{image.x, image.y}, high{image.x + image.width, image.y + image.height};
-  brush.list->AddRectFilled({panel.x, panel.y}, {panel.x + panel.width, panel.y + panel.height}, p.panel, 8);
-  brush.list->AddRect({panel.x, panel.y}, {panel.x + panel.width, panel.y + panel.height}, p.line, 8, 0, 1);
+  brush.panel(panel);
   text(brush.list, look, Face::kSemiBold, 12, {panel.x + kImagePad, panel.y + look.px(6)}, p.muted,
        small ? "Camera" : "From the camera");
   brush.list->AddRectFilled(low, high, p.ground);

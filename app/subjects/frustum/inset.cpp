@@ -148,8 +148,7 @@ Inset inset_at(const Brush& brush, ImVec2 at) {
 void draw_ground(Brush& brush, const Inset& inset) {
   const Palette& p = brush.p;
   const Rect& image = inset.image;
-  brush.list->AddRectFilled(inset.low(), inset.high(), p.panel, 8);
-  brush.list->AddRect(inset.low(), inset.high(), p.line, 8, 0, 1);
+  brush.panel(inset.panel);
   text(brush.list, brush.look, Face::kSemiBold, 12, {inset.panel.x + kPad, inset.panel.y + brush.look.px(5)}, p.muted,
        is_small(brush) ? "Camera" : "From the camera");
   brush.list->AddRectFilled({image.x, image.y}, {image.x + image.width, image.y + image.height}, p.ground);

@@ -76,11 +76,8 @@ struct DifferenceInset {
   }
 
   void ground() const {
-    const Palette& p = brush.p;
-    const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
-    brush.list->AddRectFilled(low, high, p.panel, 8);
-    brush.list->AddRect(low, high, p.line, 8, 0, 1);
-    text(brush.list, brush.look, Face::kSemiBold, 12, {low.x + kInsetRim, low.y + brush.look.px(5)}, p.muted,
+    brush.panel(panel);
+    text(brush.list, brush.look, Face::kSemiBold, 12, {panel.x + kInsetRim, panel.y + brush.look.px(5)}, brush.p.muted,
          lesson::radius_of(pair.held[0]) + lesson::radius_of(pair.held[1]) > 0 ? "Cores: A − B" : "A − B");
   }
   void difference() const {

@@ -18,8 +18,10 @@ void draw_projections(Brush& brush, const lesson::BoxPair& pair, const query::Ax
 [[nodiscard]] Outline outline_of(const lesson::BoxPair& pair, const PairShown& shown, const Camera& camera);
 /// The coordinates along the axis where its arrow begins and ends, beyond both projections.
 [[nodiscard]] std::array<double, 2> ends_of(const query::AxisTested<double, 3>& axis);
+/// Draws a bar with a stroke across each end. aside: unit, across the bar.
+void draw_bar(const Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside, Color color, float width);
 /// Draws both projections in a panel at the top of the stage; the room that it takes.
-Rect draw_ruler(Brush& brush, int dim, const query::AxisTested<double, 3>& axis, ImVec2 at);
+[[nodiscard]] Rect draw_ruler(Brush& brush, const query::AxisTested<double, 3>& axis, ImVec2 at);
 [[nodiscard]] float ruler_height(const Look& look);
 /// The ends of the arrow of an axis that is asked about.
 [[nodiscard]] std::array<Point3, 2> asked_arrow(const lesson::BoxPair& pair, const query::AxisTested<double, 3>& axis);

@@ -17,9 +17,9 @@ using Box = Obb<double, 3>;
 
 // Pixels from the axis: the projections are on the side of the boxes, the distance on the other side.
 constexpr float kLaneA = -6, kLaneB = -14, kLaneDistance = 14, kInner = -20;
-constexpr float kOverBoxes = 24, kKnobs = 40,
-                kAxisRoom = 60;  // around the boxes for knobs and names, beyond them for an axis with its words
-constexpr float kToAxis = 46;    // from the boxes to the axis, with room for a row of words
+constexpr float kToAxis = 46;  // from the boxes to the axis, with room for a row of words
+// Around the boxes for names and knobs, and beyond them for an axis with its words.
+constexpr float kOverBoxes = 24, kKnobs = 40, kAxisRoom = 60;
 
 ImVec2 shifted(ImVec2 at, ImVec2 by, float length) { return {at.x + by.x * length, at.y + by.y * length}; }
 
@@ -73,13 +73,9 @@ struct Ruler {
   [[nodiscard]] ImVec2 at(double t, float lane) const {
     return shifted(brush.at(on.at(t)), aside, lane * brush.p.mark);
   }
-  /// Draws a bar from one coordinate to another, with a stroke across each end.
   void bar(double from, double to, float lane, Color color, float width) const {
     const ImVec2 a = at(from, lane), b = at(to, lane);
-    line(brush.list, a, b, Stroke::kSolid, color, brush.stroke(width));
-    for (const ImVec2 end : {a, b})
-      line(brush.list, shifted(end, aside, -4 * brush.p.mark), shifted(end, aside, 4 * brush.p.mark), Stroke::kSolid,
-           color, brush.stroke(0.8f));
+    draw_bar(brush, a, b, aside, color, width);
     brush.canvas.obstacles.segments.push_back({a.x, a.y, b.x, b.y});
   }
   /// Labels the middle between two coordinates. outer: on the side away from the boxes.
@@ -112,22 +108,14 @@ void draw_gap(const Ruler& ruler, const std::array<double, 2>& ends, bool separa
   }
 }
 
-/// The least rectangle around places, as it is seen.
-Outline around(std::span<const Point3> places, const Camera& camera) {
-  std::array<Point3, 3> along{camera.right(), camera.up(), camera.forward()};
-  Outline seen;
-  std::array<double, 3> half{};
-  for (int i = 0; i < 3; ++i) {
-    const auto by = [&](const Point3& a, const Point3& b) { return a.dot(along[i]) < b.dot(along[i]); };
-    const auto [low, high] = std::minmax_element(places.begin(), places.end(), by);
-    seen.center += along[i] * ((low->dot(along[i]) + high->dot(along[i])) / 2);
-    half[i] = (high->dot(along[i]) - low->dot(along[i])) / 2;
-  }
-  seen.half_width = half[0], seen.half_height = half[1];
-  return seen;
-}
-
 }  // namespace
+
+void draw_bar(const Brush& brush, ImVec2 from, ImVec2 to, ImVec2 aside, Color color, float width) {
+  line(brush.list, from, to, Stroke::kSolid, color, brush.stroke(width));
+  for (const ImVec2 end : {from, to})
+    line(brush.list, shifted(end, aside, -4 * brush.p.mark), shifted(end, aside, 4 * brush.p.mark), Stroke::kSolid,
+         color, brush.stroke(0.8f));
+}
 
 std::array<double, 2> ends_of(const Axis& axis) {
   const double first = std::min(-axis.radius_a, axis.distance - axis.radius_b),
@@ -138,17 +126,20 @@ std::array<double, 2> ends_of(const Axis& axis) {
 Outline outline_of(const lesson::BoxPair& pair, const PairShown& shown, const Camera& camera) {
   const std::vector<Point3> corners = corners_of(pair);
   std::vector<Point3> places = corners;
-  const bool asked = shown.axis_asked && !shown.axis_asked->skipped;
-  if (asked)
-    for (const Point3& end : asked_arrow(pair, *shown.axis_asked)) places.push_back(end);
   Point3 away = Point3::Zero();  // where the axis lies
-  if (shown.axis && !shown.axis->skipped && !asked) {
+  if (shown.axis_asked) {
+    for (const Point3& end : asked_arrow(pair, *shown.axis_asked)) places.push_back(end);
+  } else if (shown.axis && !shown.axis->skipped) {
     const Point3& base = pair.boxes[0].center;
     const Line line = line_beside(base, shown.axis->axis.direction, pair.dim, corners, camera, 0);
     for (const double end : ends_of(*shown.axis)) places.push_back(line.at(end));
     if (line.base != base) away = (line.base - base).normalized();
   }
-  Outline seen = around(places, camera);
+  Outline seen = outline_within(camera, [&](const Point3& way) {
+    const auto by = [&](const Point3& a, const Point3& b) { return a.dot(way) < b.dot(way); };
+    const auto [low, high] = std::minmax_element(places.begin(), places.end(), by);
+    return std::array{low->dot(way), high->dot(way)};
+  });
   const auto room = [&](const Point3& way) {
     return kKnobs + kAxisRoom * static_cast<float>(std::max(0.0, away.dot(way)));
   };

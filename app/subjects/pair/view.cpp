@@ -17,21 +17,16 @@ namespace {
 
 constexpr double kRoomForAxis = 1.15;                              // room for the axis with its bars beside the boxes
 constexpr float kRoomForIntervals = 64, kRoomForDifference = 200;  // pixels
+constexpr float kUnderRuler = 320;  // the height that the boxes need below the second picture of an axis
 // On a narrower stage the difference is above the volumes, if they have so much height below it. Between the two is
 // room for the marks on the uppermost vertex.
-constexpr float kUnderRuler = 320;  // the height that the boxes need below the second picture of an axis
 constexpr float kStageForBoth = 560, kUnderDifference = 178, kAroundDifference = 34;
 
 class PairView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool) override { shown_ = pair_shown_at(session); }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
-  void draw(Brush& brush) const override {
-    PairShown shown = shown_;
-    const int row = light_.row(brush.dim());
-    if (row >= 0 && !answered_on_stage(brush.session)) show_row(shown, brush.session, row);
-    draw_pair(brush, std::move(shown), seen_from(brush.session), in_frame_);
-  }
+  void draw(Brush& brush) const override { draw_pair(brush, lit_or_shown(brush), seen_from(brush.session), in_frame_); }
   /// Not in a lesson whose file says where to look.
   [[nodiscard]] std::string_view frame_button(const lesson::Session& session) const override {
     const lesson::StageView& wish = session.lesson().view;
@@ -62,7 +57,9 @@ class PairView final : public SubjectView {
     return ruler_ ? ruler_height(look) : 0;
   }
   [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override {
-    return ruler_ ? draw_ruler(brush, brush.dim(), *shown_.axis, at) : Rect{};
+    if (!ruler_) return {};
+    const PairShown shown = lit_or_shown(brush);
+    return shown.axis && !shown.axis->skipped ? draw_ruler(brush, *shown.axis, at) : Rect{};
   }
 
   void light(std::string_view mark) override { light_.mark = mark; }
@@ -118,6 +115,14 @@ class PairView final : public SubjectView {
     if (!in_frame_) return {};
     const Obb<double, 3>& a = lesson::boxes_of(session.subject()).boxes[0];
     return {a.axes, a.center};
+  }
+
+  /// What the step shows, or the row of the table that is pointed at.
+  [[nodiscard]] PairShown lit_or_shown(const Brush& brush) const {
+    PairShown shown = shown_;
+    const int row = light_.row(brush.dim());
+    if (row >= 0 && !answered_on_stage(brush.session)) show_row(shown, brush.session, row);
+    return shown;
   }
 
   PairShown shown_;
@@ -176,13 +181,7 @@ class VolumesView final : public SubjectView {
       };
       return std::array{-reach(-way), reach(way)};
     };
-    const auto [left, right] = range(camera.right());
-    const auto [low, high] = range(camera.up());
-    const auto [near, far] = range(camera.forward());
-    Outline seen{.center = camera.right() * ((left + right) / 2) + camera.up() * ((low + high) / 2) +
-                           camera.forward() * ((near + far) / 2),
-                 .half_width = (right - left) / 2,
-                 .half_height = (high - low) / 2};
+    Outline seen = outline_within(camera, range);
     if (reports<query::SlabTested>(session))
       seen.left = pair.dim == 3 ? kRoomForIntervals : 0, seen.right = seen.below = kRoomForIntervals;
     if (has_difference(session) && !above_) seen.left = kRoomForDifference;

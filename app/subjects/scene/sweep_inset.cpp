@@ -118,9 +118,7 @@ Rect draw_sweep_inset(Brush& brush, const SceneFrame& frame, const SearchShown& 
     picture.greatest = std::max(picture.greatest, box.max[axis]);
   }
   if (!(picture.greatest > picture.least)) picture.greatest = picture.least + 1;
-  const ImVec2 low{panel.x, panel.y}, high{panel.x + panel.width, panel.y + panel.height};
-  brush.list->AddRectFilled(low, high, brush.p.panel, 8);
-  brush.list->AddRect(low, high, brush.p.line, 8, 0, 1);
+  brush.panel(panel);
   picture.bars();
   picture.sweep();
   picture.words();

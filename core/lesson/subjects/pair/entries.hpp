@@ -47,8 +47,10 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
              ".";
     const std::string sum =
         "r_A\u00a0+\u00a0r_B = " + length_along(fact, fact.radius_a) + " + " + length_along(fact, fact.radius_b);
-    return "Along " + axis + " the distance " + length_along(fact, fact.distance) +
-           (fact.separates ? " is greater than " + sum + ": a gap, so the boxes are apart."
+    const std::string distance = "Along " + axis + " the distance " + length_along(fact, fact.distance);
+    if (fact.separates) return distance + " is greater than " + sum + ": a gap, so the boxes are apart.";
+    return distance + (fact.distance > fact.radius_a + fact.radius_b
+                           ? " is greater than " + sum + ", but by no more than the test's tolerance: no gap."
                            : " is not greater than " + sum + ": no gap.");
   }
   /// The vertices of B that come nearest to A.

@@ -62,8 +62,8 @@ struct SceneSet : Tables {
 /// bounds the memory. Tested by "a scene with too many frames of too many bodies is refused before it is run".
 inline constexpr std::int64_t kMostBodyFrames = 250'000;
 
-/// With impulses each body touches the more others, the more there are: beyond this number the time of one grows with
-/// it. 200 bodies in a heap took 13 s for 600 frames.
+/// Bodies in a pile push each other. Where there are more than this many, the time for each is taken to grow with their
+/// number: 200 bodies took 13 s for 600 frames.
 inline constexpr std::int64_t kFreeImpulses = 10;
 
 /// How many places of a trail count as one body.

@@ -74,6 +74,22 @@ TEST_CASE("at each step both boxes take three fifths of the free stage's smaller
       }
 }
 
+TEST_CASE("an axis's second picture is of the row that is pointed at, as the stage is") {
+  Bench bench(course_lesson("obb-axes", false), {.stage = {0, 0, 880, 640}, .timeline = {0, 640, 880, 140}});
+  bench.session().jump(8);
+  bench.frames(4);
+  const auto picture = [&] {
+    for (const std::string& one : bench.words())
+      if (one.starts_with("distance ") && one.find(" ≤ ") != std::string::npos) return one;
+    return std::string();
+  };
+  CHECK(picture().starts_with("distance 0.710 ≤ "));  // A x × B x
+  bench.app.light("A y");
+  CHECK(picture().starts_with("distance 0.157 ≤ "));
+  bench.app.light("");
+  CHECK(picture().starts_with("distance 0.710 ≤ "));
+}
+
 TEST_CASE("in A's frame A's centre is still lit, though no hand can take it") {
   Bench bench(course_lesson("obb-sat", false));
   const std::vector<DrawnWords> drawn = bench.drawn_words();

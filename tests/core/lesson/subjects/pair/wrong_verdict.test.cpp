@@ -54,3 +54,20 @@ TEST_CASE("what is told of the first row does not call a row of noise a separati
   CHECK(asked->asking->truth(*asked, session.run(0)).sentence ==
         "A z × B z is the first row of the table that shows a gap.");
 }
+
+TEST_CASE("where a tolerance swallows a gap, the sentence does not deny that the distance is the greater") {
+  Session session = session_of("vanishing-axes");
+  REQUIRE(session.show_situation("noise").has_value());
+  REQUIRE(session.choose(0, "relative_epsilon").has_value());
+  int swallowed = 0;
+  for (const auto& entry : pair_run(session.run(0)).trace()) {
+    session.jump(static_cast<int>(&entry - pair_run(session.run(0)).trace().data()) + 1);
+    const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact);
+    if (axis == nullptr || axis->skipped || axis->separates) continue;
+    const bool greater = axis->distance > axis->radius_a + axis->radius_b;
+    swallowed += greater;
+    CHECK((session.caption().find(" is not greater than ") == std::string::npos) == greater);
+    CHECK(session.caption().ends_with(greater ? "but by no more than the test's tolerance: no gap." : ": no gap."));
+  }
+  CHECK(swallowed > 0);
+}

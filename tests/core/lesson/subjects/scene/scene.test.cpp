@@ -30,11 +30,12 @@ const lesson::FrameTaken& frame(const lesson::Session& session) {
   return *std::get_if<lesson::FrameTaken>(&step(session).fact);
 }
 
-std::string heap_of(int bodies) {
+/// Loads so many bodies, one on the other; what is said if they are refused.
+std::string load_pile(int bodies) {
   lesson::Session session = opened_lesson("scene-effects");
-  io::PointFile heap{.dim = 3};
-  for (int i = 0; i < bodies; ++i) heap.points.emplace_back(0.1 * i, 1 + 0.1 * i, 0);
-  const auto loaded = session.load(heap, "heap.xyz");
+  io::PointFile pile{.dim = 3};
+  for (int i = 0; i < bodies; ++i) pile.points.emplace_back(0.1 * i, 1 + 0.1 * i, 0);
+  const auto loaded = session.load(pile, "pile.xyz");
   return loaded ? "" : loaded.error().what;
 }
 
@@ -65,10 +66,10 @@ double coarse() { return 1e5 * std::floor(fine() / 1e5); }
 }  // namespace
 
 TEST_CASE("a scene takes no more points than it shows within seconds, and says how many these are") {
-  const std::string refused = heap_of(300);
+  const std::string refused = load_pile(300);
   CHECK(refused.starts_with("this scene can show at most "));
   CHECK(refused.find(" points, and here are 300: ") != std::string::npos);
-  CHECK(heap_of(20).empty());
+  CHECK(load_pile(20).empty());
 }
 
 TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
