@@ -22,12 +22,6 @@ namespace {
 /// The number of poses in a full turn: each update follows one a few degrees before it, as from frame to frame.
 constexpr int kPoses = 64;
 
-Timing per_test(Timing timing, int tests) {
-  timing.median /= tests;
-  timing.min /= tests;
-  return timing;
-}
-
 }  // namespace
 
 const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
@@ -39,25 +33,30 @@ const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm) {
 CostRun::CostRun(const AnyPointSet& points, std::vector<const fit::Algorithm*> algorithms, const CostOptions& options,
                  Clock clock)
     : points_(points), algorithms_(std::move(algorithms)), options_(options), clock_(std::move(clock)),
-      dim_(fit::dim_of(points)), single_(points.index() >= 2) {}
+      dim_(fit::dim_of(points)), single_(points.index() >= 2), rounds_(options.timing, clock_) {}
 
 double CostRun::progress() const {
   if (done()) return 1;
-  constexpr double kPieces = 8;
-  return (static_cast<double>(at_) + static_cast<double>(piece_) / kPieces) / static_cast<double>(algorithms_.size());
+  constexpr double kPieces = 8, kFirst = 0.5;  // the share of the first times
+  const double rows =
+      (static_cast<double>(at_) + static_cast<double>(piece_) / kPieces) / static_cast<double>(algorithms_.size());
+  const double rounds = std::min(1.0, static_cast<double>(rounds_.round() - 1) / options_.timing.repeats);
+  return kFirst * rows + (1 - kFirst) * rounds;
 }
 
 void CostRun::step() {
   static constexpr std::array kPieces{&CostRun::climb,
-                                      &CostRun::take_time,
+                                      &CostRun::time_fit,
                                       &CostRun::count,
                                       &CostRun::compare_with_hull,
                                       &CostRun::compare_with_smallest,
-                                      &CostRun::test_near,
-                                      &CostRun::test_in_scene,
-                                      &CostRun::take_update};
-  if (done() || !(this->*kPieces[piece_])()) return;
-  watch_.reset();
+                                      &CostRun::time_near,
+                                      &CostRun::time_in_scene,
+                                      &CostRun::time_update};
+  if (done()) return;
+  if (at_ == algorithms_.size()) return next_round();
+  if (!(this->*kPieces[piece_])()) return;
+  started_ = false;
   if (++piece_ < kPieces.size()) return;
   rows_.push_back(std::exchange(row_, {}));
   piece_ = 0;
@@ -109,13 +108,27 @@ bool CostRun::climb() {
   return true;
 }
 
-bool CostRun::take_time() {
+bool CostRun::start(Timing CostRow::*timing, std::function<void()> run, int parts) {
+  if (!std::exchange(started_, true)) {
+    rounds_.add(std::move(run));
+    timed_.push_back({timing, parts, {at_}});
+  }
+  if (!rounds_.start_last()) return false;
+  row_.*timing = rounds_.timing(timed_.size() - 1, parts);
+  return true;
+}
+
+void CostRun::next_round() {
+  rounds_.step();
+  for (std::size_t i = 0; i < timed_.size(); ++i)
+    for (const std::size_t row : timed_[i].rows) rows_[row].*timed_[i].timing = rounds_.timing(i, timed_[i].parts);
+}
+
+bool CostRun::time_fit() {
   const fit::Algorithm* const own = &algorithm();
   const AnyPointSet* const set = &points_of(row_.points);
-  if (!watch_) watch_.emplace([this, own, set] { (void)own->fit(*set, options_.fit); }, options_.timing);
-  watch_->step(clock_);
-  row_.time = watch_->timing();
-  return watch_->done();
+  return start(
+      &CostRow::time, [this, own, set] { (void)own->fit(*set, options_.fit); }, 1);
 }
 
 bool CostRun::count() {
@@ -155,51 +168,57 @@ bool CostRun::compare_with_smallest() {
   return true;
 }
 
-bool CostRun::test_near() { return test_copies(Copies::kNear, row_.overlap); }
-bool CostRun::test_in_scene() { return test_copies(Copies::kScene, row_.scene_overlap); }
+bool CostRun::time_near() { return time_copies(Copies::kNear, &CostRow::overlap); }
+bool CostRun::time_in_scene() { return time_copies(Copies::kScene, &CostRow::scene_overlap); }
 
-bool CostRun::test_copies(Copies where, Timing& timing) {
-  if (!watch_) {
-    const OverlapWork work = overlap_work(volume_, dim_, single_, where, options_.fit.seed);
-    if (work.pairs == 0) return true;
-    tests_ = work.pairs;
-    if (where == Copies::kNear) row_.overlap_pairs = work.pairs, row_.overlapping = work.run();
-    watch_.emplace([run = work.run] { (void)run(); }, options_.timing);
-    return false;
-  }
-  watch_->step(clock_);
-  timing = per_test(watch_->timing(), tests_);
-  return watch_->done();
+bool CostRun::time_copies(Copies where, Timing CostRow::*timing) {
+  if (started_) return start(timing, {}, 1);
+  const OverlapWork work = overlap_work(volume_, dim_, single_, where, options_.fit.seed);
+  if (work.pairs == 0) return true;
+  if (where == Copies::kNear) row_.overlap_pairs = work.pairs, row_.overlapping = work.run();
+  return start(
+      timing, [run = work.run] { (void)run(); }, work.pairs);
 }
 
-bool CostRun::take_update() {
-  if (!watch_) {
-    const fit::UpdateStrategy* const strategy = update_of(algorithm());
-    // At the start, every update computes its body's hull and an oriented box.
-    if (strategy == nullptr || ladder_of(*fit::find_algorithm("hull", "quickhull")).reached() < row_.points)
-      return true;
-    row_.update = strategy->name;
-    const auto poses = full_turn(dim_, kPoses);
-    watch_.emplace([turn = fit::start_bare_updates(*strategy, points_of(row_.points), poses)] { (void)turn(); },
-                   options_.timing);
-    return false;
+bool CostRun::time_update() {
+  if (started_) return start(&CostRow::updated, {}, kPoses);
+  const fit::UpdateStrategy* const strategy = update_of(algorithm());
+  // At the start, every update computes its body's hull and an oriented box.
+  if (strategy == nullptr || ladder_of(*fit::find_algorithm("hull", "quickhull")).reached() < row_.points) return true;
+  row_.update = strategy->name;
+  const auto [place, is_new] = updates_.try_emplace({strategy, row_.points}, timed_.size());
+  if (!is_new) {
+    timed_[place->second].rows.push_back(at_);
+    row_.updated = rounds_.timing(place->second, kPoses);
+    return true;
   }
-  watch_->step(clock_);
-  row_.updated = per_test(watch_->timing(), kPoses);
-  return watch_->done();
+  return start(
+      &CostRow::updated,
+      [turn = fit::start_bare_updates(*strategy, points_of(row_.points), full_turn(dim_, kPoses))] { (void)turn(); },
+      kPoses);
 }
 
 std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
   std::vector<Offer> offers;
   for (const CostRow& row : rows)
     offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(),
-                      row.is_flat() ? 0 : row.measure, row.noise / tolerance::kKnownSize});
+                      row.is_flat() ? 0 : row.measure, row.noise / tolerance::kKnownSize, row.time.doubt(kDoubtInRun)});
   return pareto_front(offers);
 }
 
 void mark_front(std::span<CostRow> rows) {
   for (CostRow& row : rows) row.on_front = false;
   for (const std::size_t i : pareto_front(std::span<const CostRow>(rows))) rows[i].on_front = true;
+}
+
+bool is_tied(std::span<const CostRow> rows, const CostRow& row) {
+  return row.on_front && std::any_of(rows.begin(), rows.end(), [&](const CostRow& other) {
+           const double rounding = std::max(row.noise, other.noise) / tolerance::kKnownSize;
+           const bool same_size =
+               (row.is_flat() && other.is_flat()) || std::abs(row.measure - other.measure) <= rounding;
+           return &other != &row && other.on_front && same_size &&
+                  faster(row.time, other.time, kDoubtInRun) == Faster::kTie;
+         });
 }
 
 std::vector<Pose<double, 3>> full_turn(int dim, int poses) {

@@ -36,7 +36,8 @@ void advance(Run& run, const Clock& clock, double budget) {
 
 /// Times the catalogue's own fit, with the observer that ignores, and counts operations in a second run. An algorithm
 /// that would take too long on all points (Limits) is measured on fewer, and its row says so: the same ones for equal
-/// numbers. Each row's tightness is relative to the smallest volume around the row's own points.
+/// numbers. Each row's tightness is relative to the smallest volume around the row's own points. A row is ready when
+/// each of its times is measured once; then all times are measured in rounds (Rounds), and the rows follow.
 class CostRun {
  public:
   /// points: must outlive the run. algorithms: they must take points of this dimension.
@@ -48,26 +49,30 @@ class CostRun {
 
   /// Does one indivisible piece of work: a batch, or a run within the limits.
   void step();
-  [[nodiscard]] bool done() const { return at_ == algorithms_.size(); }
+  [[nodiscard]] bool done() const { return at_ == algorithms_.size() && (stopped_ || rounds_.done()); }
   /// From 0 to 1; not proportional to time.
   [[nodiscard]] double progress() const;
   /// Ends the run; the finished rows stay.
-  void stop() { at_ = algorithms_.size(); }
+  void stop() { at_ = algorithms_.size(), stopped_ = true; }
   [[nodiscard]] const std::vector<CostRow>& rows() const { return rows_; }
+  /// Goes up whenever there is a new row, or a round of times is complete.
+  [[nodiscard]] int revision() const { return static_cast<int>(rows_.size()) + rounds_.round(); }
 
  private:
   // The pieces of a row, in order. Each returns whether it is finished; if not, it is called again.
   bool climb();
   [[nodiscard]] double whole_time(const Ladder& ladder) const;
-  bool take_time();
   bool count();
   bool compare_with_hull();
   bool compare_with_smallest();
-  bool test_near();
-  bool test_in_scene();
-  bool take_update();
-  /// One batch of the test against copies; returns whether it is finished.
-  bool test_copies(Copies where, Timing& timing);
+  bool time_fit();
+  bool time_near();
+  bool time_in_scene();
+  bool time_update();
+  bool time_copies(Copies where, Timing CostRow::*timing);
+  /// Times a run for the first time; returns whether that is done. parts: of a run; the row has the time of one.
+  bool start(Timing CostRow::*timing, std::function<void()> run, int parts);
+  void next_round();
 
   [[nodiscard]] const AnyPointSet& points_of(Index n);
   [[nodiscard]] Ladder& ladder_of(const fit::Algorithm& algorithm);
@@ -88,13 +93,28 @@ class CostRun {
   CostRow row_;
   Rounding rounding_;  // that of the row's points
   fit::Volume3 volume_;
-  std::optional<Stopwatch> watch_;
-  int tests_ = 1;  // the number of tests in one run
+  bool started_ = false;  // whether the time at hand was begun
+  bool stopped_ = false;
   std::vector<CostRow> rows_;
+  Rounds rounds_;
+  /// What is timed in each of the rounds, and the rows that it is a time of.
+  struct Timed {
+    Timing CostRow::*timing;
+    int parts;
+    std::vector<std::size_t> rows;
+  };
+  std::vector<Timed> timed_;
+  std::map<std::pair<const fit::UpdateStrategy*, Index>, std::size_t> updates_;  // one for all rows that share it
   std::map<Index, std::unique_ptr<AnyPointSet>> samples_;
   std::map<const fit::Algorithm*, Ladder> ladders_;
   std::map<std::pair<const fit::Algorithm*, Index>, fit::Volume3> fitted_;
 };
+
+/// Changes whenever a run's rows have changed.
+[[nodiscard]] int revision_of(const auto& run) {
+  if constexpr (requires { run.revision(); }) return run.revision();
+  else return static_cast<int>(run.rows().size());
+}
 
 /// The tight update of a fitted volume, which is timed; null if there is none.
 [[nodiscard]] const fit::UpdateStrategy* update_of(const fit::Algorithm& algorithm);
@@ -104,6 +124,9 @@ class CostRun {
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const CostRow> rows);
 
 void mark_front(std::span<CostRow> rows);
+
+/// Whether another row of the front can be told apart from this one neither by time nor by measure.
+[[nodiscard]] bool is_tied(std::span<const CostRow> rows, const CostRow& row);
 
 /// A full turn in that many poses, about an axis that is not aligned with any coordinate axis.
 [[nodiscard]] std::vector<Pose<double, 3>> full_turn(int dim, int poses);

@@ -106,32 +106,41 @@ auto works_of(std::uint64_t seed) {
 }  // namespace
 
 PairCostRun::PairCostRun(int dim, std::uint64_t seed, const TimingOptions& timing, Clock clock)
-    : timing_(timing), clock_(std::move(clock)) {
+    : rounds_(timing, std::move(clock)) {
   if (dim == 2) works_of_ = works_of<2, Works>(seed);
   else works_of_ = works_of<3, Works>(seed);
 }
 
-void PairCostRun::step() {
-  if (done()) return;
-  if (piece_ == 0 && watch_ == nullptr) {
-    works_ = works_of_(a_, b_);
-    row_ = {.a = a_, .b = b_, .apart = static_cast<double>(works_.near()) / kBodies};
-  }
-  const std::array pieces{std::pair(&works_.near, &row_.time), std::pair(&works_.scene, &row_.scene),
-                          std::pair(&works_.gjk, &row_.gjk)};
+void PairCostRun::start() {
+  if (piece_ == 0 && !started_) works_ = works_of_(a_, b_);
+  const std::array pieces{std::pair(&works_.near, &PairCost::time), std::pair(&works_.scene, &PairCost::scene),
+                          std::pair(&works_.gjk, &PairCost::gjk)};
   const auto [work, timing] = pieces[static_cast<std::size_t>(piece_)];
-  if (watch_ == nullptr) watch_ = std::make_unique<Stopwatch>([work = work] { static_cast<void>((*work)()); }, timing_);
-  watch_->step(clock_);
-  if (!watch_->done()) return;
-  *timing = watch_->timing();
-  timing->median /= kBodies, timing->min /= kBodies;
-  watch_.reset();
+  if (!std::exchange(started_, true)) {
+    rounds_.add([work = *work] { static_cast<void>(work()); });
+    timed_.push_back({rows_.size(), timing});
+  }
+  if (!rounds_.start_last()) return;
+  started_ = false;
   const bool has_own = query::kPairTests[a_][b_] != query::PairTest::kGjk;
   if (++piece_ < (has_own ? 3 : 2)) return;
-  if (!has_own) row_.gjk = row_.time;
   piece_ = 0;
-  rows_.push_back(row_);
+  rows_.push_back({.a = a_, .b = b_, .apart = static_cast<double>(works_.near()) / kBodies});
   if (++b_ == kVolumeNames.size()) b_ = ++a_;
+  take_times();
+}
+
+void PairCostRun::take_times() {
+  for (std::size_t i = 0; i < timed_.size(); ++i) rows_[timed_[i].row].*timed_[i].timing = rounds_.timing(i, kBodies);
+  for (PairCost& row : rows_)
+    if (query::kPairTests[row.a][row.b] == query::PairTest::kGjk) row.gjk = row.time;
+}
+
+void PairCostRun::step() {
+  if (done()) return;
+  if (rows_.size() < kPairs) return start();
+  rounds_.step();
+  take_times();
 }
 
 }  // namespace snug::cost

@@ -20,7 +20,8 @@ struct PairCost {
 };
 
 /// Times query::overlaps for all 28 pairs, and GJK beside it, piece by piece: pairs of random bodies, each of a few
-/// points, with a volume of every kind around each. One kind of pair at a time, in a loop that is compiled for it.
+/// points, with a volume of every kind around each. Each kind of pair in a loop that is compiled for it; a batch of
+/// each in every round (Rounds).
 class PairCostRun {
  public:
   PairCostRun(int dim, std::uint64_t seed, const TimingOptions& timing, Clock clock);
@@ -29,7 +30,7 @@ class PairCostRun {
 
   /// Does one batch.
   void step();
-  [[nodiscard]] bool done() const { return rows_.size() == kPairs; }
+  [[nodiscard]] bool done() const { return rows_.size() == kPairs && rounds_.done(); }
   [[nodiscard]] const std::vector<PairCost>& rows() const { return rows_; }
   static constexpr std::size_t kPairs = 28;
 
@@ -40,15 +41,23 @@ class PairCostRun {
     Work near, scene, gjk;
   };
 
-  TimingOptions timing_;
-  Clock clock_;
+  /// Times a test of the pair at hand for the first time, and goes on to the next one once that is done.
+  void start();
+  void take_times();
+
   std::function<Works(std::size_t a, std::size_t b)> works_of_;
-  std::size_t a_ = 0, b_ = 0;  // the pair at hand
+  std::size_t a_ = 0, b_ = 0;  // the pair at hand,
   Works works_;                // its tests,
-  PairCost row_;               // what is known of it,
-  int piece_ = 0;              // and which of them is timed
-  std::unique_ptr<Stopwatch> watch_;
+  int piece_ = 0;              // which of them is timed,
+  bool started_ = false;       // and whether it was begun
   std::vector<PairCost> rows_;
+  Rounds rounds_;
+  /// What is timed in each of the rounds.
+  struct Timed {
+    std::size_t row;
+    Timing PairCost::*timing;
+  };
+  std::vector<Timed> timed_;
 };
 
 }  // namespace snug::cost

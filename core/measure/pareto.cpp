@@ -12,8 +12,9 @@ namespace {
 bool is_finite(const Offer& offer) { return std::isfinite(offer.time) && std::isfinite(offer.size); }
 
 bool undercuts(const Offer& a, const Offer& b) {
-  const double doubt = std::max(a.rounding, b.rounding);
-  return a.time <= b.time && a.size <= b.size + doubt && (a.time < b.time || a.size < b.size - doubt);
+  const double rounding = std::max(a.rounding, b.rounding), doubt = std::max(a.doubt, b.doubt);
+  return a.time <= b.time + doubt && a.size <= b.size + rounding &&
+         (a.time < b.time - doubt || a.size < b.size - rounding);
 }
 
 }  // namespace

@@ -11,10 +11,11 @@ struct Offer {
   double time = 0;
   double size = 0;      // smaller is better, as with the time
   double rounding = 0;  // sizes that differ by no more than this are equal
+  double doubt = 0;     // and so are times that differ by no more than this
 };
 
 /// The indices of the offers that no other beats, where beating means as good in both and better in one. Ordered by
-/// time. All equal offers are included; of offers whose sizes differ only by rounding, the fastest. Offers that are not
+/// time. All equal offers are included, and so are those that cannot be told apart: they are tied. Offers that are not
 /// finite are left out. O(n^2) time for n offers.
 [[nodiscard]] std::vector<std::size_t> pareto_front(std::span<const Offer> offers);
 

@@ -14,7 +14,7 @@ constexpr int kLargestBatch = 1 << 20;
 constexpr double kSurelyLongEnough = 1.1;  // times a batch's length: runs differ
 constexpr double kStepsPerBatch = 100;
 constexpr double kFarTooShort = 0.4;  // times a batch's length: shorter than clock and caches can explain
-constexpr std::size_t kFewestRepeats = 3;
+constexpr int kFewestRepeats = 3;
 
 /// Interpolates between the two nearest values. sorted: at least one value.
 double quantile(const std::vector<double>& sorted, double share) {
@@ -79,12 +79,55 @@ void Stopwatch::step(const Clock& clock) {
   spent_ += time;
 }
 
-bool Stopwatch::done() const {
-  return times_.size() >= static_cast<std::size_t>(options_.repeats) ||
-         (times_.size() >= kFewestRepeats && spent_ >= options_.enough);
-}
+bool Stopwatch::done() const { return repeats() >= options_.repeats || spent_enough(); }
+
+bool Stopwatch::spent_enough() const { return repeats() >= kFewestRepeats && spent_ >= options_.enough; }
 
 Timing Stopwatch::timing() const { return times_.empty() ? Timing{} : timing_of(times_, batch_); }
+
+Faster faster(const Timing& a, const Timing& b, double least_doubt) {
+  if (std::abs(a.median - b.median) <= std::max(a.doubt(least_doubt), b.doubt(least_doubt))) return Faster::kTie;
+  return a.median < b.median ? Faster::kFirst : Faster::kSecond;
+}
+
+std::size_t Rounds::add(std::function<void()> run) {
+  watches_.emplace_back(std::move(run), options_);
+  return watches_.size() - 1;
+}
+
+bool Rounds::start_last() {
+  watches_.back().step(clock_);
+  return watches_.back().repeats() > 0;
+}
+
+bool Rounds::wants_more(const Stopwatch& watch) const {
+  const bool disagree = options_.repeats >= kFewestRepeats && watch.repeats() < most() && !watch.spent_enough() &&
+                        !watch.timing().trusted;
+  return !watch.done() || disagree;
+}
+
+void Rounds::step() {
+  const auto pass_over = [&] {
+    while (at_ < watches_.size() && (watches_[at_].repeats() >= round_ || !wants_more(watches_[at_]))) ++at_;
+    return at_ == watches_.size();
+  };
+  while (pass_over()) {
+    if (std::none_of(watches_.begin(), watches_.end(), [&](const Stopwatch& watch) { return wants_more(watch); }))
+      return;
+    ++round_, at_ = 0;
+  }
+  watches_[at_].step(clock_);
+}
+
+bool Rounds::done() const {
+  return std::none_of(watches_.begin(), watches_.end(), [&](const Stopwatch& watch) { return wants_more(watch); });
+}
+
+Timing Rounds::timing(std::size_t run, int parts) const {
+  Timing timing = watches_[run].timing();
+  timing.median /= parts, timing.min /= parts;
+  return timing;
+}
 
 Timing time_of(const Clock& clock, std::function<void()> run, const TimingOptions& options) {
   Stopwatch watch(std::move(run), options);

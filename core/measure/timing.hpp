@@ -3,9 +3,12 @@
 // This room's namespace is cost, because snug::measure is the size of a volume.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace snug::cost {
@@ -28,6 +31,11 @@ struct Timing {
   int repeats = 0;               // the number of timed batches; 0: nothing was timed
   int batch = 0;                 // runs in each
   bool trusted = false;          // whether there is a spread, of at most kMostSpread
+  /// Times that differ by no more cannot be told apart: the spread, but at least this share of the median. What was
+  /// counted, not timed, is exact.
+  [[nodiscard]] double doubt(double least) const {
+    return repeats == 0 ? 0 : median * std::max(least, spread.value_or(1));
+  }
   static void fields(auto& own, auto&& see) {
     see("median", own.median), see("min", own.min), see("spread", own.spread), see("repeats", own.repeats);
     see("batch", own.batch), see("trusted", own.trusted);
@@ -36,6 +44,13 @@ struct Timing {
 
 /// Times whose spread is wider than this over their median are not trusted, and marked as unreliable.
 inline constexpr double kMostSpread = 1.0 / 3;
+
+/// The least doubt of two times of one run, and of times of two runs: between these the machine itself changes.
+inline constexpr double kDoubtInRun = 0.05, kDoubtBetweenRuns = 0.25;
+
+enum class Faster : std::uint8_t { kFirst, kSecond, kTie };
+/// Which of two times is the shorter; a tie if they differ by no more than the larger doubt.
+[[nodiscard]] Faster faster(const Timing& a, const Timing& b, double least_doubt);
 
 /// times: each that of one run; at least one.
 [[nodiscard]] Timing timing_of(std::vector<double> times, int batch);
@@ -60,6 +75,9 @@ class Stopwatch {
   void pause_after(int repeats) { options_.repeats = repeats; }
   /// The timing so far; empty if nothing has been timed.
   [[nodiscard]] Timing timing() const;
+  [[nodiscard]] int repeats() const { return static_cast<int>(times_.size()); }
+  /// Whether the repeats took as long as is enough, though they may disagree.
+  [[nodiscard]] bool spent_enough() const;
 
  private:
   std::function<void()> run_;
@@ -68,6 +86,37 @@ class Stopwatch {
   bool warm_ = false;  // whether the batch is long enough
   double spent_ = 0;   // ns, in the batches that count
   std::vector<double> times_;
+};
+
+/// Times several runs in rounds, a batch of each after the other. So a second in which the machine is busy falls on all
+/// of them alike, and shows as rounds that disagree. Runs that are not trusted after all rounds get more of them.
+class Rounds {
+ public:
+  Rounds(const TimingOptions& options, Clock clock) : options_(options), clock_(std::move(clock)) {}
+
+  /// Adds a run, and returns its number.
+  std::size_t add(std::function<void()> run);
+  /// Does a batch of the run that was added last. Returns whether its first time is known.
+  bool start_last();
+  /// Does the next batch, if any is wanted.
+  void step();
+  [[nodiscard]] bool done() const;
+  /// The round at hand, and how many there may be.
+  [[nodiscard]] int round() const { return round_; }
+  [[nodiscard]] int most() const { return options_.repeats * kMostLonger; }
+  /// The timing so far, of one of the parts of a run.
+  [[nodiscard]] Timing timing(std::size_t run, int parts = 1) const;
+
+ private:
+  /// How many times as many rounds there are at most, while times disagree.
+  static constexpr int kMostLonger = 3;
+  [[nodiscard]] bool wants_more(const Stopwatch& watch) const;
+
+  TimingOptions options_;
+  Clock clock_;
+  std::vector<Stopwatch> watches_;
+  std::size_t at_ = 0;  // the run whose turn it is
+  int round_ = 1;
 };
 
 /// Does the whole timing at once.

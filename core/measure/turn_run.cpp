@@ -20,19 +20,22 @@ std::optional<SlackRange> slack_range(std::span<const TurnRow> rows) {
 TurnRun::TurnRun(const AnyPointSet& points, std::vector<const fit::UpdateStrategy*> strategies, int frames,
                  const TimingOptions& timing, Clock clock)
     : points_(points), strategies_(std::move(strategies)), poses_(full_turn(fit::dim_of(points), frames)),
-      timing_(timing), clock_(std::move(clock)), noise_(rounding_of(points).noise(fit::dim_of(points))) {}
+      repeats_(timing.repeats), rounds_(timing, std::move(clock)),
+      noise_(rounding_of(points).noise(fit::dim_of(points))) {}
 
 double TurnRun::progress() const {
   if (done()) return 1;
-  const double part = static_cast<double>(frame_) / static_cast<double>(poses_.size() + 1);
-  return (static_cast<double>(at_) + part) / static_cast<double>(strategies_.size());
+  const double part = static_cast<double>(frame_) / static_cast<double>(poses_.size());
+  const double frames = (static_cast<double>(at_) + part) / static_cast<double>(strategies_.size());
+  return (frames + std::min(1.0, static_cast<double>(rounds_.round() - 1) / repeats_)) / 2;
 }
 
 void TurnRun::step() {
   if (done()) return;
-  if (!body_) body_ = fit::start_unwatched_updates(*strategies_[at_], points_);
+  if (at_ == strategies_.size()) take_times();
+  else if (!body_) body_ = fit::start_unwatched_updates(*strategies_[at_], points_);
   else if (frame_ < poses_.size()) add_frame();
-  else take_time();
+  else finish_turn();
 }
 
 void TurnRun::add_frame() {
@@ -49,21 +52,18 @@ void TurnRun::add_frame() {
   ++frame_;
 }
 
-void TurnRun::take_time() {
-  if (!watch_) {
-    watch_.emplace([turn = fit::start_bare_updates(*strategies_[at_], points_, poses_)] { (void)turn(); }, timing_);
-    return;
-  }
-  watch_->step(clock_);
-  if (!watch_->done()) return;
-  Timing timing = watch_->timing();
-  timing.median /= static_cast<double>(poses_.size());
-  timing.min /= static_cast<double>(poses_.size());
-  for (std::size_t i = rows_.size() - poses_.size(); i < rows_.size(); ++i) rows_[i].updated = timing;
-  watch_.reset();
+void TurnRun::finish_turn() {
+  rounds_.add([turn = fit::start_bare_updates(*strategies_[at_], points_, poses_)] { (void)turn(); });
   body_ = nullptr;
   frame_ = 0;
   ++at_;
+}
+
+void TurnRun::take_times() {
+  rounds_.step();
+  if (!rounds_.done()) return;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    rows_[i].updated = rounds_.timing(i / poses_.size(), static_cast<int>(poses_.size()));
 }
 
 }  // namespace snug::cost

@@ -328,9 +328,12 @@ constexpr const char* kCostFooter =
   points, of, whole_ns      the number of points measured, and how many there are. If one run on all of them would
                             take longer than --longest, fewer are measured, and whole_ns is the estimate for all.
                             Where a limit of the algorithm's own would stop a longer run, whole_ns is null
-  time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer. spread is the
-                            distance between the quartiles over the median; above a third the time is not trusted: it
-                            could not be measured reliably. A single batch has no spread, null, and is not trusted
+  time_ns                   {median, min, spread, repeats, batch, trusted} of one fit without an observer, in the
+                            processor's time of this thread. All algorithms are timed in rounds, a batch of each after
+                            the other, so that a slow second falls on all alike; rounds that disagree are followed by
+                            more, up to three times as many. spread is the distance between the quartiles over the
+                            median; above a third the time is not trusted: it could not be measured reliably. A single
+                            batch has no spread, null, and is not trusted
   operations, steps         counts of a second run, with an observer; exact_decisions are comparisons that rounded
                             arithmetic left open, each as expensive as hundreds of the others
   size, measure             a sphere's radius, otherwise the measure; 3-D volume or 2-D area
@@ -346,7 +349,10 @@ constexpr const char* kCostFooter =
                             volumes that have none
   certificate               {contains, on_boundary, optimal}
   on_front                  whether no other algorithm is both faster and tighter; sizes that differ only by rounding
-                            are equal
+                            are equal, and so are times that differ by less than their spread or 5 %: such rows are tied
+
+--against: beside each time the earlier one, and whether it is faster, slower or within noise: between two runs, times
+          that differ by less than a quarter are not told apart.
 
 --growth: time against the number of points, from 10 to N, with the power of n that it follows, and the theory's. If
           there are too few points to tell, there is no power.

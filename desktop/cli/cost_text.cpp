@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
 
+#include "measure/cost_run.hpp"
 #include "measure/growth.hpp"
 #include "measure/turn_run.hpp"
 
@@ -22,25 +25,81 @@ std::string said(const char* format, Values... values) {
 
 /// A time with three digits and a suitable unit.
 std::string time_text(double ns) {
-  constexpr double kYear = 365.25 * 24 * 3600 * 1e9;
+  constexpr double kDay = 24 * 3600 * 1e9, kYear = 365.25 * kDay;
   if (ns < 999.5) return said("%.3g ns", ns);
   if (ns < 999.5e3) return said("%.3g us", ns / 1e3);
   if (ns < 999.5e6) return said("%.3g ms", ns / 1e6);
   if (ns < 1e14) return said("%.3g s", ns / 1e9);
+  if (ns < kYear) return said("%.3g days", ns / kDay);
   return said("%.2g years", ns / kYear);
 }
 
-/// A time, marked if this machine could not measure it well.
-std::string time_text(const cost::Timing& timing) {
-  if (timing.repeats == 0) return "-";
-  return time_text(timing.median) + (timing.trusted ? "" : " ?");
+/// A column's unit of time, for all of its rows.
+struct TimeUnit {
+  const char* name;
+  double ns;
+  /// A time in this unit, with three digits; marked if this machine could not measure it well.
+  [[nodiscard]] std::string text(const cost::Timing& timing) const {
+    if (timing.repeats == 0) return "-";
+    const double value = timing.median / ns;
+    return said(value < 999.5 ? "%.3g" : "%.0f", value) + (timing.trusted ? "" : " ?");
+  }
+};
+
+/// The largest unit in which the shortest of these times is at least a tenth.
+template <class Row>
+TimeUnit unit_of(std::span<const Row> rows, cost::Timing Row::*timing) {
+  constexpr std::array<TimeUnit, 4> kUnits{{{"s", 1e9}, {"ms", 1e6}, {"us", 1e3}, {"ns", 1}}};
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Row& row : rows)
+    if ((row.*timing).repeats > 0) shortest = std::min(shortest, (row.*timing).median);
+  const auto* const found =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const TimeUnit& unit) { return shortest >= unit.ns / 10; });
+  return shortest <= 0 || found == kUnits.end() || std::isinf(shortest) ? kUnits.back() : *found;
 }
-std::string spread_text(const cost::Timing& timing) {
-  return timing.spread ? said("%.0f %%", 100 * *timing.spread) : "-";
-}
+std::string header_of(const char* what, const TimeUnit& unit) { return std::string(what) + " " + unit.name; }
+
 std::string ratio_text(const std::optional<double>& ratio, const char* format) {
   return ratio ? said(format, *ratio) : "-";
 }
+
+constexpr std::size_t kWidest = 100;
+
+/// The text in lines of at most kWidest characters, where its blanks allow it.
+std::string wrapped(const std::string& text) {
+  std::string lines;
+  std::size_t line = 0;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, end - from);
+    if (line > 0 && line + 1 + word.size() > kWidest) lines += '\n', line = 0;
+    if (line > 0) lines += ' ', ++line;
+    lines += word, line += word.size();
+    from = end + 1;
+  }
+  return lines;
+}
+
+/// Notes under a table: a row has their letters.
+class Notes {
+ public:
+  /// The letter of a note: "a", "b"; equal notes have one.
+  std::string letter(const std::string& note) {
+    const auto found = std::find(notes_.begin(), notes_.end(), note);
+    const auto i = static_cast<std::size_t>(found - notes_.begin());
+    if (found == notes_.end()) notes_.push_back(note);
+    return i < 26 ? std::string(1, static_cast<char>('a' + i)) : std::to_string(i + 1);
+  }
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (std::size_t i = 0; i < notes_.size(); ++i)
+      text += (i < 26 ? std::string(1, static_cast<char>('a' + i)) : std::to_string(i + 1)) + "  " + notes_[i] + '\n';
+    return text;
+  }
+
+ private:
+  std::vector<std::string> notes_;
+};
 
 /// Columns as wide as their content: the first two left-aligned, figures right-aligned, the last as it is.
 class Columns {
@@ -69,26 +128,28 @@ class Columns {
   std::vector<std::vector<std::string>> lines_;
 };
 
-std::string head_of(const cost::Provenance& p) {
-  return p.points +
-         said(", %d-D, %s, seed %lld; %s, ", p.dim, p.scalar.c_str(), static_cast<long long>(p.seed),
-              p.platform.c_str()) +
-         p.build + (p.processor.empty() ? "" : ", " + p.processor) +
-         said("; the clock's step is %s\n\n", time_text(p.clock_resolution_ns).c_str());
+std::string head_of(const cost::Provenance& p, const char* before = "") {
+  return wrapped(before + p.points +
+                 said(", %d-D, %s, seed %lld; %s, ", p.dim, p.scalar.c_str(), static_cast<long long>(p.seed),
+                      p.platform.c_str()) +
+                 p.build + (p.processor.empty() ? "" : ", " + p.processor) +
+                 said("; the clock's step is %s", time_text(p.clock_resolution_ns).c_str())) +
+         "\n\n";
 }
 
 constexpr const char* kDoubt =
-    "? could not be measured reliably: the times spread over more than a third of their median, or there is only one\n";
+    "? could not be measured reliably: its rounds disagree by more than a third, or there is only one\n";
 
-std::string note_of(const cost::CostRow& row) {
-  std::string note = row.on_front ? "* front" : "";
+/// The marks of a row: on the front, tied there, and the letters of its notes.
+std::string marks_of(std::span<const cost::CostRow> rows, const cost::CostRow& row, Notes& notes) {
+  std::string marks = cost::is_tied(rows, row) ? "=" : row.on_front ? "*" : "";
+  const auto add = [&](const std::string& note) { marks += (marks.empty() ? "" : " ") + notes.letter(note); };
   if (row.points < row.of)
-    note +=
-        said("%son %d of %d points%s", note.empty() ? "" : ", ", static_cast<int>(row.points), static_cast<int>(row.of),
+    add(said("on %d of %d points%s", static_cast<int>(row.points), static_cast<int>(row.of),
              row.whole_ns ? (": all would take about " + time_text(*row.whole_ns)).c_str()
-                          : ": on more, a limit of its own stops it");
-  if (!row.contains) note += note.empty() ? "does not contain all points" : ", does not contain all points";
-  return note;
+                          : ": on more, a limit of its own stops it"));
+  if (!row.contains) add("does not contain all points");
+  return marks;
 }
 
 std::string growth_note(const cost::GrowthRow& last) {
@@ -117,66 +178,96 @@ std::vector<std::span<const Row>> groups_of(std::span<const Row> rows, Same same
   return groups;
 }
 
+/// How a time compares with an earlier one: "0.52 faster".
+std::string against_text(const cost::Timing& now, const cost::Timing& then) {
+  if (!(then.median > 0)) return "-";
+  const cost::Faster faster = cost::faster(now, then, cost::kDoubtBetweenRuns);
+  return said("%.2f", now.median / then.median) + (faster == cost::Faster::kTie     ? " within noise"
+                                                   : faster == cost::Faster::kFirst ? " faster"
+                                                                                    : " slower");
+}
+
 }  // namespace
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::CostRow> rows,
                     const cost::Table<cost::CostRow>* then) {
-  std::vector<std::string> header{"volume", "algorithm", "time", "spread"};
+  constexpr std::array kTimes{&cost::CostRow::time, &cost::CostRow::overlap, &cost::CostRow::scene_overlap,
+                              &cost::CostRow::updated};
+  constexpr std::array kNames{"time", "near", "scene", "update"};
+  std::array<TimeUnit, 4> units{};
+  for (std::size_t i = 0; i < kTimes.size(); ++i) units[i] = unit_of(rows, kTimes[i]);
+  std::vector<std::string> header{"volume", "algorithm", header_of(kNames[0], units[0])};
   if (then != nullptr) header.insert(header.end(), {"then", "now/then"});
-  header.insert(header.end(),
-                {"operations", "exact", "size/least", "volume/hull", "bytes", "near", "scene", "update", ""});
-  if (provenance.dim == 2) *(header.end() - 6) = "area/hull";
+  else header.insert(header.end(), {"ops"});
+  header.insert(header.end(), {"/least", "/hull", "bytes"});
+  const std::size_t times = then != nullptr ? 1 : kTimes.size();  // beside an earlier result there is room for one
+  for (std::size_t i = 1; i < times; ++i) header.push_back(header_of(kNames[i], units[i]));
+  header.emplace_back();
   Columns columns(header);
-  bool doubt = false;
+  Notes notes;
+  bool doubt = false, tied = false;
   for (const cost::CostRow& row : rows) {
-    std::vector<std::string> line{row.volume, row.algorithm, time_text(row.time), spread_text(row.time)};
+    std::vector<std::string> line{row.volume, row.algorithm, units[0].text(row.time)};
     if (then != nullptr) {
       const cost::CostRow* const old = find_row(*then, row);
-      line.push_back(old == nullptr ? "-" : time_text(old->time));
-      line.push_back(old == nullptr || !(old->time.median > 0) ? "-"
-                                                               : said("%.2f", row.time.median / old->time.median));
+      line.push_back(old == nullptr ? "-" : units[0].text(old->time));
+      line.push_back(old == nullptr ? "-" : against_text(row.time, old->time));
+    } else {
+      const std::int64_t all = std::accumulate(row.operations.begin(), row.operations.end(), std::int64_t{0});
+      line.push_back(said("%lld", static_cast<long long>(all)));
     }
-    const std::int64_t exact = row.operations[static_cast<std::size_t>(Operation::kExactDecisions)];
-    const std::int64_t others = std::accumulate(row.operations.begin(), row.operations.end(), -exact);
-    line.insert(line.end(), {said("%lld", static_cast<long long>(others)), said("%lld", static_cast<long long>(exact)),
-                             ratio_text(row.tightness, "%.4f"), ratio_text(row.over_hull, "%.3f"),
-                             said("%lld", static_cast<long long>(row.bytes)), time_text(row.overlap),
-                             time_text(row.scene_overlap), time_text(row.updated), note_of(row)});
+    line.insert(line.end(), {ratio_text(row.tightness, "%.4f"), ratio_text(row.over_hull, "%.3f"),
+                             said("%lld", static_cast<long long>(row.bytes))});
+    for (std::size_t i = 1; i < times; ++i) line.push_back(units[i].text(row.*kTimes[i]));
+    line.push_back(marks_of(rows, row, notes));
     columns.add(std::move(line));
-    for (const cost::Timing* timing : {&row.time, &row.overlap, &row.scene_overlap, &row.updated})
-      doubt = doubt || (timing->repeats > 0 && !timing->trusted);
+    tied = tied || cost::is_tied(rows, row);
+    for (std::size_t i = 0; i < times; ++i)
+      doubt = doubt || ((row.*kTimes[i]).repeats > 0 && !(row.*kTimes[i]).trusted);
   }
-  std::string text = head_of(provenance) + columns.text() +
-                     "\n* no other is both faster and tighter\n"
-                     "near, scene: one overlap test of two, near contact and as they lie in a scene\n";
+  std::string text =
+      head_of(provenance) + columns.text() +
+      (times == 1 ? "\ntime: of one fit\n"
+                  : "\ntime: of one fit; near, scene: of one overlap test, near contact and as volumes "
+                    "lie in a scene\nops: operations counted in one fit, exact decisions among them\n") +
+      "/least: size over that of the smallest of its kind; /hull: " + (provenance.dim == 2 ? "area" : "volume") +
+      " over the hull's\n"
+      "* no other is both faster and tighter\n";
+  if (tied) text += "= the same, but with another that neither time nor size tells apart\n";
   if (doubt) text += kDoubt;
-  if (then != nullptr) text += "then: " + head_of(then->provenance);
+  text += notes.text();
+  if (then != nullptr) text += head_of(then->provenance, "then: ");
   return text;
 }
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::GrowthRow> rows) {
-  Columns columns({"volume", "algorithm", "points", "time", "power", "theory's", "theory", ""});
+  const TimeUnit unit = unit_of(rows, &cost::GrowthRow::time);
+  Columns columns({"volume", "algorithm", "points", header_of("time", unit), "power", "theory's", "theory", ""});
   const auto same = [](const cost::GrowthRow& a, const cost::GrowthRow& b) {
     return a.volume == b.volume && a.algorithm == b.algorithm;
   };
   bool doubt = false;
+  Notes notes;
   for (const auto group : groups_of(rows, same)) {
     const cost::GrowthRow& last = group.back();
     const std::string theirs =
         last.theory_exponent ? said(last.tight ? "%.2f" : "<= %.2f", *last.theory_exponent) : "-";
-    columns.add({last.volume, last.algorithm, said("%d", static_cast<int>(last.points)), time_text(last.time),
-                 ratio_text(last.exponent, "%.2f"), theirs, last.theory, growth_note(last)});
+    const std::string note = growth_note(last);
+    columns.add({last.volume, last.algorithm, said("%d", static_cast<int>(last.points)), unit.text(last.time),
+                 ratio_text(last.exponent, "%.2f"), theirs, last.theory, note.empty() ? "" : notes.letter(note)});
     for (const cost::GrowthRow& row : group) doubt = doubt || !row.time.trusted;
   }
-  std::string text = head_of(provenance) + columns.text() +
-                     "\nThe power is that of n by which the time grows, fitted to the last decade and a half of n; CSV "
-                     "has every time.\n"
-                     "<= marks an upper bound on the operations; memory access may add to the time.\n";
-  return doubt ? text + kDoubt : text;
+  std::string text =
+      head_of(provenance) + columns.text() +
+      "\nThe power is that of n by which the time grows, fitted to the last decade and a half of n;\n"
+      "CSV has every time. <= marks an upper bound on the operations; memory access may add to the time.\n";
+  if (doubt) text += kDoubt;
+  return text + notes.text();
 }
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::TurnRow> rows) {
-  Columns columns({"volume", "update", "time", "least looseness", "mean", "most", ""});
+  const TimeUnit unit = unit_of(rows, &cost::TurnRow::updated);
+  Columns columns({"volume", "update", header_of("time", unit), "least looseness", "mean", "most", ""});
   const auto same = [](const cost::TurnRow& a, const cost::TurnRow& b) {
     return a.volume == b.volume && a.strategy == b.strategy;
   };
@@ -186,14 +277,13 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Tu
     const auto per_cent = [&](double cost::SlackRange::*slack) {
       return range ? said("%.1f %%", 100 * (*range).*slack) : "-";
     };
-    columns.add({group[0].volume, group[0].strategy, time_text(group[0].updated), per_cent(&cost::SlackRange::least),
+    columns.add({group[0].volume, group[0].strategy, unit.text(group[0].updated), per_cent(&cost::SlackRange::least),
                  per_cent(&cost::SlackRange::mean), per_cent(&cost::SlackRange::most),
                  holds ? "" : "does not contain all points"});
   }
   return head_of(provenance) + columns.text() +
-         "\nHow much larger the volume is than the tightest of its kind, over one full turn of the body; an oriented "
-         "box\n"
-         "is compared with the box that rotates with the body.\n";
+         "\nHow much larger the volume is than the tightest of its kind, over one full turn of the body; an\n"
+         "oriented box is compared with the box that rotates with the body.\n";
 }
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows) {
@@ -202,7 +292,8 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Cl
     const std::string verdict = row.verdict == "typical" ? "typical, not a bound"
                                 : row.verdict == "false" ? "false here"
                                                          : row.verdict;
-    text += row.says + "\n  " + row.lecture + ": " + row.slide + "\n  " + verdict + ": " + row.measured + "\n\n";
+    text +=
+        wrapped(row.says) + "\n  " + row.lecture + ": " + row.slide + "\n  " + verdict + ": " + row.measured + "\n\n";
   }
   return text;
 }

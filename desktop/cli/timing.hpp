@@ -11,6 +11,9 @@ namespace snug::desktop {
 
 /// The time of a clock that never goes back, ns.
 [[nodiscard]] double native_now();
+/// The time that the processor has spent on this thread, ns: what other programs take of it does not count.
+[[nodiscard]] double processor_now();
+/// The clock that costs are measured with: the processor's.
 [[nodiscard]] cost::Clock native_clock();
 
 /// Options for timing with that clock: batches of a millisecond, ten thousand times the cost of reading it.

@@ -7,6 +7,7 @@
 
 #include "app/chart.hpp"
 #include "app/subjects/cost/charts.hpp"
+#include "measure/cost_run.hpp"
 #include "measure/growth.hpp"
 #include "measure/turn_run.hpp"
 
@@ -53,6 +54,8 @@ int count_tight(const std::vector<std::span<const cost::TurnRow>>& lines) {
 }  // namespace
 
 std::string measuring_caption(int done, int all) {
+  if (all > 0 && done == all)
+    return "All are measured once. Each is measured again in turn, so that a slow moment falls on all alike.";
   return all > 0 ? phrase("Measuring: %d of %d algorithms are done.", done, all)
                  : phrase("Measuring: %d updates are done.", done);
 }
@@ -63,8 +66,8 @@ std::string accuracy_caption(const cost::Table<cost::CostRow>& table, const cost
   if (words.size) size = ", " + figure(ChartUnit::kRatio, *words.size) + " times " + std::string(words.against);
   if (row.points < row.of)
     part = phrase(", on %d of %d points", static_cast<int>(row.points), static_cast<int>(row.of));
-  return phrase("%s: %s%s%s; %son the front.", words.title.c_str(), time(row.time.median).c_str(), size.c_str(),
-                part.c_str(), row.on_front ? "" : "not ");
+  return phrase("%s: %s%s%s; %son the front%s.", words.title.c_str(), time(row.time.median).c_str(), size.c_str(),
+                part.c_str(), row.on_front ? "" : "not ", cost::is_tied(table.rows, row) ? ", tied with another" : "");
 }
 
 std::string accuracy_caption(const cost::Table<cost::CostRow>& table) {

@@ -117,9 +117,9 @@ std::string Costs::caption(const lesson::Session& session) const {
   if (!refused_.empty()) return refused_;
   if (running() && *at_work_ != view_) return "Another chart is being measured: this one waits for it.";
   if (running()) {
-    const int begun = count() + (view_ == CostView::kAccuracy ? 1 : 0);  // a line is shown while it is measured
+    const int done = count() - (view_ == CostView::kAccuracy ? 0 : 1);  // a line is shown while it is measured
     const auto all = view_ == CostView::kTurn ? 0 : session.lesson().algorithms.size();
-    return measuring_caption(std::max(0, begun - 1), static_cast<int>(all));
+    return measuring_caption(std::max(0, done), static_cast<int>(all));
   }
   const bool any = sheet().rows() > 0;
   if (focus_row_ >= 0 && any) {

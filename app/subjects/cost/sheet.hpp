@@ -53,13 +53,15 @@ class CostSheetOf final : public CostSheet {
 
   void start(std::unique_ptr<Run> run, cost::Provenance about) {
     run_ = std::move(run);
+    revision_ = 0;
     table = {std::move(about), {}};
   }
   void lay_over(Table earlier) { then_ = std::move(earlier); }
 
   bool work(const cost::Clock& clock, double budget) override {
     cost::advance(*run_, clock, budget);
-    return run_->rows().size() != table.rows.size() && (take(), true);
+    const int before = std::exchange(revision_, cost::revision_of(*run_));
+    return revision_ != before && (take(), true);
   }
   [[nodiscard]] double progress() const override { return run_ != nullptr ? run_->progress() : 1; }
   [[nodiscard]] bool done() const override { return run_ == nullptr || run_->done(); }
@@ -91,6 +93,7 @@ class CostSheetOf final : public CostSheet {
 
   Chart (*draw_)(const Table&, const Table*);
   std::unique_ptr<Run> run_;
+  int revision_ = 0;  // of the run's rows
   std::optional<Table> then_;
 };
 

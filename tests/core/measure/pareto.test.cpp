@@ -45,6 +45,12 @@ TEST_CASE("sizes that differ by rounding alone are equal: the faster undercuts")
   CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, more, 1e-9}, {1, 1, 1e-9}}).size() == 2);
 }
 
+TEST_CASE("times that cannot be told apart are equal: the smaller undercuts, and equal sizes are tied") {
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, 2, 0, 0.1}, {1.05, 1, 0, 0.1}}) == std::vector<std::size_t>{1});
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, 1, 0, 0.1}, {1.05, 1, 0, 0.1}}).size() == 2);
+  CHECK(cost::pareto_front(std::vector<cost::Offer>{{1, 1, 0, 0.1}, {1.2, 1, 0, 0.1}}) == std::vector<std::size_t>{0});
+}
+
 TEST_CASE("offers that are no numbers are on no front") {
   constexpr double kInf = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
   CHECK(cost::pareto_front(std::vector<cost::Offer>{{kInf, 1}, {1, kNan}, {2, 2}}) == std::vector<std::size_t>{2});

@@ -73,6 +73,39 @@ TEST_CASE("three repeats are enough where they took long") {
   CHECK(cost::time_of(test::false_clock(), run, {.repeats = 2, .batch = 1e6, .enough = 2e9}).repeats == 2);
 }
 
+TEST_CASE("of two times the shorter is told, or that noise hides which it is") {
+  const auto time = [](double median, std::optional<double> spread) {
+    return cost::Timing{.median = median, .min = median, .spread = spread, .repeats = 9, .batch = 1};
+  };
+  CHECK(cost::faster(time(100, 0.01), time(106, 0.01), 0.05) == cost::Faster::kFirst);
+  CHECK(cost::faster(time(106, 0.01), time(100, 0.01), 0.05) == cost::Faster::kSecond);
+  CHECK(cost::faster(time(100, 0.01), time(105, 0.01), 0.05) == cost::Faster::kTie);
+  CHECK(cost::faster(time(100, 0.3), time(120, 0.01), 0.05) == cost::Faster::kTie);  // the spread of one is wide
+  CHECK(cost::faster(time(100, {}), time(190, {}), 0.05) == cost::Faster::kTie);     // one batch each
+  CHECK(cost::faster(cost::Timing{.median = 7}, cost::Timing{.median = 8}, 0.05) == cost::Faster::kFirst);  // counted
+}
+
+TEST_CASE("in rounds each run has its turn; what disagrees is measured again, three times as often at most") {
+  std::string order;
+  int i = 0;
+  cost::Rounds rounds({.repeats = 3, .batch = 0}, test::false_clock());
+  rounds.add([&] { order += 'a', test::pass(10); });
+  while (!rounds.start_last()) {
+  }
+  rounds.add([&] { order += 'b', test::pass(++i % 2 == 0 ? 10 : 30); });
+  while (!rounds.start_last()) {
+  }
+  order.clear();
+  for (int steps = 0; !rounds.done(); ++steps) {
+    rounds.step();
+    REQUIRE(steps < 100);
+  }
+  CHECK(order == "abab" + std::string(6, 'b'));
+  CHECK(rounds.timing(0).repeats == 3);
+  CHECK(rounds.timing(1).repeats == 9);
+  CHECK(rounds.timing(0, 5).median == 2);
+}
+
 TEST_CASE("times that jump are said to be doubtful") {
   int i = 0;
   const auto run = [&] { test::pass(i++ % 2 == 0 ? 1e6 : 2e6); };

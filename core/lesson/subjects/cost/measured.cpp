@@ -228,21 +228,23 @@ Grade grade_costs(const Task& task, Costs rows, std::string_view chosen) {
     grade.says = title_of(*own) + " was measured on fewer points: the two cannot be compared.";
     return grade;
   }
-  const bool is_cheapest = own == find_row(rows, cheapest);
-  if (!is_cheapest && (is_unreliable(*own) || is_unreliable(*find_row(rows, cheapest)))) {
-    grade.says = "The times of " + title_of(*own) + " and " + title_of(*find_row(rows, cheapest)) +
+  const double own_size = size_beside(*own, *than), than_size = size_beside(*than, *own);
+  const bool small_enough = own_size <= (1 - tighter_by) * than_size;
+  const cost::CostRow& best = *find_row(rows, cheapest);
+  const bool tied = small_enough && cost::faster(own->time, best.time, cost::kDoubtInRun) == cost::Faster::kTie;
+  const bool is_cheapest = own == &best || tied;
+  if (!is_cheapest && (is_unreliable(*own) || is_unreliable(best))) {
+    grade.says = "The times of " + title_of(*own) + " and " + title_of(best) +
                  " cannot be compared, because one of them could not be measured reliably: measure again.";
     return grade;
   }
-  const double own_size = size_beside(*own, *than), than_size = size_beside(*than, *own);
   grade.excess = own_size / than_size - 1;
   grade.done = is_cheapest;
   grade.says = title_of(*own) + ": " + smaller_text(own_size, than_size) + " " + name + ", in " +
                times_text(own->time.median / than->time.median) + " times the " +
                (is_counted(*own) ? "operations." : "time.");
   if (grade.done) grade.says += " Done.";
-  else if (own_size <= (1 - tighter_by) * than_size)
-    grade.says += is_counted(*own) ? " Another does it in fewer." : " Another does it in less.";
+  else if (small_enough) grade.says += is_counted(*own) ? " Another does it in fewer." : " Another does it in less.";
   else grade.says += " It should be at least " + asked_for + " smaller.";
   return grade;
 }

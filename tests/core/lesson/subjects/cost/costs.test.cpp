@@ -73,7 +73,7 @@ std::string with(std::string_view old_words, std::string_view new_words) {
 cost::CostRow row(const char* algorithm, double time, double size, Index points = 4, Index of = 4) {
   cost::CostRow row;
   row.volume = "obb", row.algorithm = algorithm, row.time.median = time, row.points = points, row.of = of;
-  row.time.repeats = 9, row.time.trusted = true;
+  row.time.repeats = 9, row.time.spread = 0.01, row.time.trusted = true;
   row.size = row.measure = size;
   return row;
 }
@@ -240,6 +240,9 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   cheaper[0].size = 9.5;
   CHECK(cheapest_of(task, cheaper) == "pca");
   CHECK_FALSE(grade_costs(session.lesson().tasks[0], cheaper, "exact").done);
+  auto tied = cheaper;
+  tied[2].time.median = 102;  // as fast as the cheapest, but for noise
+  CHECK(grade_costs(session.lesson().tasks[0], tied, "exact").done);
   auto flat = cheaper;
   for (cost::CostRow& one : flat) one.noise = 20;
   CHECK(cheapest_of(task, flat).empty());  // sizes that are nothing but rounding are not compared
