@@ -13,8 +13,8 @@ bool is_finite(const Offer& offer) { return std::isfinite(offer.time) && std::is
 
 bool undercuts(const Offer& a, const Offer& b) {
   const double rounding = std::max(a.rounding, b.rounding), doubt = std::max(a.doubt, b.doubt);
-  return a.time <= b.time + doubt && a.size <= b.size + rounding &&
-         (a.time < b.time - doubt || a.size < b.size - rounding);
+  const double later = b.time - a.time, larger = b.size - a.size;  // as faster() compares them, to the last bit
+  return later >= -doubt && larger >= -rounding && (later > doubt || larger > rounding);
 }
 
 }  // namespace
