@@ -40,8 +40,7 @@ double CostRun::progress() const {
   constexpr double kPieces = 8, kFirst = 0.5;  // the share of the first times
   const double rows =
       (static_cast<double>(at_) + static_cast<double>(piece_) / kPieces) / static_cast<double>(algorithms_.size());
-  const double rounds = std::min(1.0, static_cast<double>(rounds_.round() - 1) / options_.timing.repeats);
-  return kFirst * rows + (1 - kFirst) * rounds;
+  return kFirst * rows + (at_ < algorithms_.size() ? 0 : (1 - kFirst) * rounds_.progress());
 }
 
 void CostRun::step() {
@@ -54,7 +53,7 @@ void CostRun::step() {
                                       &CostRun::time_in_scene,
                                       &CostRun::time_update};
   if (done()) return;
-  if (at_ == algorithms_.size()) return next_round();
+  if (at_ == algorithms_.size()) return next_batch();
   if (!(this->*kPieces[piece_])()) return;
   started_ = false;
   if (++piece_ < kPieces.size()) return;
@@ -108,18 +107,23 @@ bool CostRun::climb() {
   return true;
 }
 
-bool CostRun::start(Timing CostRow::*timing, std::function<void()> run, int parts) {
-  if (!std::exchange(started_, true)) {
-    rounds_.add(std::move(run));
-    timed_.push_back({timing, parts, {at_}});
-  }
+void CostRun::start(Timing CostRow::*timing, std::function<void()> run, int parts) {
+  rounds_.add(std::move(run));
+  timed_.push_back({timing, parts, {at_}});
+  started_ = true;
+}
+
+bool CostRun::go_on() {
   if (!rounds_.start_last()) return false;
-  row_.*timing = rounds_.timing(timed_.size() - 1, parts);
+  row_.*timed_.back().timing = rounds_.timing(timed_.size() - 1, timed_.back().parts);
   return true;
 }
 
-void CostRun::next_round() {
+/// The rows follow the rounds: within one they stay as they are.
+void CostRun::next_batch() {
+  const int before = rounds_.round();
   rounds_.step();
+  if (rounds_.round() == before && !rounds_.done()) return;
   for (std::size_t i = 0; i < timed_.size(); ++i)
     for (const std::size_t row : timed_[i].rows) rows_[row].*timed_[i].timing = rounds_.timing(i, timed_[i].parts);
 }
@@ -127,8 +131,10 @@ void CostRun::next_round() {
 bool CostRun::time_fit() {
   const fit::Algorithm* const own = &algorithm();
   const AnyPointSet* const set = &points_of(row_.points);
-  return start(
-      &CostRow::time, [this, own, set] { (void)own->fit(*set, options_.fit); }, 1);
+  if (!started_)
+    start(
+        &CostRow::time, [this, own, set] { (void)own->fit(*set, options_.fit); }, 1);
+  return go_on();
 }
 
 bool CostRun::count() {
@@ -172,16 +178,17 @@ bool CostRun::time_near() { return time_copies(Copies::kNear, &CostRow::overlap)
 bool CostRun::time_in_scene() { return time_copies(Copies::kScene, &CostRow::scene_overlap); }
 
 bool CostRun::time_copies(Copies where, Timing CostRow::*timing) {
-  if (started_) return start(timing, {}, 1);
+  if (started_) return go_on();
   const OverlapWork work = overlap_work(volume_, dim_, single_, where, options_.fit.seed);
   if (work.pairs == 0) return true;
   if (where == Copies::kNear) row_.overlap_pairs = work.pairs, row_.overlapping = work.run();
-  return start(
+  start(
       timing, [run = work.run] { (void)run(); }, work.pairs);
+  return false;
 }
 
 bool CostRun::time_update() {
-  if (started_) return start(&CostRow::updated, {}, kPoses);
+  if (started_) return go_on();
   const fit::UpdateStrategy* const strategy = update_of(algorithm());
   // At the start, every update computes its body's hull and an oriented box.
   if (strategy == nullptr || ladder_of(*fit::find_algorithm("hull", "quickhull")).reached() < row_.points) return true;
@@ -192,17 +199,24 @@ bool CostRun::time_update() {
     row_.updated = rounds_.timing(place->second, kPoses);
     return true;
   }
-  return start(
-      &CostRow::updated,
-      [turn = fit::start_bare_updates(*strategy, points_of(row_.points), full_turn(dim_, kPoses))] { (void)turn(); },
-      kPoses);
+  const auto turn = fit::start_bare_updates(*strategy, points_of(row_.points), full_turn(dim_, kPoses));
+  start(
+      &CostRow::updated, [turn] { (void)turn(); }, kPoses);
+  return false;
 }
+
+namespace {
+
+Offer offer_of(const CostRow& row) {
+  return {row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(),
+          row.is_flat() ? 0 : row.measure, row.noise / tolerance::kKnownSize, row.time.doubt(kDoubtInRun)};
+}
+
+}  // namespace
 
 std::vector<std::size_t> pareto_front(std::span<const CostRow> rows) {
   std::vector<Offer> offers;
-  for (const CostRow& row : rows)
-    offers.push_back({row.points == row.of ? row.time.median : std::numeric_limits<double>::infinity(),
-                      row.is_flat() ? 0 : row.measure, row.noise / tolerance::kKnownSize, row.time.doubt(kDoubtInRun)});
+  for (const CostRow& row : rows) offers.push_back(offer_of(row));
   return pareto_front(offers);
 }
 
@@ -213,11 +227,7 @@ void mark_front(std::span<CostRow> rows) {
 
 bool is_tied(std::span<const CostRow> rows, const CostRow& row) {
   return row.on_front && std::any_of(rows.begin(), rows.end(), [&](const CostRow& other) {
-           const double rounding = std::max(row.noise, other.noise) / tolerance::kKnownSize;
-           const bool same_size =
-               (row.is_flat() && other.is_flat()) || std::abs(row.measure - other.measure) <= rounding;
-           return &other != &row && other.on_front && same_size &&
-                  faster(row.time, other.time, kDoubtInRun) == Faster::kTie;
+           return &other != &row && other.on_front && are_equal(offer_of(row), offer_of(other));
          });
 }
 

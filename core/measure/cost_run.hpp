@@ -70,9 +70,11 @@ class CostRun {
   bool time_in_scene();
   bool time_update();
   bool time_copies(Copies where, Timing CostRow::*timing);
-  /// Times a run for the first time; returns whether that is done. parts: of a run; the row has the time of one.
-  bool start(Timing CostRow::*timing, std::function<void()> run, int parts);
-  void next_round();
+  /// Begins to time a run. parts: of a run; the row has the time of one.
+  void start(Timing CostRow::*timing, std::function<void()> run, int parts);
+  /// Goes on timing it for the first time; returns whether that is done.
+  bool go_on();
+  void next_batch();
 
   [[nodiscard]] const AnyPointSet& points_of(Index n);
   [[nodiscard]] Ladder& ladder_of(const fit::Algorithm& algorithm);

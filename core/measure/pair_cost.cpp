@@ -139,8 +139,9 @@ void PairCostRun::take_times() {
 void PairCostRun::step() {
   if (done()) return;
   if (rows_.size() < kPairs) return start();
+  const int before = rounds_.round();
   rounds_.step();
-  take_times();
+  if (rounds_.round() != before || rounds_.done()) take_times();
 }
 
 }  // namespace snug::cost

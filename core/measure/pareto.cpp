@@ -11,13 +11,19 @@ namespace {
 
 bool is_finite(const Offer& offer) { return std::isfinite(offer.time) && std::isfinite(offer.size); }
 
+/// Whether a is surely less than b: by more than either's doubt, as faster() compares times, to the last bit.
+bool less_time(const Offer& a, const Offer& b) { return b.time - a.time > std::max(a.doubt, b.doubt); }
+bool less_size(const Offer& a, const Offer& b) { return b.size - a.size > std::max(a.rounding, b.rounding); }
+
 bool undercuts(const Offer& a, const Offer& b) {
-  const double rounding = std::max(a.rounding, b.rounding), doubt = std::max(a.doubt, b.doubt);
-  const double later = b.time - a.time, larger = b.size - a.size;  // as faster() compares them, to the last bit
-  return later >= -doubt && larger >= -rounding && (later > doubt || larger > rounding);
+  return !less_time(b, a) && !less_size(b, a) && (less_time(a, b) || less_size(a, b));
 }
 
 }  // namespace
+
+bool are_equal(const Offer& a, const Offer& b) {
+  return !less_time(a, b) && !less_time(b, a) && !less_size(a, b) && !less_size(b, a);
+}
 
 std::vector<std::size_t> pareto_front(std::span<const Offer> offers) {
   std::vector<std::size_t> front;

@@ -14,6 +14,9 @@ struct Offer {
   double doubt = 0;     // and so are times that differ by no more than this
 };
 
+/// Whether neither time nor size tells them apart.
+[[nodiscard]] bool are_equal(const Offer& a, const Offer& b);
+
 /// The indices of the offers that no other beats, where beating means as good in both and better in one. Ordered by
 /// time. All equal offers are included, and so are those that cannot be told apart: they are tied. Offers that are not
 /// finite are left out. O(n^2) time for n offers.

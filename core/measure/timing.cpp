@@ -101,26 +101,18 @@ bool Rounds::start_last() {
 }
 
 bool Rounds::wants_more(const Stopwatch& watch) const {
-  const bool disagree = options_.repeats >= kFewestRepeats && watch.repeats() < most() && !watch.spent_enough() &&
-                        !watch.timing().trusted;
+  const bool disagree = options_.repeats >= kFewestRepeats && watch.repeats() < kMostLonger * options_.repeats &&
+                        !watch.spent_enough() && !watch.timing().trusted;
   return !watch.done() || disagree;
 }
 
 void Rounds::step() {
-  const auto pass_over = [&] {
-    while (at_ < watches_.size() && (watches_[at_].repeats() >= round_ || !wants_more(watches_[at_]))) ++at_;
-    return at_ == watches_.size();
-  };
-  while (pass_over()) {
-    if (std::none_of(watches_.begin(), watches_.end(), [&](const Stopwatch& watch) { return wants_more(watch); }))
-      return;
-    ++round_, at_ = 0;
-  }
-  watches_[at_].step(clock_);
-}
-
-bool Rounds::done() const {
-  return std::none_of(watches_.begin(), watches_.end(), [&](const Stopwatch& watch) { return wants_more(watch); });
+  const auto wants_more = [this](const Stopwatch& watch) { return this->wants_more(watch); };
+  const auto is_next = [&](const Stopwatch& watch) { return watch.repeats() < round_ && wants_more(watch); };
+  while (at_ < watches_.size() && !is_next(watches_[at_])) ++at_;
+  if (at_ < watches_.size()) return watches_[at_].step(clock_);
+  done_ = std::none_of(watches_.begin(), watches_.end(), wants_more);
+  if (!done_) ++round_, at_ = 0;
 }
 
 Timing Rounds::timing(std::size_t run, int parts) const {

@@ -98,12 +98,15 @@ class Rounds {
   std::size_t add(std::function<void()> run);
   /// Does a batch of the run that was added last. Returns whether its first time is known.
   bool start_last();
-  /// Does the next batch, if any is wanted.
+  /// Does the next batch of the round, or goes on to the next round.
   void step();
-  [[nodiscard]] bool done() const;
-  /// The round at hand, and how many there may be.
+  [[nodiscard]] bool done() const { return done_ || watches_.empty(); }
+  /// The round at hand, from 1.
   [[nodiscard]] int round() const { return round_; }
-  [[nodiscard]] int most() const { return options_.repeats * kMostLonger; }
+  /// From 0 to 1, as if no more rounds were wanted than are asked for.
+  [[nodiscard]] double progress() const {
+    return done() ? 1 : std::min(1.0, static_cast<double>(round_ - 1) / options_.repeats);
+  }
   /// The timing so far, of one of the parts of a run.
   [[nodiscard]] Timing timing(std::size_t run, int parts = 1) const;
 
@@ -117,6 +120,7 @@ class Rounds {
   std::vector<Stopwatch> watches_;
   std::size_t at_ = 0;  // the run whose turn it is
   int round_ = 1;
+  bool done_ = false;
 };
 
 /// Does the whole timing at once.

@@ -20,14 +20,13 @@ std::optional<SlackRange> slack_range(std::span<const TurnRow> rows) {
 TurnRun::TurnRun(const AnyPointSet& points, std::vector<const fit::UpdateStrategy*> strategies, int frames,
                  const TimingOptions& timing, Clock clock)
     : points_(points), strategies_(std::move(strategies)), poses_(full_turn(fit::dim_of(points), frames)),
-      repeats_(timing.repeats), rounds_(timing, std::move(clock)),
-      noise_(rounding_of(points).noise(fit::dim_of(points))) {}
+      rounds_(timing, std::move(clock)), noise_(rounding_of(points).noise(fit::dim_of(points))) {}
 
 double TurnRun::progress() const {
   if (done()) return 1;
   const double part = static_cast<double>(frame_) / static_cast<double>(poses_.size());
   const double frames = (static_cast<double>(at_) + part) / static_cast<double>(strategies_.size());
-  return (frames + std::min(1.0, static_cast<double>(rounds_.round() - 1) / repeats_)) / 2;
+  return (frames + (at_ < strategies_.size() ? 0 : rounds_.progress())) / 2;
 }
 
 void TurnRun::step() {

@@ -41,7 +41,6 @@ class TurnRun {
   const AnyPointSet& points_;
   std::vector<const fit::UpdateStrategy*> strategies_;
   std::vector<Pose<double, 3>> poses_;
-  int repeats_;
   Rounds rounds_;
   bool stopped_ = false;
   double noise_ = 0;       // a measure no larger than this is only rounding

@@ -88,16 +88,18 @@ class Notes {
     const auto found = std::find(notes_.begin(), notes_.end(), note);
     const auto i = static_cast<std::size_t>(found - notes_.begin());
     if (found == notes_.end()) notes_.push_back(note);
-    return i < 26 ? std::string(1, static_cast<char>('a' + i)) : std::to_string(i + 1);
+    return name_of(i);
   }
   [[nodiscard]] std::string text() const {
     std::string text;
-    for (std::size_t i = 0; i < notes_.size(); ++i)
-      text += (i < 26 ? std::string(1, static_cast<char>('a' + i)) : std::to_string(i + 1)) + "  " + notes_[i] + '\n';
+    for (std::size_t i = 0; i < notes_.size(); ++i) text += name_of(i) + "  " + notes_[i] + '\n';
     return text;
   }
 
  private:
+  static std::string name_of(std::size_t i) {
+    return i < 26 ? std::string(1, static_cast<char>('a' + i)) : std::to_string(i + 1);
+  }
   std::vector<std::string> notes_;
 };
 

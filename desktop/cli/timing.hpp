@@ -16,7 +16,7 @@ namespace snug::desktop {
 /// The clock that costs are measured with: the processor's.
 [[nodiscard]] cost::Clock native_clock();
 
-/// Options for timing with that clock: batches of a millisecond, ten thousand times the cost of reading it.
+/// Options for timing with that clock: batches of a millisecond, a thousand times the cost of reading it.
 [[nodiscard]] cost::TimingOptions native_timing(int repeats);
 
 /// Times run, with a progress bar if it is long. repeats: at least 1.

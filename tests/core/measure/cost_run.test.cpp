@@ -285,6 +285,29 @@ TEST_CASE("a sample has each part of the set once") {
   CHECK(fit::size_of(cost::sample(points, 5000, 5)) == 1000);
 }
 
+TEST_CASE("a row has the time of one test, and of one update, as soon as it is ready") {
+  const AnyPointSet points = test::set_of<double, 3>(test::generated<double, 3>("cube", 50, 3));
+  for (const int repeats : {1, 3}) {
+    double now = 0;  // a microsecond passes at each reading: every batch is one run, and takes as long
+    cost::CostRun run(
+        points, {fit::find_algorithm("sphere", "ritter")},
+        {.timing = {.repeats = repeats, .batch = 500}, .limits = {.longest = 1e12, .longest_watched = 1e12}},
+        [&now] { return now += 1000; });
+    const auto check = [&] {
+      const cost::CostRow& row = run.rows().at(0);
+      CHECK(row.time.median == 1000);
+      CHECK(row.overlap.median == 1000.0 / row.overlap_pairs);
+      CHECK(row.scene_overlap.median == 1000.0 / row.overlap_pairs);
+      CHECK(row.updated.median == 1000.0 / 64);
+    };
+    while (run.rows().empty()) run.step();
+    check();
+    finish(run);
+    check();
+    CHECK(run.rows()[0].overlap.repeats == repeats);
+  }
+}
+
 TEST_CASE("a second in which the machine is slow falls on all algorithms alike") {
   // Each is as fast as the other. In a third of the rounds the machine takes twice as long.
   const fit::Algorithm one = test::slow_algorithm<100, 2>("one"), other = test::slow_algorithm<100, 2>("other");
