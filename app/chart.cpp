@@ -16,7 +16,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
-constexpr float kNoteLeading = 1.5f;
+constexpr float kNoteLeading = 1.5f, kNearName = 10;
 constexpr double kPadding = 0.06;
 constexpr double kNothing = 1e-7;  // a fraction below this is only rounding
 // A line chart lower than the first has no note, and any chart lower than the second; its file has the note as well.
@@ -167,16 +167,141 @@ void draw_mark(ChartPen& pen, const Look& look, ImVec2 at, const ChartSeries& se
   }
 }
 
-/// The legend below the axes: close lines and very many marks leave no room for names beside
-/// them.
+/// What stands beside a series, or in the legend: its name and result, and with room for it what that is compared with.
+std::string words_of(const ChartSeries& series, bool whole) {
+  return whole ? full_name(series) : series.figure.empty() ? series.name : series.name + ": " + series.figure;
+}
+
+bool has_lines(const Chart& chart) {
+  return std::any_of(chart.series.begin(), chart.series.end(), [](const ChartSeries& one) { return one.line; });
+}
+
+/// Draws a name in its place, with a thin line to its mark if it stands away from that.
+void name_beside(ChartPen& pen, const Look& look, ImVec2 mark, const Rect& place, const ChartSeries& series,
+                 std::string_view words) {
+  const ImVec2 near{std::clamp(mark.x, place.x, place.x + place.width),
+                    std::clamp(mark.y, place.y, place.y + place.height)};
+  if (std::hypot(near.x - mark.x, near.y - mark.y) > kMark * look->mark + kNearName)
+    pen.line(mark, near, with_alpha(mark_color(look, series.role), 0.5f));
+  pen.halo_words(look, Face::kRegular, kSize, {place.x, place.y}, word_color(look, series.role), look->ground, words);
+}
+
+/// The names of lines at their right ends, one below the other, each with a thin line to its end. A line that ends
+/// earlier has its name beside that.
+class EndNames {
+ public:
+  EndNames(const Look& look, const Chart& chart) : look_(look), chart_(chart) {}
+
+  /// How much of the width they take; 0 where that or the height is too small for them. height: of the frame.
+  [[nodiscard]] float margin(float width, float height) {
+    if (!has_lines(chart_) || static_cast<float>(names().size()) * row() > height) return 0;
+    for (const bool whole : {true, false}) {
+      whole_ = whole;
+      float widest = 0;
+      for (const ChartSeries* one : names())
+        widest = std::max(widest, measure(look_, Face::kRegular, kSize, words_of(*one, whole)).x);
+      if (widest + kLeader <= kMostMargin * width) return widest + kLeader;
+    }
+    return 0;
+  }
+
+  /// at: a point's place. frame: within the axes, without the margin.
+  template <class At>
+  void draw(ChartPen& pen, const Rect& frame, const At& at) const {
+    const float right = frame.x + frame.width;
+    std::vector<End> far;
+    std::vector<LabelRequest> early;
+    std::vector<const ChartSeries*> early_series;
+    for (const ChartSeries* one : names()) {
+      const ImVec2 end = at(one->points.back());
+      if (end.x > right - 0.12f * frame.width) {
+        far.push_back({one, end});
+      } else {
+        const ImVec2 size = measure(look_, Face::kRegular, kSize, words_of(*one, whole_));
+        early.push_back({end.x, end.y, kMark * look_->mark + 4, size.x, size.y, 1, 0, false, true});
+        early_series.push_back(one);
+      }
+    }
+    std::sort(far.begin(), far.end(), [](const End& a, const End& b) { return a.at.y < b.at.y; });
+    const std::vector<float> heights = spread(far, frame.y, frame.y + frame.height);
+    for (std::size_t i = 0; i < far.size(); ++i) {
+      const auto& [series, end] = far[i];
+      pen.line({end.x + kMark * look_->mark + 2, end.y}, {right + kLeader - 4, heights[i]},
+               with_alpha(mark_color(look_, series->role), 0.5f));
+      pen.words(look_, Face::kRegular, kSize, {right + kLeader, middle_of(heights[i], look_.px(kSize))},
+                word_color(look_, series->role), words_of(*series, whole_));
+    }
+    const auto places = place_labels(early, obstacles(at), frame);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i])
+        name_beside(pen, look_, {early[i].x, early[i].y}, *places[i], *early_series[i],
+                    words_of(*early_series[i], whole_));
+  }
+
+ private:
+  struct End {
+    const ChartSeries* series;
+    ImVec2 at;
+  };
+  static constexpr float kLeader = 28, kMostMargin = 0.3f;
+  [[nodiscard]] float row() const { return look_.px(1.3f * kSize); }
+
+  [[nodiscard]] std::vector<const ChartSeries*> names() const {
+    std::vector<const ChartSeries*> named;
+    for (const ChartSeries& one : chart_.series)
+      if (!one.name.empty() && !one.points.empty()) named.push_back(&one);
+    return named;
+  }
+
+  /// Heights a row apart, as near to the ends as that allows: runs that would overlap share their mean.
+  [[nodiscard]] std::vector<float> spread(const std::vector<End>& ends, float top, float bottom) const {
+    struct Run {
+      float sum;
+      int count;
+      [[nodiscard]] float mean() const { return sum / static_cast<float>(count); }
+    };
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      runs.push_back({ends[i].at.y - static_cast<float>(i) * row(), 1});
+      while (runs.size() > 1 && runs.back().mean() < runs[runs.size() - 2].mean()) {
+        runs[runs.size() - 2].sum += runs.back().sum, runs[runs.size() - 2].count += runs.back().count;
+        runs.pop_back();
+      }
+    }
+    std::vector<float> heights;
+    const float last = static_cast<float>(ends.size()) - 1;
+    for (const Run& run : runs)
+      for (int i = 0; i < run.count; ++i) {
+        const float first = std::clamp(run.mean(), top, std::max(top, bottom - last * row()));
+        heights.push_back(first + static_cast<float>(heights.size()) * row());
+      }
+    return heights;
+  }
+
+  template <class At>
+  [[nodiscard]] Obstacles obstacles(const At& at) const {
+    Obstacles all;
+    for (const ChartSeries& one : chart_.series)
+      for (std::size_t i = 0; i < one.points.size(); ++i) {
+        const ImVec2 to = at(one.points[i]);
+        all.discs.push_back({to.x, to.y, kMark * look_->mark + 2});
+        if (i == 0) continue;
+        const ImVec2 from = at(one.points[i - 1]);
+        all.segments.push_back({from.x, from.y, to.x, to.y});
+      }
+    return all;
+  }
+
+  const Look& look_;
+  const Chart& chart_;
+  bool whole_ = true;
+};
+
+/// The legend below the axes, where names find no room beside their marks.
 class Legend {
  public:
   /// Shows the whole names if they take few rows, otherwise without the comparison.
   Legend(const Look& look, const Chart& chart, float width) : look_(look), chart_(chart) {
-    const auto named = [](const ChartSeries& one) { return !one.name.empty(); };
-    const bool many = std::count_if(chart.series.begin(), chart.series.end(), named) > kMostBeside;
-    const auto is_line = [](const ChartSeries& one) { return one.line; };
-    if (!many && std::none_of(chart.series.begin(), chart.series.end(), is_line)) return;
     rimmed_ = std::any_of(chart.series.begin(), chart.series.end(),
                           [](const ChartSeries& one) { return one.rim != ChartRim::kNone; });
     place(width, true);
@@ -200,7 +325,6 @@ class Legend {
     int row;
   };
   static constexpr int kMostRows = 3;
-  static constexpr int kMostBeside = kChartShapes;
   static constexpr float kIndent = 24, kGap = 20;
   [[nodiscard]] float row() const { return look_.px(rimmed_ ? 24 : 18); }
 
@@ -210,7 +334,7 @@ class Legend {
     int row = 0;
     for (const ChartSeries& one : chart_.series) {
       if (one.name.empty()) continue;
-      std::string words = whole ? full_name(one) : one.figure.empty() ? one.name : one.name + ": " + one.figure;
+      const std::string words = words_of(one, whole);
       const float wanted = kIndent + measure(look_, Face::kRegular, kSize, words).x;
       if (x > 0 && x + wanted > width) x = 0, ++row;
       entries_.push_back({&one, shortened(look_, Face::kRegular, kSize, words, width - kIndent), x, row});
@@ -314,14 +438,15 @@ struct Plot {
     }
   }
 
-  /// Draws the name of each series beside its last point. Labels keep clear of the bars of spread.
-  void names() const {
+  /// The place of each series' name beside its last point, clear of the bars of spread. None if one finds no place near
+  /// its mark: then a legend has them all.
+  [[nodiscard]] std::optional<std::vector<Rect>> name_places() const {
     std::vector<LabelRequest> requests;
     Obstacles obstacles;
     for (const ChartSeries& one : chart.series) {
       const ImVec2 end = one.points.empty() ? ImVec2(frame.x, frame.y) : at(one.points.back());
       const ImVec2 size = measure(look, Face::kRegular, kSize, one.name);
-      requests.push_back({end.x, end.y, kMark * look->mark + 3, size.x, size.y, 0.7f, -0.7f, false, true});
+      requests.push_back({end.x, end.y, kMark * look->mark + 5, size.x, size.y, 0.7f, -0.7f, false, true});
       for (const ChartPoint& p : one.points) {
         obstacles.discs.push_back({at(p).x, at(p).y, kMark * look->mark + 2});
         if (p.x_low < p.x_high) obstacles.segments.push_back({x.at(p.x_low), at(p).y, x.at(p.x_high), at(p).y});
@@ -333,10 +458,19 @@ struct Plot {
       obstacles.segments.push_back({to.x, from.y, to.x, to.y});
     }
     const auto places = place_labels(requests, obstacles, frame);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i] && !chart.series[i].points.empty())
-        pen.halo_words(look, Face::kRegular, kSize, {places[i]->x, places[i]->y},
-                       word_color(look, chart.series[i].role), look->ground, chart.series[i].name);
+    if (!std::all_of(places.begin(), places.end(), [](const auto& place) { return place.has_value(); }))
+      return std::nullopt;
+    std::vector<Rect> found;
+    for (const auto& place : places) found.push_back(*place);
+    return found;
+  }
+
+  void names(const std::vector<Rect>& places) const {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const ChartSeries& one = chart.series[i];
+      if (!one.points.empty() && !one.name.empty())
+        name_beside(pen, look, at(one.points.back()), places[i], one, one.name);
+    }
   }
 
   [[nodiscard]] std::optional<ChartHit> under_pointer() const {
@@ -423,6 +557,8 @@ Rect clear_place(ImVec2 size, const Rect& frame, ImVec2 about, std::span<const I
   return {best.x, best.y, size.x, size.y};
 }
 
+float picture_scale(float width, float height) { return std::max(1.0f, std::min(width / 1280, height / 800)); }
+
 std::string chart_figure(ChartUnit unit, double value) {
   switch (unit) {
     case ChartUnit::kTime: return time_figure(value);
@@ -438,9 +574,17 @@ std::string chart_figure(ChartUnit unit, double value) {
 
 namespace {
 
-std::vector<double> even_places(double from, double to, int most) {
+/// The least step that suits the unit: degrees are divided as a clock face is.
+double step_at_least(ChartUnit unit, double least) {
+  if (unit == ChartUnit::kDegrees)
+    for (const double step : {1, 5, 15, 30, 45, 90, 180, 360})
+      if (step >= least) return step;
+  return nice_at_least(least);
+}
+
+std::vector<double> even_places(ChartUnit unit, double from, double to, int most) {
   std::vector<double> places;
-  const double step = nice_at_least((to - from) / most);
+  const double step = step_at_least(unit, (to - from) / most);
   for (double i = std::ceil(from / step); i * step <= to; ++i) places.push_back(i * step + 0.0);  // not -0
   return places;
 }
@@ -464,48 +608,67 @@ std::vector<double> log_places(double from, double to, int most) {
 std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to, int most) {
   std::vector<double> places;
   if (axis.log && to >= from * kNoDecade) places = log_places(from, to, most);
-  if (places.size() < 2) places = even_places(from, to, most);
+  if (places.size() < 2) places = even_places(axis.unit, from, to, most);
   std::vector<ChartTick> ticks;
   for (const double place : places)
     if (place >= from && place <= to) ticks.push_back({place, chart_figure(axis.unit, place)});
   return ticks;
 }
 
-std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart,
-                                   std::optional<ChartHit> focus, std::vector<ChartPlace>* places, float taken) {
-  const float line = look.px(kSize);
-  const float left = rect.x + 16, top = rect.y + 16;
-  const float width = rect.width - 32;
+namespace {
+
+/// Draws the title, the note and the vertical axis's title. Returns how far down they reach.
+float draw_heading(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart, float taken) {
+  const float left = rect.x + 16, top = rect.y + 16, width = rect.width - 32;
   const float title =
       draw_lines(pen, look, Face::kSemiBold, kTitle, 1.3f, {left, top}, width - taken, look->ink, chart.title);
   const float under = top + title + look.px(kTitle) + 8;
-  const Legend legend(look, chart, width);
-  const bool noted = rect.height >= (legend.height() == 0 ? kLeastNoted : kLittleRoom);
-  float note = -8;
+  const bool noted = rect.height >= (has_lines(chart) ? kLittleRoom : kLeastNoted);
+  float note = noted ? 0 : -8;
   if (noted && !chart.note.empty()) {
     const float first = look.px(kSize * kNoteLeading) - look.px(kSize);  // the room above and below a line, together
     note = first + look.px(kSize) +
            draw_lines(pen, look, Face::kRegular, kSize, kNoteLeading, {left, under + first / 2}, width, look->muted,
                       chart.note);
-  } else if (noted) {
-    note = 0;
   }
   note +=
       draw_lines(pen, look, Face::kRegular, kSize, 1.3f, {left, under + note + 8}, width, look->muted, chart.y.title);
+  return under + note;
+}
 
-  Plot plot{pen, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
+/// Fits the frame between the heading, the axes' names and what lies to the right of it and below.
+void fit_frame(Plot& plot, const Rect& rect, float heading, float right, float below) {
+  const float line = plot.look.px(kSize);
   float widest = 0;
-  for (const ChartTick& tick : chart_ticks(chart.y, plot.y.from, plot.y.to, 12))
-    widest = std::max(widest, measure(look, Face::kMono, kSize, tick.label).x);
-  const float above = under + note + 16 + line - rect.y;
-  plot.frame = {left + widest + 8, rect.y + above, rect.width - widest - 48,
-                rect.height - above - 2 * line - (legend.height() > 0 ? 20 : 32) - legend.height()};
-  if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
+  for (const ChartTick& tick : chart_ticks(plot.chart.y, plot.y.from, plot.y.to, 12))
+    widest = std::max(widest, measure(plot.look, Face::kMono, kSize, tick.label).x);
+  const float top = heading + 16 + line;
+  plot.frame = {rect.x + 24 + widest, top, rect.width - widest - 48 - right,
+                rect.y + rect.height - top - 2 * line - (below > 0 ? 20 : 32) - below};
   plot.x.begin = plot.frame.x, plot.x.end = plot.frame.x + plot.frame.width;
   plot.y.begin = plot.frame.y + plot.frame.height, plot.y.end = plot.frame.y;
+}
+
+}  // namespace
+
+std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& rect, const Chart& chart,
+                                   std::optional<ChartHit> focus, std::vector<ChartPlace>* places, float taken) {
+  const float left = rect.x + 16, heading = draw_heading(pen, look, rect, chart, taken);
+  Plot plot{pen, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
+  fit_frame(plot, rect, heading, 0, 0);
+  EndNames ends(look, chart);
+  const float margin = ends.margin(rect.width, plot.frame.height);
+  if (margin > 0) fit_frame(plot, rect, heading, margin, 0);
+  const auto beside = has_lines(chart) ? std::nullopt : plot.name_places();
+  std::optional<Legend> legend;
+  if (margin == 0 && !beside) {
+    legend.emplace(look, chart, rect.width - 32);
+    fit_frame(plot, rect, heading, 0, legend->height());
+  }
+  if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
   if (places != nullptr)
     for (const ChartSeries& one : chart.series) {
-      const ImVec2 end = one.points.empty() ? ImVec2(left, under) : plot.at(one.points.back());
+      const ImVec2 end = one.points.empty() ? ImVec2(left, heading) : plot.at(one.points.back());
       places->push_back({end.x, end.y});
     }
   plot.axes();
@@ -513,8 +676,9 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
   plot.limit();
   plot.series();
   plot.name_limit();
-  if (legend.height() > 0) legend.draw(pen, {left, rect.y + rect.height - legend.height()});
-  else plot.names();
+  if (legend) legend->draw(pen, {left, rect.y + rect.height - legend->height()});
+  else if (beside) plot.names(*beside);
+  else ends.draw(pen, plot.frame, [&](const ChartPoint& p) { return plot.at(p); });
   const auto hit = plot.under_pointer();
   const auto shown = hit ? hit : focus;
   if (shown) plot.figures(*shown, hit.has_value());

@@ -219,16 +219,17 @@ std::string chart_svg(const Look& look, float width, float height, const Chart& 
   Look own = look;
   own.drawn = nullptr;
   if (either) own.palette = &kLight;
-  draw_whole(pen, own, width, height, chart);
+  const float scale = picture_scale(width, height);
+  draw_whole(pen, own, width / scale, height / scale, chart);
   if (either) {
     own.palette = &kDark;
     pen.begin_dark();
-    draw_whole(pen, own, width, height, chart);
+    draw_whole(pen, own, width / scale, height / scale, chart);
   }
   Inks inks;
   std::string body;
   for (const Element& element : pen.elements()) body += element_text(element, inks);
-  const std::string size = px_text(width) + ' ' + px_text(height);
+  const std::string size = px_text(width / scale) + ' ' + px_text(height / scale);
   std::string style = "text{font-family:Inter,\"Helvetica Neue\",Arial,sans-serif}"
                       ".mono{font-family:\"JetBrains Mono\",Menlo,Consolas,monospace}";
   if (either) style += "@media (prefers-color-scheme:dark){" + inks.rules() + '}';

@@ -112,6 +112,7 @@ tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(const Size& 
   if (!glfwInit())
     return tl::unexpected(std::string("there is no display to open a window on; without a screen, use xvfb-run"));
   std::unique_ptr<GlfwHost> host(new GlfwHost());
+  host->enlarged_ = size.enlarged;
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -187,6 +188,12 @@ void GlfwHost::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void GlfwHost::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 double GlfwHost::now() const { return glfwGetTime(); }
 
+std::array<int, 2> GlfwHost::windowed_size() const {
+  std::array<int, 2> size{windowed_[2], windowed_[3]};
+  if (!fills_screen()) glfwGetWindowSize(window_, &size[0], &size[1]);
+  return size;
+}
+
 bool GlfwHost::fills_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
 
 void GlfwHost::fill_screen(bool on) {
@@ -207,6 +214,7 @@ Extent GlfwHost::extent() const {
   glfwGetFramebufferSize(window_, &extent.device_width, &extent.device_height);
   glfwGetWindowContentScale(window_, &extent.scale, &scale_y);
   if (!(extent.scale >= 0.5f)) extent.scale = 1;
+  extent.scale *= enlarged_;
   extent.width = static_cast<float>(extent.device_width) / extent.scale;
   extent.height = static_cast<float>(extent.device_height) / extent.scale;
   const float device_per_window =

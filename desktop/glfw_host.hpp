@@ -1,6 +1,7 @@
 // A GLFW window with its OpenGL context and ImGui's input: the operating system's side of the window.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,7 +23,8 @@ class GlfwHost {
  public:
   struct Size {
     int width, height;
-    bool asked_for;  // else a window that is larger than what the screen has free shrinks to that
+    bool asked_for;      // else a window that is larger than what the screen has free shrinks to that
+    float enlarged = 1;  // how much larger a page pixel is than the screen makes it
   };
   /// Errors, each one sentence: no display, no OpenGL 3.3.
   static tl::expected<std::unique_ptr<GlfwHost>, std::string> make(const Size& size, bool visible);
@@ -40,6 +42,8 @@ class GlfwHost {
   void fill_screen(bool on);
   [[nodiscard]] bool fills_screen() const;
   [[nodiscard]] Extent extent() const;
+  /// The window's size, in the window system's own units; while it fills the screen, that which it had before.
+  [[nodiscard]] std::array<int, 2> windowed_size() const;
   [[nodiscard]] double now() const;
 
   /// Waits for an event, at most so many seconds; seconds < 0: without limit. Returns whether there was one.
@@ -55,6 +59,7 @@ class GlfwHost {
   void fit_screen();
 
   GLFWwindow* window_ = nullptr;
+  float enlarged_ = 1;
   bool imgui_ = false;
   bool dirty_ = true;     // whether there was input since the last frame
   bool repeats_ = false;  // whether the last key is being held

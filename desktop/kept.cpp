@@ -64,6 +64,16 @@ KeptLesson lesson_of(const Json& object) {
   return lesson;
 }
 
+/// None where a number is missing or out of range.
+std::optional<KeptView> view_of(const Json& object) {
+  if (!object.is_object()) return std::nullopt;
+  KeptView view{count(object, "theme"), member<float>(object, "text_scale", 0, &Json::is_number),
+                count(object, "width"), count(object, "height")};
+  const bool sound = view.theme < 4 && view.text_scale >= 0.5f && view.text_scale <= 4 && view.width <= 20'000 &&
+                     view.height <= 20'000;
+  return sound ? std::optional(view) : std::nullopt;
+}
+
 /// Keeps other windows from reading and writing the file, as long as it lives.
 class Lock {
  public:
@@ -87,7 +97,10 @@ fs::path beside(fs::path path, const char* ending) { return path += ending; }
 
 Kept::Kept() : path_(path_of_state()) {
   works_ = !path_.empty();
-  if (auto file = read()) last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
+  if (auto file = read()) {
+    last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
+    view = view_read_ = file->view;
+  }
   works_ = !path_.empty();
 }
 
@@ -100,7 +113,8 @@ std::optional<Kept::State> Kept::read() {
   const int version = json.is_object() ? count(json, "version") : 0;
   if (version > kVersion) return path_.clear(), std::nullopt;  // the file of a later program is left as it is
   if (version != kVersion) return put_aside(), std::nullopt;
-  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}};
+  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}, {}};
+  if (const auto look = json.find("view"); look != json.end()) state.view = view_of(*look);
   const auto lessons = json.find("lessons");
   if (lessons == json.end() || !lessons->is_object()) return state;
   for (const auto& [id, entry] : lessons->items())
@@ -117,6 +131,8 @@ void Kept::put_aside() {
 
 void Kept::merge(State file) {
   invited = std::max(invited, file.invited);
+  if (view == view_read_) view = file.view;
+  view_read_ = view;
   if (erased_) return;
   if (changed_.empty()) last_ = file.last;
   for (auto& [id, lesson] : file.lessons) {
@@ -175,6 +191,9 @@ void Kept::erase() {
 
 std::string Kept::text() const {
   Json state{{"version", kVersion}, {"last", last_}, {"invited", invited}, {"lessons", Json::object()}};
+  if (view)
+    state["view"] = {
+        {"theme", view->theme}, {"text_scale", view->text_scale}, {"width", view->width}, {"height", view->height}};
   for (const auto& [id, lesson] : lessons_) {
     state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
                             {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
@@ -191,7 +210,7 @@ std::string Kept::text() const {
 void Kept::write() {
   if (path_.empty() || text() == written_) return;
   std::error_code error;
-  if (last_.empty() && lessons_.empty() && !fs::exists(path_, error)) return;  // nothing was begun yet
+  if (last_.empty() && lessons_.empty() && !view && !fs::exists(path_, error)) return;  // nothing was begun yet
   fs::create_directories(path_.parent_path(), error);
   const Lock lock(beside(path_, ".lock"));
   if (auto file = read()) merge(std::move(*file));

@@ -1,4 +1,5 @@
-// What the window keeps until it is opened again: the progress in each lesson, the place in it, and the answers. It is
+// What the window keeps until it is opened again: how it looks, the progress in each lesson, the place in it, and the
+// answers. It is
 // a separate file beside other programs' state. Several windows may keep it at once: each writes its own lessons and
 // leaves the others'. A damaged file is set aside, and everything starts anew.
 #pragma once
@@ -30,6 +31,14 @@ struct KeptLesson {
   lesson::StageFile file;  // the scene's file as the lesson has it, as it runs and as it was typed; empty: unchanged
 };
 
+/// How the window looks. width, height: in the window system's own units.
+struct KeptView {
+  int theme = 0;
+  float text_scale = 1;
+  int width = 0, height = 0;
+  friend bool operator==(const KeptView&, const KeptView&) = default;
+};
+
 class Kept {
  public:
   /// Reads course.json in $XDG_STATE_HOME/snug, or else in ~/.local/state/snug. If neither variable names a folder,
@@ -53,6 +62,8 @@ class Kept {
   [[nodiscard]] const std::string& set_aside() const { return set_aside_; }
   /// How many invitations on the first lesson's stage were followed.
   int invited = 0;
+  /// How the window looked last; none before the first time. Of several windows, the one that changed it last decides.
+  std::optional<KeptView> view;
   /// Writes what has changed, into what other windows wrote meanwhile. If the file cannot be written, only its content
   /// is lost.
   void write();
@@ -62,6 +73,7 @@ class Kept {
   struct State {
     std::string last;
     int invited = 0;
+    std::optional<KeptView> view;
     Lessons lessons;
   };
   /// What the file says; none if it is not there, or set aside.
@@ -76,6 +88,7 @@ class Kept {
   std::string last_, written_, set_aside_;
   Lessons lessons_;
   std::set<std::string> changed_;  // the lessons that this window has kept
+  std::optional<KeptView> view_read_;
 };
 
 }  // namespace snug::desktop

@@ -178,6 +178,15 @@ void Shell::keep(bool dragging) {
   kept_.write();
 }
 
+void Shell::keep_view(int width, int height) {
+  if (presenting) return;
+  const app::Settings& settings = app_.settings();
+  const KeptView view{static_cast<int>(settings.theme), settings.text_scale, width, height};
+  if (kept_.view == view) return;
+  kept_.view = view;
+  kept_.write();
+}
+
 void Shell::erase_answers() {
   kept_.erase();
   kept_.write();
@@ -199,6 +208,18 @@ void Shell::use_file(const std::string& path) {
   }
   const auto read = read_point_file(path);
   if (tell(read)) tell(app_.load(*read, std::filesystem::path(path).filename().string()));
+}
+
+void Shell::use_dropped(const std::vector<std::string>& paths) {
+  if (paths.empty()) return;
+  const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+  notice.clear();
+  use_file(paths.front());
+  if (notice.empty()) notice = name_of(paths.front()) + " is open.";
+  if (paths.size() == 1) return;
+  std::string others;
+  for (std::size_t i = 1; i < paths.size(); ++i) others += (i > 1 ? ", " : "") + name_of(paths[i]);
+  notice += " One file is taken at a time; not opened: " + others + ".";
 }
 
 void Shell::save_cover(std::string_view format) {

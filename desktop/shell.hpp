@@ -64,6 +64,8 @@ class Shell {
   void present(bool on);
   /// Keeps which invitations were followed and, unless it is moving, the open lesson's place.
   void keep(bool dragging = false);
+  /// Keeps how the window looks; not while it presents, which changes that for a while.
+  void keep_view(int width, int height);
   void erase_answers();
 
   /// Errors are also shown as the notice. anew: it is the one that is open, read anew.
@@ -71,6 +73,8 @@ class Shell {
   /// Replaces the points by one of the program's meshes, by name, or by a point file, by path.
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
+  /// Takes the first of several dropped files; the notice says what became of each.
+  void use_dropped(const std::vector<std::string>& paths);
 
   /// Saves what the cover shows as a new file in the folder that the program was started in; the notice says which
   /// file, or why it failed. format: one of the cover's.

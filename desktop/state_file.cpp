@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "desktop/cli/files.hpp"
+#include "lesson/door_words.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
@@ -117,6 +118,8 @@ Json lesson_state(Shell& shell, float scale) {
     state["file"] = {{"runs", file->runs}, {"typed", file->typed}, {"mistakes", file->mistakes}};
   state["notice"] = shell.notice;
   state["focus"] = shell.focus.name();
+  state["text_scale"] = shell.app().settings().text_scale;
+  state["theme"] = lesson::kThemeWords[static_cast<std::size_t>(shell.app().settings().theme)];
   state["presenting"] = shell.presenting;
   state["textShown"] = shell.presenting ? shell.text_shown : true;
   const auto& invitation = app.invitation();

@@ -40,6 +40,7 @@ constexpr int kBadInput = 2;
 constexpr double kTick = 0.008;       // seconds between looks at the clock while something plays
 constexpr double kLook = 0.25;        // seconds between looks at the files of lessons that are being written
 constexpr double kSlice = 8e6;        // nanoseconds of measuring between two frames
+constexpr double kSettled = 0.3;      // seconds after which a window's size is the one that it stays at
 constexpr double kLongestRun = 1e9;   // nanoseconds of one run on the growth chart: a window may stand still that long
 constexpr int kFramesForPicture = 6;  // until ImGui has measured everything once
 
@@ -242,6 +243,13 @@ int take_picture(GlfwHost& host, const std::string& path, Draw&& draw) {
   return 0;
 }
 
+/// Restores how the window looked, as far as nothing else was asked for.
+void restore_view(app::Settings& settings, const std::optional<KeptView>& view) {
+  if (!view) return;
+  if (std::getenv("SNUG_THEME") == nullptr) settings.theme = static_cast<app::Theme>(view->theme);
+  settings.text_scale = view->text_scale;
+}
+
 /// The theme that SNUG_THEME names, for labs that set one for every seat.
 app::Theme theme_of_environment() {
   const char* name = std::getenv("SNUG_THEME");
@@ -332,13 +340,15 @@ void save_picture(GlfwHost& host, Shell& shell) {
 void run(GlfwHost& host, Shell& shell) {
   host.on_key = [&](const std::string& key, bool shift, bool control) { answer_key(host, shell, key, shift, control); };
   host.on_drop = [&](const std::vector<std::string>& paths) {
-    if (!paths.empty()) shell.use_file(paths.front());
+    shell.use_dropped(paths);
+    shell.measured_anew = true;
   };
   ImGui::GetIO().UserData = &shell.focus;
   StateFile state;
   std::string title;
   bool due = true, presented = false, anew = false;
   double next_look = 0;
+  std::array<int, 2> size = host.windowed_size();
   while (host.open()) {
     if (due) {
       draw(host, shell, host.now());
@@ -357,7 +367,11 @@ void run(GlfwHost& host, Shell& shell) {
       return shell.measured_anew || shell.focus.wants_frame() || shell.app().wants_frame(host.now());
     };
     const bool measuring = cover != nullptr && cover->running();
-    const double rest = shell.writing() ? kLook : -1;
+    // While a window is drawn larger it has many sizes: that which it ends with is kept.
+    const auto window_size = host.windowed_size();
+    const bool resized = std::exchange(size, window_size) != window_size;
+    if (!resized) shell.keep_view(size[0], size[1]);
+    const double rest = resized ? kSettled : shell.writing() ? kLook : -1;
     const bool input = host.wait(measuring || more() ? 0 : shell.app().playing() ? kTick : rest);
     if (host.now() >= next_look) {
       anew = shell.look_at_files();
@@ -434,12 +448,17 @@ int run_window(const WindowOptions& options) {
   if (font_bytes("Inter-Regular").empty())
     return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
   if (chart && ending_of(options.screenshot) == "svg") {
-    const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
     const auto written =
-        write_file(options.screenshot, svg_of(*chart, width, height, theme_of_environment(), font_bytes));
+        write_file(options.screenshot, svg_of(*chart, static_cast<float>(options.width),
+                                              static_cast<float>(options.height), theme_of_environment(), font_bytes));
     return written ? 0 : stop(written.error().message());
   }
-  const GlfwHost::Size size{options.width, options.height, options.sized};
+  const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
+  const bool keeps = options.screenshot.empty() && !is_own(options);
+  Kept kept = keeps ? Kept() : Kept(Kept::Nothing{});
+  GlfwHost::Size size{options.width, options.height, options.sized, chart ? app::picture_scale(width, height) : 1.0f};
+  if (kept.view && !options.sized && kept.view->width >= kLeastWidth && kept.view->height >= kLeastHeight)
+    size.width = kept.view->width, size.height = kept.view->height;
   auto host = GlfwHost::make(size, options.screenshot.empty());
   if (!host) return stop(host.error());
   app::App app({.font = font_bytes,
@@ -451,8 +470,8 @@ int run_window(const WindowOptions& options) {
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment();
   if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
-  const bool keeps = options.screenshot.empty() && !is_own(options);
-  Shell shell(app, std::move(lessons->files), keeps ? Kept() : Kept(Kept::Nothing{}), std::move(lessons->drafts));
+  restore_view(app.settings(), kept.view);
+  Shell shell(app, std::move(lessons->files), std::move(kept), std::move(lessons->drafts));
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;

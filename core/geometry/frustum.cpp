@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "geometry/sphere.hpp"
 #include "number/dyadic.hpp"
@@ -91,26 +92,38 @@ tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of_camera(const FrustumCa
 }
 
 template <class Scalar>
-tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar> column_major) {
+tl::expected<typename Frustum<Scalar, 3>::Planes, InputError> planes_of_matrix(std::span<const Scalar> column_major,
+                                                                               ClipDepth clip) {
   if (column_major.size() != 16)
     return refused("the matrix has " + std::to_string(column_major.size()) + " numbers where 16 belong");
   for (const Scalar entry : column_major)
     if (!std::isfinite(entry)) return refused("the matrix is not finite");
+  const auto row_of = [&](std::size_t row, std::size_t column) { return column_major[4 * column + row]; };
   typename Frustum<Scalar, 3>::Planes planes;
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t side = 0; side < 2; ++side) {  // outside is w + x < 0, or w - x < 0
-      Plane<Scalar, 3>& plane = planes[2 * row + side];
-      const auto entry = [&](std::size_t column) {
-        const Scalar x = column_major[4 * column + row], w = column_major[4 * column + 3];
-        return side == 0 ? -(w + x) : x - w;
-      };
-      plane = {{entry(0), entry(1), entry(2)}, entry(3)};
-      if (plane.normal.isZero(0))
-        return refused("the matrix gives " + plane_said<Scalar, 3>(2 * row + side) +
-                       " no normal, as for a plane at infinity");
-    }
+  for (std::size_t i = 0; i < planes.size(); ++i) {  // outside is w + x < 0 or w - x < 0; if depth begins at 0, z < 0
+    const bool from_zero = i == 4 && clip == ClipDepth::kFromZero;
+    const auto entry = [&](std::size_t column) {
+      const Scalar x = row_of(i / 2, column), w = row_of(3, column);
+      return from_zero ? -x : i % 2 == 0 ? -(w + x) : x - w;
+    };
+    planes[i] = {{entry(0), entry(1), entry(2)}, entry(3)};
+  }
+  const Vector<Scalar, 3> view(row_of(3, 0), row_of(3, 1), row_of(3, 2));
+  if (view.dot(planes[5].normal) < view.dot(planes[4].normal)) std::swap(planes[4], planes[5]);
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (planes[i].normal.isZero(0) && !(i == 5 && planes[i].d < 0))
+      return refused("the matrix gives " + plane_said<Scalar, 3>(i) + " no normal, as for a plane at infinity");
   if (is_singular(column_major)) return refused("the matrix is singular");
-  return Frustum<Scalar, 3>::make(planes);
+  return planes;
+}
+
+template <class Scalar>
+tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar> column_major, ClipDepth clip) {
+  const auto planes = planes_of_matrix(column_major, clip);
+  if (!planes) return tl::unexpected(planes.error());
+  if (is_endless(*planes))
+    return refused("the matrix gives " + plane_said<Scalar, 3>(5) + " no normal, as for a plane at infinity");
+  return Frustum<Scalar, 3>::make(*planes);
 }
 
 template <class Scalar, int Dim>
@@ -132,7 +145,11 @@ SNUG_INSTANTIATE(float, 3)
 SNUG_INSTANTIATE(double, 2)
 SNUG_INSTANTIATE(double, 3)
 #undef SNUG_INSTANTIATE
-template tl::expected<Frustum<float, 3>, InputError> frustum_of_matrix(std::span<const float>);
-template tl::expected<Frustum<double, 3>, InputError> frustum_of_matrix(std::span<const double>);
+#define SNUG_INSTANTIATE(Scalar)                                                                                       \
+  template tl::expected<Frustum<Scalar, 3>::Planes, InputError> planes_of_matrix(std::span<const Scalar>, ClipDepth);  \
+  template tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar>, ClipDepth);
+SNUG_INSTANTIATE(float)
+SNUG_INSTANTIATE(double)
+#undef SNUG_INSTANTIATE
 
 }  // namespace snug

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -87,11 +89,39 @@ template <class Scalar, int Dim>
 [[nodiscard]] tl::expected<Frustum<Scalar, Dim>, InputError>
 frustum_of_camera(const FrustumCamera<Scalar, Dim>& camera);
 
-/// What a view-projection matrix maps into OpenGL's clip space, -w <= x, y, z <= w. The planes are sums and differences
-/// of its rows, in Scalar: each number carries one rounding. column_major: 16 numbers, the matrix that takes world to
-/// clip coordinates, its columns one after the other. Errors: not 16 numbers, one that is not finite, a matrix that is
-/// singular (exactly), a plane without a normal (a far plane at infinity has none), and what Frustum::make refuses.
+/// Where the depth of a clip space begins: -w <= z <= w, as of OpenGL, or 0 <= z <= w, as of Direct3D, Metal, Vulkan
+/// and WebGPU. Reversed depth (1 near, 0 far) needs no name of its own: w grows along the view and tells near from far.
+/// Of a parallel projection, whose w does not grow, near is where the depth begins.
+enum class ClipDepth : std::uint8_t { kFromMinusOne, kFromZero };
+
+/// The planes of what a view-projection matrix maps into clip space, -w <= x, y <= w. They are sums and differences of
+/// its rows, in Scalar: each number carries one rounding. A far plane at infinity is all zero but for d: is_endless.
+/// column_major: 16 numbers, the matrix that takes world to clip coordinates, its columns one after the other. Errors:
+/// not 16 numbers, one that is not finite, a matrix that is singular (exactly), another plane without a normal.
 template <class Scalar>
-[[nodiscard]] tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar> column_major);
+[[nodiscard]] tl::expected<typename Frustum<Scalar, 3>::Planes, InputError>
+planes_of_matrix(std::span<const Scalar> column_major, ClipDepth clip = ClipDepth::kFromMinusOne);
+
+/// The frustum of these planes. Errors: those, a far plane at infinity, and what Frustum::make refuses.
+template <class Scalar>
+[[nodiscard]] tl::expected<Frustum<Scalar, 3>, InputError> frustum_of_matrix(std::span<const Scalar> column_major,
+                                                                             ClipDepth clip = ClipDepth::kFromMinusOne);
+
+/// Whether the far plane lies at infinity: its normal is zero.
+template <class Scalar, std::size_t planes, int Dim>
+[[nodiscard]] bool is_endless(const std::array<Plane<Scalar, Dim>, planes>& all) {
+  return all.back().normal.isZero(0);
+}
+
+/// Endless planes with a far plane that makes no difference to volumes of coordinates up to `size`: parallel to the
+/// near plane, and beyond both.
+template <class Scalar, std::size_t planes, int Dim>
+[[nodiscard]] std::array<Plane<Scalar, Dim>, planes> ended_beyond(std::array<Plane<Scalar, Dim>, planes> all,
+                                                                  Scalar size) {
+  const auto& [normal, d] = all[planes - 2];
+  const Scalar beyond = 2 * (normal.template lpNorm<1>() * size + std::abs(d));
+  all.back() = {-normal, beyond > 0 ? -beyond : -normal.template lpNorm<1>()};
+  return all;
+}
 
 }  // namespace snug

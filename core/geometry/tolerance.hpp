@@ -256,6 +256,10 @@ inline constexpr double kKnownSize = 16;
 /// is larger.
 inline constexpr double kAxesAsGiven = 0x1p-20;
 
+/// The same for axes written with four digits, which are taken with a warning: each entry is off by 5e-5, and so a dot
+/// product of two rows by 2 sqrt(3) times that.
+inline constexpr double kAxesRough = 0x1p-12;
+
 /// The sine of the angle to a direction up to which a face counts as lying along it: far above the rounding of its
 /// normal, so that an outline never breaks off, and small enough to take in no more than a few vertices too many. Held
 /// by "an outline is that of all points".

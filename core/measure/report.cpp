@@ -301,6 +301,7 @@ tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string
 SNUG_INSTANTIATE(CostRow)
 SNUG_INSTANTIATE(GrowthRow)
 SNUG_INSTANTIATE(TurnRow)
+SNUG_INSTANTIATE(WhichRow)
 SNUG_INSTANTIATE(ClaimRow)
 SNUG_INSTANTIATE(TrialRow)
 #undef SNUG_INSTANTIATE

@@ -119,6 +119,39 @@ struct TurnRow {
   }
 };
 
+/// A volume's five criteria, and what it would cost in all under a load (load.hpp).
+struct WhichRow {
+  static constexpr std::string_view kTable = "which";
+  std::string volume, algorithm;
+  Index points = 0, of = 0;         // as of CostRow
+  Timing test, build;               // one overlap test with a near copy; one fit
+  std::optional<double> whole_ns;   // as of CostRow
+  Timing update;                    // one update after a rotation
+  std::optional<double> over_hull;  // looseness; none if the hull is flat
+  std::int64_t bytes = 0;
+  int pairs_apart = 0, passed = 0;  // pairs of bodies that are apart, and how many of them it does not reject
+  double false_positives = 0;       // their share
+  double bodies = 0, frames = 0, updates = 0, pairs = 0, hit_rate = 0;  // the load
+  bool deforms = false;
+  std::optional<double> total_build, total_updates, total_tests, total_false_positives,
+      total;  // ns; none without a hull
+  static void fields(auto& own, auto&& see) {
+    see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points), see("of", own.of);
+    timing_fields("test_ns", own.test, see);
+    see("over_hull", own.over_hull);
+    timing_fields("build_ns", own.build, see);
+    see("whole_ns", own.whole_ns);
+    timing_fields("update_ns", own.update, see);
+    see("bytes", own.bytes), see("pairs_apart", own.pairs_apart), see("passed", own.passed);
+    see("false_positives", own.false_positives);
+    see("load.bodies", own.bodies), see("load.frames", own.frames), see("load.updates", own.updates);
+    see("load.pairs", own.pairs), see("load.hit_rate", own.hit_rate), see("load.deforms", own.deforms);
+    see("total_ns.build", own.total_build), see("total_ns.updates", own.total_updates);
+    see("total_ns.tests", own.total_tests), see("total_ns.false_positives", own.total_false_positives);
+    see("total_ns.total", own.total);
+  }
+};
+
 /// A lecture's claim, and what was measured.
 struct ClaimRow {
   static constexpr std::string_view kTable = "claims";

@@ -12,4 +12,9 @@ namespace snug::query {
 template <class Scalar, int Dim>
 [[nodiscard]] double exact_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, int place);
 
+/// Whether two boxes share points, and some move, however short, parts them: no gap is above 0, and one is exactly 0.
+/// a, b: as for separating_exactly.
+template <class Scalar, int Dim>
+[[nodiscard]] bool touch_exactly(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b);
+
 }  // namespace snug::query

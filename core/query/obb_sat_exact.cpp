@@ -150,8 +150,23 @@ double exact_gap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, int place
   return gap == 0 ? along.gap.sign() * std::numeric_limits<double>::denorm_min() : gap;
 }
 
+template <class Scalar, int Dim>
+bool touch_exactly(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
+  const Pair<Dyadic, Dim> pair(a, b);
+  bool touch = false;
+  for (int place = 0; place < kSatAxes<Dim>; ++place) {
+    const auto along = pair.along(place);
+    const bool is_axis =
+        std::any_of(along.axis.begin(), along.axis.end(), [](const Dyadic& x) { return x.sign() != 0; });
+    if (along.gap.sign() > 0) return false;
+    touch = touch || (is_axis && along.gap.sign() == 0);
+  }
+  return touch;
+}
+
 #define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
   template double exact_gap(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&, int);                                    \
+  template bool touch_exactly(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&);                                       \
   template std::optional<SatAxis<Scalar, Dim>> separating_exactly(const Obb<Scalar, Dim>&, const Obb<Scalar, Dim>&,    \
                                                                   AxisSet);
 SNUG_INSTANTIATE(float, 2)

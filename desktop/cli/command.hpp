@@ -71,6 +71,7 @@ void add_overlap(Commands& commands);
 void add_update(Commands& commands);
 void add_cull(Commands& commands);
 void add_cost(Commands& commands);
+void add_which(Commands& commands);
 void add_chart(Commands& commands);
 void add_scene(Commands& commands);
 void add_lesson(Commands& commands);

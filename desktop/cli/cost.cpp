@@ -1,14 +1,13 @@
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/cost_text.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/measured_points.hpp"
 #include "desktop/cli/progress.hpp"
 #include "desktop/cli/timing.hpp"
-#include "geometry/generate.hpp"
 #include "measure/claims.hpp"
 #include "measure/cost_run.hpp"
 #include "measure/growth.hpp"
@@ -19,8 +18,6 @@
 namespace snug::desktop {
 namespace {
 
-/// With more points a table would take minutes, and memory that not every machine has.
-constexpr Index kMostPoints = 2'000'000;
 /// Every frame of a turn is tested against every point.
 constexpr Index kMostTurned = 100'000;
 constexpr int kFrames = 72;
@@ -30,14 +27,9 @@ constexpr double kWatchedLonger = 10;
 constexpr double kEnough = 2e9;
 
 struct CostOptions {
-  Reading reading;
-  std::string generate;
-  std::string file;
+  PointsChoice points;
   std::string volume;
   std::vector<std::string> algorithms;
-  std::string scalar = "double";
-  int dim = 0;
-  std::uint64_t seed = 1;
   int repeat = 9;
   int longest = 1000;  // ms
   bool growth = false, turn = false, claims = false;
@@ -45,13 +37,6 @@ struct CostOptions {
   std::string against;
   bool json = false, csv = false;
   std::string out;
-};
-
-/// The points that are measured.
-struct Subject {
-  std::string name;  // "cube:1000", or the file's
-  std::string kind;  // if generated; empty for a file
-  AnyPointSet points;
 };
 
 /// The claims that can be tried.
@@ -63,41 +48,6 @@ std::string trial_names() {
 
 using Wrong = tl::unexpected<InputError>;
 Wrong wrong(std::string what) { return Wrong(InputError{.what = std::move(what)}); }
-
-std::string kinds() {
-  std::string list;
-  for (const std::string_view kind : generator_kinds()) list.append(list.empty() ? "" : ", ").append(kind);
-  return list;
-}
-
-tl::expected<Subject, InputError> generated(const CostOptions& options) {
-  const std::size_t colon = options.generate.find(':');
-  const std::string kind = options.generate.substr(0, colon);
-  const std::string count = colon == std::string::npos ? "" : options.generate.substr(colon + 1);
-  const auto known = generator_kinds();
-  if (std::find(known.begin(), known.end(), kind) == known.end())
-    return wrong("there is no kind of points \"" + kind + "\"; known: " + kinds());
-  Index n = 0;
-  const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), n);
-  if (error != std::errc{} || end != count.data() + count.size() || n < 1 || n > kMostPoints)
-    return wrong("--generate takes KIND:N with a whole number N from 1 to " + std::to_string(kMostPoints));
-  const int dim = options.dim == 0 ? 3 : options.dim;
-  return Subject{options.generate, kind, cost::PointStock(kind, dim, options.scalar == "float", options.seed).of(n)};
-}
-
-tl::expected<Subject, InputError> subject_of(const CostOptions& options) {
-  if (options.generate.empty() == options.file.empty()) return wrong("give either --generate KIND:N or FILE");
-  if (!options.generate.empty()) return generated(options);
-  auto points = read_point_file(options.file, options.reading).and_then([&](const io::PointFile& file) {
-    return io::to_point_set(file, options.file, options.dim, options.scalar == "float");
-  });
-  if (!points) return Wrong(points.error());
-  if (fit::size_of(*points) > kMostPoints)
-    return Wrong(InputError{.what = "there are " + std::to_string(fit::size_of(*points)) +
-                                    " points, and costs are measured on at most " + std::to_string(kMostPoints),
-                            .file = options.file});
-  return Subject{options.file, "", std::move(*points)};
-}
 
 /// Whether a name, "pca" or "obb:pca", means this algorithm.
 bool is_named(const fit::Algorithm& algorithm, const std::string& name) {
@@ -123,17 +73,6 @@ tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const
   return chosen;
 }
 
-/// Runs to the end, with a progress bar.
-template <class Run>
-void finish(Run& run) {
-  constexpr int kParts = 1000;
-  Progress bar("measuring", kParts);
-  for (int shown = 0; !run.done();) {
-    run.step();
-    for (; shown < static_cast<int>(kParts * run.progress()); ++shown) bar.advance();
-  }
-}
-
 /// A table in the requested format.
 template <class Row>
 std::string printed(const CostOptions& options, const cost::Provenance& provenance, const std::vector<Row>& rows) {
@@ -155,13 +94,8 @@ std::string printed_costs(const CostOptions& options, const cost::Provenance& pr
   return text.substr(0, text.size() - 2) + ",\"against\":" + old + "}\n";
 }
 
-cost::Provenance provenance_of(const CostOptions& options, const Subject& subject) {
-  cost::Provenance provenance = native_provenance();
-  provenance.points = subject.name;
-  provenance.scalar = options.scalar;
-  provenance.dim = fit::dim_of(subject.points);
-  provenance.seed = static_cast<std::int64_t>(options.seed);
-  return provenance;
+cost::Provenance provenance_of(const CostOptions& options, const MeasuredPoints& subject) {
+  return provenance_of(options.points, subject);
 }
 
 struct Measured {
@@ -175,7 +109,7 @@ cost::TimingOptions timing_of(const CostOptions& options) {
   return timing;
 }
 
-tl::expected<Measured, InputError> costs(const CostOptions& options, const Subject& subject,
+tl::expected<Measured, InputError> costs(const CostOptions& options, const MeasuredPoints& subject,
                                          const std::vector<const fit::Algorithm*>& algorithms) {
   std::optional<cost::Table<cost::CostRow>> then;
   if (!options.against.empty()) {
@@ -193,7 +127,8 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
     then = std::move(*table);
   }
   const double longest = options.longest * 1e6;
-  const cost::CostOptions chosen{{.seed = options.seed}, timing_of(options), {longest, kWatchedLonger * longest}};
+  const cost::CostOptions chosen{
+      {.seed = options.points.seed}, timing_of(options), {longest, kWatchedLonger * longest}};
   cost::CostRun run(subject.points, algorithms, chosen, native_clock());
   finish(run);
   std::vector<cost::CostRow> rows = run.rows();
@@ -203,29 +138,30 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Subje
   return measured;
 }
 
-Measured growth(const CostOptions& options, const Subject& subject,
+Measured growth(const CostOptions& options, const MeasuredPoints& subject,
                 const std::vector<const fit::Algorithm*>& algorithms) {
   const int dim = fit::dim_of(subject.points);
-  const auto points =
-      subject.kind.empty()
-          ? std::make_shared<cost::PointStock>(subject.points, options.seed)
-          : std::make_shared<cost::PointStock>(subject.kind, dim, options.scalar == "float", options.seed);
+  const auto points = subject.kind.empty()
+                          ? std::make_shared<cost::PointStock>(subject.points, options.points.seed)
+                          : std::make_shared<cost::PointStock>(subject.kind, dim, options.points.scalar == "float",
+                                                               options.points.seed);
   std::vector<cost::Workload> loads;
   for (const fit::Algorithm* algorithm : algorithms)
-    loads.push_back(cost::workload_of(*algorithm, dim, fit::size_of(subject.points), points, {.seed = options.seed}));
+    loads.push_back(
+        cost::workload_of(*algorithm, dim, fit::size_of(subject.points), points, {.seed = options.points.seed}));
   cost::GrowthRun run(std::move(loads), timing_of(options), options.longest * 1e6, native_clock());
   finish(run);
   return {printed(options, provenance_of(options, subject), run.rows())};
 }
 
-Measured full_turn(const CostOptions& options, const Subject& subject) {
+Measured full_turn(const CostOptions& options, const MeasuredPoints& subject) {
   const int dim = fit::dim_of(subject.points);
   std::vector<const fit::UpdateStrategy*> strategies;
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) {
     const bool wanted = options.volume.empty() || strategy.volume == options.volume;
     if (wanted && (dim == 2 ? strategy.plane : strategy.space)) strategies.push_back(&strategy);
   }
-  const AnyPointSet points = cost::sample(subject.points, kMostTurned, options.seed);
+  const AnyPointSet points = cost::sample(subject.points, kMostTurned, options.points.seed);
   cost::TurnRun run(points, strategies, kFrames, timing_of(options), native_clock());
   finish(run);
   Measured measured{printed(options, provenance_of(options, subject), run.rows())};
@@ -233,12 +169,13 @@ Measured full_turn(const CostOptions& options, const Subject& subject) {
   return measured;
 }
 
-Measured claims(const CostOptions& options, const Subject& subject) {
+Measured claims(const CostOptions& options, const MeasuredPoints& subject) {
   const auto all = cost::claims();
   Progress bar("checking", static_cast<int>(all.size()));
   std::vector<cost::ClaimRow> rows;
   for (const cost::Claim& claim : all) {
-    rows.push_back(cost::run_claim(claim, {.points = subject.points, .seed = options.seed, .clock = native_clock()}));
+    rows.push_back(
+        cost::run_claim(claim, {.points = subject.points, .seed = options.points.seed, .clock = native_clock()}));
     bar.advance();
   }
   return {printed(options, provenance_of(options, subject), rows)};
@@ -248,7 +185,7 @@ Measured claims(const CostOptions& options, const Subject& subject) {
 tl::expected<Measured, InputError> trials(const CostOptions& options) {
   const cost::TrialClaim* const claim = cost::find_trial(options.trials);
   if (claim == nullptr) return wrong("there is no claim \"" + options.trials + "\" to try; known: " + trial_names());
-  if (!options.generate.empty() || !options.file.empty())
+  if (!options.points.generate.empty() || !options.points.file.empty())
     return wrong("--trials generates its own clouds: give no points");
   cost::TrialRun run({claim});
   finish(run);
@@ -272,7 +209,7 @@ std::optional<std::string> wrong_with(const CostOptions& options) {
 tl::expected<Measured, InputError> measured(const CostOptions& options) {
   if (const auto what = wrong_with(options)) return wrong(*what);
   if (!options.trials.empty()) return trials(options);
-  const auto subject = subject_of(options);
+  const auto subject = points_of(options.points);
   if (!subject) return Wrong(subject.error());
   const int dim = fit::dim_of(subject->points);
   if (options.claims && dim == 2) return wrong("the claims are about 3-D: give 3-D points");
@@ -289,37 +226,11 @@ tl::expected<Measured, InputError> measured(const CostOptions& options) {
   return costs(options, *subject, *algorithms);
 }
 
-/// Sets the format by the file's ending; standard output and .txt use the flags.
-tl::expected<CostOptions, InputError> with_format(CostOptions options) {
-  const std::string ending = is_standard_output(options.out) ? "" : ending_of(options.out);
-  if (ending != "csv" && ending != "json") {
-    if (ending.empty() || ending == "txt") return options;
-    return Wrong(
-        InputError{.what = "has none of the endings .csv, .json and .txt, which say the format", .file = options.out});
-  }
-  if (ending == "csv" ? options.json : options.csv)
-    return Wrong(InputError{.what = "ends in ." + ending + ", and another format was asked for", .file = options.out});
-  (ending == "csv" ? options.csv : options.json) = true;
-  return options;
-}
-
 CommandResult run_cost(const CostOptions& given) {
-  const auto formatted = with_format(given);
-  if (!formatted) return bad_input(formatted.error());
-  const CostOptions& options = *formatted;
-  std::optional<NewFile> file;  // created before the long work, so that an impossible file is reported at once
-  if (!options.out.empty() && !is_standard_output(options.out)) {
-    auto created = NewFile::create(options.out);
-    if (!created) return bad_input(created.error());
-    file.emplace(std::move(*created));
-  }
-  const auto done = measured(options);
-  if (!done) return bad_input(done.error());
-  const int status = done->all_hold ? 0 : 1;
-  if (!file) return Printed{done->text, status};
-  file->write(done->text);
-  if (const auto placed = file->put_in_place(); !placed) return bad_input(placed.error());
-  return Printed{"", status};
+  CostOptions options = given;
+  return write_table(options.out, options.csv, options.json, [&]() -> tl::expected<Printed, InputError> {
+    return measured(options).map([](const Measured& done) { return Printed{done.text, done.all_hold ? 0 : 1}; });
+  });
 }
 
 constexpr const char* kCostFooter =
@@ -373,22 +284,13 @@ void add_cost(Commands& commands) {
       *commands.app.add_subcommand("cost", "Measure what accuracy costs: time, operations, tightness, memory");
   command.footer(kCostFooter);
   const auto options = add_command<CostOptions>(commands, command, run_cost);
-  command.add_option("--generate", options->generate, "N points of a kind, KIND:N; kinds: " + kinds());
-  command.add_option("FILE", options->file, "Point file, as for snug fit; - is xyz on standard input");
-  add_reading(command, options->reading);
+  add_points(command, options->points);
   command.add_option("--volume", options->volume, "Only this kind of volume");
   command
       .add_option("--algorithms", options->algorithms,
                   "Only these, separated by commas: pca, or obb:pca for one volume only")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--scalar", options->scalar, "Number type: double or float")
-      ->check(CLI::IsMember({"double", "float"}))
-      ->capture_default_str();
-  command.add_option("--dim", options->dim, "2 or 3; by default that of the file, or 3")->transform(whole_number(2, 3));
-  command.add_option("--seed", options->seed, "Seed of the points and of random orders")
-      ->transform(whole_number(0, std::numeric_limits<std::int64_t>::max()))
-      ->capture_default_str();
   command.add_option("--repeat", options->repeat, "Number of timed batches")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();

@@ -18,7 +18,7 @@ namespace {
 
 template <class... Values>
 std::string said(const char* format, Values... values) {
-  std::array<char, 160> text{};
+  std::array<char, 320> text{};
   std::snprintf(text.data(), text.size(), format, values...);
   return text.data();
 }
@@ -65,14 +65,14 @@ std::string ratio_text(const std::optional<double>& ratio, const char* format) {
 
 constexpr std::size_t kWidest = 100;
 
-/// The text in lines of at most kWidest characters, where its blanks allow it.
-std::string wrapped(const std::string& text) {
-  std::string lines;
-  std::size_t line = 0;
+/// The text in lines of at most kWidest characters, where its blanks allow it, each after the indent.
+std::string wrapped(const std::string& text, const std::string& indent = "") {
+  std::string lines = indent;
+  std::size_t line = 0;  // without the indent
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t end = std::min(text.find(' ', from), text.size());
     const std::string word = text.substr(from, end - from);
-    if (line > 0 && line + 1 + word.size() > kWidest) lines += '\n', line = 0;
+    if (line > 0 && indent.size() + line + 1 + word.size() > kWidest) lines += '\n' + indent, line = 0;
     if (line > 0) lines += ' ', ++line;
     lines += word, line += word.size();
     from = end + 1;
@@ -294,10 +294,50 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Cl
     const std::string verdict = row.verdict == "typical" ? "typical, not a bound"
                                 : row.verdict == "false" ? "false here"
                                                          : row.verdict;
-    text +=
-        wrapped(row.says) + "\n  " + row.lecture + ": " + row.slide + "\n  " + verdict + ": " + row.measured + "\n\n";
+    text += wrapped(row.says) + '\n' + wrapped(row.lecture + ": " + row.slide, "  ") + '\n' +
+            wrapped(verdict + ": " + row.measured, "  ") + "\n\n";
   }
   return text;
+}
+
+std::string text_of(const cost::Provenance& provenance, std::span<const cost::WhichRow> rows) {
+  using Row = cost::WhichRow;
+  constexpr std::array kTimes{&Row::test, &Row::build, &Row::update};
+  std::array<TimeUnit, 3> units{};
+  for (std::size_t i = 0; i < kTimes.size(); ++i) units[i] = unit_of(rows, kTimes[i]);
+  Columns columns({"volume", "algorithm", header_of("test", units[0]), "/hull", header_of("build", units[1]),
+                   header_of("update", units[2]), "bytes", "false pos.", "T", "f.p./T"});
+  const auto least = std::min_element(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.total.value_or(HUGE_VAL) < b.total.value_or(HUGE_VAL);
+  });
+  bool doubt = false;
+  for (const Row& row : rows) {
+    std::vector<std::string> line{row.volume,
+                                  row.algorithm,
+                                  units[0].text(row.test),
+                                  ratio_text(row.over_hull, "%.3f"),
+                                  units[1].text(row.build),
+                                  units[2].text(row.update),
+                                  said("%lld", static_cast<long long>(row.bytes)),
+                                  said("%.1f %%", 100 * row.false_positives)};
+    line.push_back(row.total ? time_text(*row.total) + (&row == &*least ? " *" : "  ") : "-");
+    line.push_back(row.total && *row.total > 0 ? said("%.0f %%", 100 * *row.total_false_positives / *row.total) : "-");
+    columns.add(std::move(line));
+    for (const auto timing : kTimes) doubt = doubt || ((row.*timing).repeats > 0 && !(row.*timing).trusted);
+  }
+  std::string text = head_of(provenance) + columns.text();
+  if (rows.empty()) return text;
+  const Row& load = rows.front();
+  text +=
+      "\ntest: of one overlap test near contact; /hull: " + std::string(provenance.dim == 2 ? "area" : "volume") +
+      " over the hull's\nfalse pos.: of pairs near each other that are apart, those it does not reject;\nf.p./T: their "
+      "share of T\n" +
+      wrapped(said("T: what %.10g volumes, and in each of %.10g frames %.10g %s and %.10g tests, %.3g %% of them of "
+                   "bodies that overlap, cost in all; * the least",
+                   load.bodies, load.frames, load.updates, load.deforms ? "new fits" : "updates", load.pairs,
+                   100 * load.hit_rate)) +
+      '\n';
+  return doubt ? text + kDoubt : text;
 }
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::TrialRow> rows) {
@@ -305,8 +345,9 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Tr
   for (const cost::TrialClaim& claim : cost::trial_claims()) {
     const cost::TrialTally tally = cost::tally_trials(claim.name, rows);
     if (tally.clouds == 0) continue;
-    text += std::string(claim.says) + "\n  " + std::string(claim.lecture) + ": " + std::string(claim.slide) + "\n  " +
-            std::string(claim.value) + "; claimed: " + std::string(claim.claimed) + "\n  " +
+    text += wrapped(std::string(claim.says)) + '\n' +
+            wrapped(std::string(claim.lecture) + ": " + std::string(claim.slide), "  ") + '\n' +
+            wrapped(std::string(claim.value) + "; claimed: " + std::string(claim.claimed), "  ") + "\n  " +
             std::string(tally.verdict()) + ": holds on " + std::to_string(tally.held) + " of " +
             std::to_string(tally.clouds) + " clouds\n";
     if (tally.worst)

@@ -15,6 +15,7 @@ namespace snug::desktop {
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::GrowthRow> rows);
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::TurnRow> rows);
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::ClaimRow> rows);
+[[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::WhichRow> rows);
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::TrialRow> rows);
 
 }  // namespace snug::desktop

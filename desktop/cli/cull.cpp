@@ -10,9 +10,9 @@
 #include "desktop/cli/trace_file.hpp"
 #include "desktop/cli/volume_json.hpp"
 #include "hierarchy/build.hpp"
+#include "measure/frustum_meets.hpp"
 #include "query/classify.hpp"
 #include "query/classify_corners.hpp"
-#include "query/frustum_sat.hpp"
 #include "query/sphere_survey.hpp"
 #include "query/wrong_corners_outside.hpp"
 
@@ -29,9 +29,19 @@ struct CullOptions {
   std::string file = "-", name;  // a file's path; a case's name, in place of it
   std::int64_t survey = 0;       // spheres; 0 for none
   std::uint64_t seed = 1;
+  bool strict = false;
 };
 
-using Rows = std::vector<std::vector<double>>;
+/// A frustum as it is written: a plane for each row (4 or 6; 3 or 5 where the far plane is null), or one row of a
+/// matrix.
+struct FrustumRows {
+  std::vector<std::vector<double>> rows;
+  ClipDepth clip = ClipDepth::kFromMinusOne;
+
+  [[nodiscard]] bool is_matrix() const { return rows.size() == 1; }
+  [[nodiscard]] int dim() const { return rows.size() == 3 || rows.size() == 4 ? 2 : 3; }
+  friend bool operator==(const FrustumRows& a, const FrustumRows& b) = default;
+};
 
 tl::unexpected<std::string> fault(std::string what) { return tl::unexpected(std::move(what)); }
 
@@ -65,48 +75,85 @@ tl::expected<std::vector<double>, std::string> numbers_of(const Json& json, cons
   return numbers;
 }
 
-/// Reads planes as rows: 6 of 4 numbers, or in 2-D 4 of 3; or a matrix as one row of 16.
-tl::expected<Rows, std::string> rows_of(const Json& frustum, const CullOptions& options) {
-  const bool as_float = options.scalar == "float";
-  if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection"}); !fields)
-    return fault(fields.error());
-  if (frustum.size() != 1) return fault("frustum must have exactly one of the fields planes, view_projection");
-  if (frustum.contains("view_projection")) {
-    if (options.dim == 2) return fault("frustum.view_projection is 3-D, and --dim is 2");
-    return numbers_of(frustum["view_projection"], "frustum.view_projection", 16, as_float).map([](auto row) {
-      return Rows{row};
-    });
-  }
-  const Json& planes = frustum["planes"];
-  if (!planes.is_array()) return fault("frustum.planes is not a list of planes");
-  if (planes.size() != 6 && planes.size() != 4)
-    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows instead of 6 (in 2-D 4)");
-  if (options.dim != 0 && static_cast<int>(planes.size()) != 2 * options.dim)
-    return fault("frustum.planes has " + std::to_string(planes.size()) + " rows instead of " +
-                 std::to_string(2 * options.dim));
-  Rows rows;
-  for (const Json& plane : planes) {
-    auto row =
-        numbers_of(plane, "frustum.planes[" + std::to_string(rows.size()) + "]", planes.size() / 2 + 1, as_float);
-    if (!row) return fault(row.error());
-    rows.push_back(std::move(*row));
-  }
-  return rows;
+/// Reads the clip space of a matrix. Errors: another value.
+tl::expected<ClipDepth, std::string> clip_of(const Json& frustum) {
+  if (!frustum.contains("clip") || frustum["clip"] == "-1..1") return ClipDepth::kFromMinusOne;
+  if (frustum["clip"] == "0..1") return ClipDepth::kFromZero;
+  return fault("frustum.clip is neither \"-1..1\" nor \"0..1\"");
 }
 
+tl::expected<FrustumRows, std::string> read_matrix(const Json& frustum, const CullOptions& options) {
+  if (options.dim == 2) return fault("frustum.view_projection is 3-D, and --dim is 2");
+  const auto clip = clip_of(frustum);
+  if (!clip) return fault(clip.error());
+  auto row = numbers_of(frustum["view_projection"], "frustum.view_projection", 16, options.scalar == "float");
+  if (!row) return fault(row.error());
+  return FrustumRows{{std::move(*row)}, *clip};
+}
+
+tl::expected<FrustumRows, std::string> read_planes(const Json& planes, const CullOptions& options) {
+  if (!planes.is_array()) return fault("frustum.planes is not a list of planes");
+  const auto has = "frustum.planes has " + std::to_string(planes.size()) + " rows instead of ";
+  if (planes.size() != 6 && planes.size() != 4) return fault(has + "6 (in 2-D 4)");
+  const std::size_t dim = planes.size() / 2;
+  if (options.dim != 0 && dim != static_cast<std::size_t>(options.dim))
+    return fault(has + std::to_string(2 * options.dim));
+  FrustumRows frustum;
+  frustum.rows.resize(planes.back().is_null() ? planes.size() - 1 : planes.size());
+  for (std::size_t i = 0; i < frustum.rows.size(); ++i) {
+    auto row = numbers_of(planes[i], "frustum.planes[" + std::to_string(i) + "]", dim + 1, options.scalar == "float");
+    if (!row) return fault(row.error());
+    frustum.rows[i] = std::move(*row);
+  }
+  return frustum;
+}
+
+tl::expected<FrustumRows, std::string> read_frustum(const Json& frustum, const CullOptions& options) {
+  if (const auto fields = has_just(frustum, "frustum", {"planes", "view_projection", "clip"}); !fields)
+    return fault(fields.error());
+  if (frustum.contains("planes") == frustum.contains("view_projection"))
+    return fault("frustum must have exactly one of the fields planes, view_projection");
+  if (frustum.contains("view_projection")) return read_matrix(frustum, options);
+  if (frustum.contains("clip")) return fault("frustum.clip goes with view_projection only");
+  return read_planes(frustum["planes"], options);
+}
+
+/// The planes, as far as they are given: a far plane at infinity is zero.
 template <class Scalar, int Dim>
-tl::expected<Frustum<Scalar, Dim>, InputError> frustum_of(const Rows& rows) {
+tl::expected<typename Frustum<Scalar, Dim>::Planes, InputError> planes_of(const FrustumRows& frustum) {
   if constexpr (Dim == 3)
-    if (rows.size() == 1) {
-      const std::vector<Scalar> matrix(rows[0].begin(), rows[0].end());
-      return frustum_of_matrix<Scalar>(std::span<const Scalar>(matrix));
+    if (frustum.is_matrix()) {
+      const std::vector<Scalar> matrix(frustum.rows[0].begin(), frustum.rows[0].end());
+      return planes_of_matrix<Scalar>(std::span<const Scalar>(matrix), frustum.clip);
     }
   typename Frustum<Scalar, Dim>::Planes planes;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (int k = 0; k < Dim; ++k) planes[i].normal[k] = static_cast<Scalar>(rows[i][k]);
-    planes[i].d = static_cast<Scalar>(rows[i][Dim]);
+  for (std::size_t i = 0; i < frustum.rows.size(); ++i) {
+    for (int k = 0; k < Dim; ++k) planes[i].normal[k] = static_cast<Scalar>(frustum.rows[i][k]);
+    planes[i].d = static_cast<Scalar>(frustum.rows[i][Dim]);
   }
-  return Frustum<Scalar, Dim>::make(planes);
+  return planes;
+}
+
+/// The frustum, ended beyond volumes of coordinates up to a size where it has no end; then has_end is false.
+template <class Scalar, int Dim>
+struct GivenFrustum {
+  Frustum<Scalar, Dim> frustum;
+  bool has_end = true;
+};
+template <class Scalar, int Dim>
+tl::expected<GivenFrustum<Scalar, Dim>, InputError> frustum_of(const FrustumRows& rows, Scalar size) {
+  const auto planes = planes_of<Scalar, Dim>(rows);
+  if (!planes) return tl::unexpected(planes.error());
+  const bool has_end = rows.is_matrix() ? !is_endless(*planes) : rows.rows.size() == planes->size();
+  return Frustum<Scalar, Dim>::make(has_end ? *planes : ended_beyond(*planes, size)).map([&](const auto& frustum) {
+    return GivenFrustum<Scalar, Dim>{frustum, has_end};
+  });
+}
+
+/// No coordinate of the volume is larger.
+template <class Scalar, int Dim>
+Scalar size_of_volume(const Volume<Scalar, Dim>& volume) {
+  return std::visit([](const auto& shape) { return query::span_size(shape) + query::radius_of(shape); }, volume);
 }
 
 /// The true class, whatever the single planes say; null if it is unknown.
@@ -114,15 +161,8 @@ template <class Scalar, int Dim>
 Json exact_class(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>& volume, query::Culling verdict) {
   const auto named = [](query::Culling culling) { return query::kCullingNames[static_cast<std::size_t>(culling)]; };
   if (verdict != query::Culling::kIntersecting) return named(verdict);
-  return std::visit(
-      [&](const auto& shape) -> Json {
-        using Shape = std::remove_cvref_t<decltype(shape)>;
-        if constexpr (std::is_same_v<Shape, Aabb<Scalar, Dim>> || std::is_same_v<Shape, Obb<Scalar, Dim>>)
-          if (const auto exact = query::FrustumSat<Scalar, Dim>::make(frustum))
-            return named(exact->overlaps(shape) ? verdict : query::Culling::kOutside);
-        return nullptr;
-      },
-      volume);
+  const auto meet = proximity::meets<Scalar, Dim>(frustum, volume);
+  return meet ? Json(named(*meet ? verdict : query::Culling::kOutside)) : Json();
 }
 
 template <class Scalar, int Dim>
@@ -164,14 +204,17 @@ struct Asked {
 };
 
 template <class Scalar, int Dim>
-tl::expected<Json, std::string> answer(const Rows& rows, const Volume<Scalar, Dim>& volume, const Asked& asked) {
-  const auto frustum = frustum_of<Scalar, Dim>(rows);
-  if (!frustum) return fault("frustum: " + frustum.error().what);
+tl::expected<Json, std::string> answer(const FrustumRows& rows, const Volume<Scalar, Dim>& volume, const Asked& asked) {
+  const auto given = frustum_of<Scalar, Dim>(rows, size_of_volume<Scalar, Dim>(volume));
+  if (!given) return fault("frustum: " + given.error().what);
+  const auto& [frustum, has_end] = *given;
   query::ClassifyRecorder<Scalar, Dim> of_planes, of_corners;
-  const auto result = query::classify_volume(*frustum, volume, {.extent = query::CullExtent::kAll}, of_planes);
+  const PlaneSet planes_given = has_end ? kAllPlanes<Dim> : kAllPlanes<Dim> >> 1;
+  const auto result =
+      query::classify_volume(frustum, volume, {.planes = planes_given, .extent = query::CullExtent::kAll}, of_planes);
   query::Culling verdict = result.verdict;
   if (asked.test != "planes") {
-    const auto chosen = by_corners(asked.test, *frustum, volume, of_corners);
+    const auto chosen = by_corners(asked.test, frustum, volume, of_corners);
     if (!chosen) return fault(chosen.error());
     verdict = chosen->verdict;
   }
@@ -181,39 +224,42 @@ tl::expected<Json, std::string> answer(const Rows& rows, const Volume<Scalar, Di
 
   Json planes = Json::array();
   for (const auto& entry : of_planes.entries)
-    if (const auto* fact = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact))
+    if (const auto* fact = std::get_if<query::PlaneTested<Scalar, Dim>>(&entry.step.fact); fact && !fact->skipped)
       planes.push_back(plane_json(*fact));
   return Json{{"class", query::kCullingNames[static_cast<std::size_t>(verdict)]},
               {"planes", planes},
-              {"exact", exact_class(*frustum, volume, result.verdict)}};
+              {"exact", exact_class(frustum, volume, result.verdict)}};
 }
 
 template <int Dim>
-tl::expected<Json, std::string> answer(const Rows& rows, const Volume<double, Dim>& volume, bool as_float,
+tl::expected<Json, std::string> answer(const FrustumRows& rows, const Volume<double, Dim>& volume, bool as_float,
                                        const Asked& asked) {
   return as_float ? answer<float, Dim>(rows, in_float<Dim>(volume), asked) : answer<double, Dim>(rows, volume, asked);
 }
 
 struct CullLine {
-  Rows frustum;
+  FrustumRows frustum;
   int dim = 3;
   AnyVolume volume;
 };
 
-tl::expected<CullLine, std::string> line_from(const Json& line, const CullOptions& options) {
-  if (const auto fields = has_just(line, "the line", {"frustum", "volume"}); !fields) return fault(fields.error());
+/// Other fields, such as a name, are passed over.
+tl::expected<CullLine, std::string> line_from(const Json& line, const CullOptions& options, RoughAxes& rough) {
+  if (!line.is_object()) return fault("the line is not an object with frustum, volume");
   for (const char* name : {"frustum", "volume"})
     if (!line.contains(name)) return fault(std::string(name) + " is missing");
-  auto rows = rows_of(line["frustum"], options);
-  if (!rows) return fault(rows.error());
-  const int dim = rows->size() == 4 ? 2 : 3;
-  auto volume = read_volume(line["volume"], volume_wanted("volume", dim, options.scalar));
+  auto frustum = read_frustum(line["frustum"], options);
+  if (!frustum) return fault(frustum.error());
+  const int dim = frustum->dim();
+  auto volume =
+      read_volume(line["volume"], volume_wanted("volume", dim, options.scalar, options.strict ? nullptr : &rough));
   if (!volume) return fault(volume.error());
-  return CullLine{std::move(*rows), dim, std::move(*volume)};
+  return CullLine{std::move(*frustum), dim, std::move(*volume)};
 }
 
-tl::expected<Json, std::string> answer_line(const Json& json, const CullOptions& options, const Asked& asked) {
-  const auto line = line_from(json, options);
+tl::expected<Json, std::string> answer_line(const Json& json, const CullOptions& options, const Asked& asked,
+                                            RoughAxes& rough) {
+  const auto line = line_from(json, options, rough);
   if (!line) return fault(line.error());
   const bool as_float = options.scalar == "float";
   return line->dim == 2 ? answer<2>(line->frustum, std::get<0>(line->volume), as_float, asked)
@@ -228,9 +274,9 @@ std::size_t kind_of(const AnyVolume& volume) {
 }
 
 template <int Dim>
-tl::expected<void, InputError> takes_frustum(const Rows& rows, bool as_float) {
+tl::expected<void, InputError> takes_frustum(const FrustumRows& rows, bool as_float) {
   const auto nothing = [](const auto&) {};
-  return as_float ? frustum_of<float, Dim>(rows).map(nothing) : frustum_of<double, Dim>(rows).map(nothing);
+  return as_float ? frustum_of<float, Dim>(rows, 1).map(nothing) : frustum_of<double, Dim>(rows, 1).map(nothing);
 }
 
 /// Checks that the line's planes make a frustum in the requested arithmetic.
@@ -239,23 +285,26 @@ tl::expected<void, InputError> takes_frustum(const CullLine& line, bool as_float
 }
 
 /// Reads all lines as one scene, with one frustum and one kind of volume.
-tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const CullOptions& options) {
+tl::expected<std::vector<CullLine>, std::vector<InputError>> scene_of(const CullOptions& options,
+                                                                      std::vector<InputError>& warnings) {
+  RoughAxes rough;
   std::vector<CullLine> scene;
-  const auto read =
-      answer_given(options.file, options.name, cull_case, [&](const Json& json) -> tl::expected<Json, std::string> {
-        auto line = line_from(json, options);
-        if (!line) return fault(line.error());
-        if (!scene.empty() && scene[0].frustum != line->frustum)
-          return fault("frustum differs from the first line's; a tree is tested against one");
-        if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
-          return fault("volume is of another kind than the first line's; a tree takes one kind");
-        if (scene.empty())
-          if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
-            return fault("frustum: " + taken.error().what);
-        scene.push_back(std::move(*line));
-        return Json();
-      });
+  const auto add_line = [&](const Json& json) -> tl::expected<Json, std::string> {
+    auto line = line_from(json, options, rough);
+    if (!line) return fault(line.error());
+    if (!scene.empty() && !(scene[0].frustum == line->frustum))
+      return fault("frustum differs from the first line's; a tree is tested against one");
+    if (!scene.empty() && kind_of(scene[0].volume) != kind_of(line->volume))
+      return fault("volume is of another kind than the first line's; a tree takes one kind");
+    if (scene.empty())
+      if (const auto taken = takes_frustum(*line, options.scalar == "float"); !taken)
+        return fault("frustum: " + taken.error().what);
+    scene.push_back(std::move(*line));
+    return Json();
+  };
+  const auto read = answer_given(options.file, options.name, cull_case, add_line, rough);
   if (!read) return tl::unexpected(read.error());
+  warnings = read->warnings;
   return scene;
 }
 
@@ -265,13 +314,17 @@ Json json_of_cost(const CullCost& cost) {
 
 template <class Scalar, int Dim>
 CommandResult cull_scene(const std::vector<CullLine>& scene, const TreeRule& rule, TraceFile& trace) {
-  const auto frustum = *frustum_of<Scalar, Dim>(scene[0].frustum);  // scene_of() has checked it
   std::vector<Volume<Scalar, Dim>> volumes;
+  Scalar size = 0;
   for (const CullLine& line : scene) {
     const Volume<double, Dim>& volume = std::get<static_cast<std::size_t>(Dim - 2)>(line.volume);
     if constexpr (std::is_same_v<Scalar, float>) volumes.push_back(in_float<Dim>(volume));
     else volumes.push_back(volume);
+    size = std::max(size, size_of_volume<Scalar, Dim>(volumes.back()));
   }
+  const auto given = frustum_of<Scalar, Dim>(scene[0].frustum, size);
+  if (!given) return bad_input("frustum: " + given.error().what);
+  const auto& frustum = given->frustum;
   const auto culled = cull_by_tree<Scalar, Dim>(rule, frustum, volumes, trace);
   if (!culled)
     return bad_input("--tree takes no volume of the kind " + std::string(kVolumeNames[kind_of(scene[0].volume)]) +
@@ -292,14 +345,18 @@ CommandResult cull_scene(const std::vector<CullLine>& scene, const TreeRule& rul
 
 CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
   if (options.test != "planes") return bad_input("--tree goes with --test planes only");
-  const auto scene = scene_of(options);
+  std::vector<InputError> warnings;
+  const auto scene = scene_of(options, warnings);
   if (!scene) return tl::unexpected(scene.error());
   if (scene->empty()) return Printed{};
   const bool as_float = options.scalar == "float";
   const TreeRule rule{options.tree, options.leaf};
-  if ((*scene)[0].dim == 2)
-    return as_float ? cull_scene<float, 2>(*scene, rule, trace) : cull_scene<double, 2>(*scene, rule, trace);
-  return as_float ? cull_scene<float, 3>(*scene, rule, trace) : cull_scene<double, 3>(*scene, rule, trace);
+  auto culled =
+      (*scene)[0].dim == 2
+          ? (as_float ? cull_scene<float, 2>(*scene, rule, trace) : cull_scene<double, 2>(*scene, rule, trace))
+          : (as_float ? cull_scene<float, 3>(*scene, rule, trace) : cull_scene<double, 3>(*scene, rule, trace));
+  if (culled) culled->warnings = std::move(warnings);
+  return culled;
 }
 
 // ---- a survey
@@ -308,11 +365,12 @@ CommandResult run_tree(const CullOptions& options, TraceFile& trace) {
 /// cannot be made, or that has no vertices.
 template <int Dim>
 tl::expected<Json, std::string> surveyed(const CullLine& line, const CullOptions& options) {
-  const auto frustum = frustum_of<double, Dim>(line.frustum);
-  if (!frustum) return fault("frustum: " + frustum.error().what);
+  const auto given = frustum_of<double, Dim>(line.frustum, 1);
+  if (!given) return fault("frustum: " + given.error().what);
+  if (!given->has_end) return fault("frustum: its far plane lies at infinity, and --survey needs vertices");
   const auto* sphere = std::get_if<Sphere<double, Dim>>(&std::get<static_cast<std::size_t>(Dim - 2)>(line.volume));
   if (sphere == nullptr) return fault("volume is not a sphere, which --survey needs");
-  auto survey = query::SphereSurvey<Dim>::make(*frustum, sphere->radius, options.seed);
+  auto survey = query::SphereSurvey<Dim>::make(given->frustum, sphere->radius, options.seed);
   if (!survey) return fault("frustum: its planes do not meet in vertices, which --survey needs");
   survey->run(options.survey);
   const query::SurveyCounts& counts = survey->counts();
@@ -331,11 +389,13 @@ tl::expected<Json, std::string> surveyed(const CullLine& line, const CullOptions
 CommandResult run_survey(const CullOptions& options) {
   if (!options.tree.empty() || options.test != "planes" || options.scalar != "double" || !options.steps.empty())
     return bad_input("--survey goes with --seed and --dim only");
-  return answer_given(options.file, options.name, cull_case, [&](const Json& json) -> tl::expected<Json, std::string> {
-    const auto line = line_from(json, options);
+  RoughAxes rough;
+  const auto answer = [&](const Json& json) -> tl::expected<Json, std::string> {
+    const auto line = line_from(json, options, rough);
     if (!line) return fault(line.error());
     return line->dim == 2 ? surveyed<2>(*line, options) : surveyed<3>(*line, options);
-  });
+  };
+  return answer_given(options.file, options.name, cull_case, answer, rough);
 }
 
 CommandResult run_cull(const CullOptions& options) {
@@ -344,10 +404,11 @@ CommandResult run_cull(const CullOptions& options) {
   if (!trace) return bad_input(trace.error());
   if (!options.tree.empty()) return with_trace(run_tree(options, *trace), *trace);
   std::int64_t number = 0;
-  auto answers = answer_given(options.file, options.name, cull_case, [&](const Json& line) {
-    return answer_line(line, options, {options.test, *trace ? &**trace : nullptr, ++number});
-  });
-  return with_trace(std::move(answers), *trace);
+  RoughAxes rough;
+  const auto answer = [&](const Json& line) {
+    return answer_line(line, options, {options.test, *trace ? &**trace : nullptr, ++number}, rough);
+  };
+  return with_trace(answer_given(options.file, options.name, cull_case, answer, rough), *trace);
 }
 
 constexpr const char* kCullFooter =
@@ -355,7 +416,10 @@ constexpr const char* kCullFooter =
   F                {"planes":[[nx,ny,nz,d], ..]}: left, right, bottom, top, near, far; normals point outward and may
                    have any length; a point p is inside a plane if n . p + d <= 0. In 2-D four lines [nx,ny,d]: left,
                    right, near, far.
-                   {"view_projection":[16 numbers]}: column-major, world to OpenGL's clip space; 3-D
+                   null in the place of far is a frustum without end
+                   {"view_projection":[16 numbers]}: column-major, world to OpenGL's clip space; 3-D. With "clip":"0..1"
+                   to 0 <= z <= w, as of Direct3D, Metal, Vulkan and WebGPU. Depth may be reversed (1 near, 0 far), and
+                   the far plane may lie at infinity; it is then not among the planes
 )";
 constexpr const char* kCullFooterEnd = R"(It has the frustum's dimension.
   class            inside, intersecting or outside. Outside: wholly in the positive half-space of one plane. Inside:
@@ -364,8 +428,9 @@ constexpr const char* kCullFooterEnd = R"(It has the frustum's dimension.
                    the frustum's edges and vertices, are called intersecting: false positives
   planes           for each: plane (its index), p_vertex and n_vertex (the volume's points farthest along the normal and
                    against it), side (the class for this plane), p_distance and n_distance (signed, positive outside)
-  exact            the true class; null if it is unknown. For volumes that the planes call intersecting, it is computed
-                   only for aabb and obb, and only if the planes bound a frustum with eight vertices (in 2-D four)
+  exact            the true class; null if it is unknown: if the planes do not bound a frustum with eight vertices (in
+                   2-D four; a far plane at infinity may be missing), and for capsule, lozenge, k-DOP and hull where
+                   they touch it within rounding
 
 --test corners classifies by the box's vertices: outside if all are outside one plane. corners_outside says outside if
 all are outside the frustum, which is wrong for boxes wider than the frustum: class then differs from exact.
@@ -405,6 +470,7 @@ void add_cull(Commands& commands) {
                   "The test: planes; for boxes also corners, or corners_outside, which is wrong")
       ->check(CLI::IsMember({"planes", "corners", "corners_outside"}))
       ->capture_default_str();
+  command.add_flag("--strict", options->strict, "Refuse axes of four digits, which are taken with a warning otherwise");
   command.add_option("--tree", options->tree, "Cull with a tree built by median, surface_area, bottom_up or insertion")
       ->check(CLI::IsMember(kTreeRules));
   command

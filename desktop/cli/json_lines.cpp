@@ -33,9 +33,16 @@ tl::expected<Json, std::string> json_line(const std::string& line) {
   }
 }
 
+/// The warning about them, at the line of the first.
+InputError warning_of(const RoughAxes& rough, const std::string& name) {
+  const std::string others = rough.count == 1 ? "" : " (and " + std::to_string(rough.count - 1) + " more)";
+  return {rough.first + others + " are only unit and perpendicular to about four digits, and were made so exactly",
+          name, InputError::Unit::kLine, rough.line};
+}
+
 /// text: the lines. name: for errors.
 CommandResult answer_text(const std::string& text, const std::string& name,
-                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
+                          const std::function<tl::expected<Json, std::string>(const Json&)>& answer, RoughAxes& rough) {
   Printed printed;
   std::int64_t number = 0;
   Progress progress("lines", static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1);
@@ -52,24 +59,20 @@ CommandResult answer_text(const std::string& text, const std::string& name,
                                   name, InputError::Unit::kLine, number});
     if (!answered) return bad_input(InputError{answered.error(), name, InputError::Unit::kLine, number});
     printed.text += line_of(*answered);
+    if (rough.count > 0 && rough.line == 0) rough.line = number;
   }
+  if (rough.count > 0) printed.warnings.push_back(warning_of(rough, name));
   return printed;
 }
 
 }  // namespace
 
-CommandResult answer_lines(const std::string& file,
-                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
-  const auto bytes = read_file(file);
-  return bytes ? answer_text(*bytes, file, answer) : bad_input(bytes.error());
-}
-
 CommandResult answer_given(const std::string& file, const std::string& name,
                            tl::expected<std::string, InputError> (*line_of_case)(const std::string&),
-                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer) {
-  if (name.empty()) return answer_lines(file, answer);
-  const auto line = line_of_case(name);
-  return line ? answer_text(*line, name, answer) : bad_input(line.error());
+                           const std::function<tl::expected<Json, std::string>(const Json&)>& answer,
+                           RoughAxes& rough) {
+  const auto text = name.empty() ? read_file(file) : line_of_case(name);
+  return text ? answer_text(*text, name.empty() ? file : name, answer, rough) : bad_input(text.error());
 }
 
 }  // namespace snug::desktop

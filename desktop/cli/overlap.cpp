@@ -1,6 +1,8 @@
 #include "measure/pair_cost.hpp"
+#include "measure/signed_distance.hpp"
 #include "query/axis_counts.hpp"
 #include "query/overlaps_any.hpp"
+#include "query/touching.hpp"
 
 #include "desktop/cli/cases.hpp"
 #include "desktop/cli/command.hpp"
@@ -22,7 +24,7 @@ struct OverlapOptions {
   std::string steps;
   std::string file = "-", name;  // a file's path; a case's name, in place of it
   int random = 0;
-  bool costs = false, exact = false;
+  bool costs = false, exact = false, strict = false;
   std::uint64_t seed = 1;
 };
 
@@ -30,12 +32,12 @@ struct VolumePair {
   AnyVolume a, b;
 };
 
-tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOptions& options) {
+tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOptions& options, RoughAxes& rough) {
   if (!json.is_object()) return tl::unexpected(std::string("the line is not an object with the fields a and b"));
   for (const char* name : {"a", "b"})
     if (!json.contains(name)) return tl::unexpected(std::string(name) + " is missing");
 
-  VolumeWanted wanted = volume_wanted("a", options.dim, options.scalar);
+  VolumeWanted wanted = volume_wanted("a", options.dim, options.scalar, options.strict ? nullptr : &rough);
   const bool b_first = may_have_either_dim(json["a"]) && !may_have_either_dim(json["b"]);
   const auto read = [&](const char* name, int dim) {
     wanted.name = name;
@@ -57,6 +59,13 @@ tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOpt
 
 // ---- the answer
 
+template <class Vector>
+Json json_of_vector(const Vector& v) {
+  Json list = Json::array();
+  for (const auto coordinate : v) list.push_back(static_cast<double>(coordinate));
+  return list;
+}
+
 template <class Scalar, int Dim>
 Json json_of_result(const query::OverlapResult<Scalar, Dim>& result, query::PairTest test) {
   Json json{{"overlap", result.overlap},
@@ -65,13 +74,31 @@ Json json_of_result(const query::OverlapResult<Scalar, Dim>& result, query::Pair
             {"tests", result.tests},
             {"test", query::name_of(test)}};
   if (result.distance) json["distance"] = static_cast<double>(*result.distance);
-  if (!result.separating_axis) return json;
-  Json direction = Json::array();
-  for (int i = 0; i < Dim; ++i) direction.push_back(static_cast<double>(result.separating_axis->direction[i]));
-  json["separating_axis"] = {{"kind", result.separating_axis->kind},
-                             {"direction", direction},
-                             {"gap", static_cast<double>(result.separating_axis->gap)}};
+  if (result.separating_axis)
+    json["separating_axis"] = {{"kind", result.separating_axis->kind},
+                               {"direction", json_of_vector(result.separating_axis->direction)},
+                               {"gap", static_cast<double>(result.separating_axis->gap)}};
   return json;
+}
+
+/// Adds how near or how deep the volumes lie. The test's own answer stands: where rounding would turn a distance or a
+/// depth against it, that is 0.
+template <class Scalar, int Dim>
+void add_distance(Json& json, const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, bool conservative) {
+  const bool overlap = json["overlap"];
+  const auto found = proximity::signed_distance<Scalar, Dim>(a, b);
+  if (!found) return;
+  const bool apart = !overlap || (conservative && found->distance > 0);
+  const Json ends{{"a", json_of_vector(found->on_a)}, {"b", json_of_vector(found->on_b)}};
+  if (json["distance"].is_null()) json["distance"] = apart ? std::max(found->distance, 0.0) : 0.0;
+  const auto touching = overlap ? query::touch<Scalar, Dim>(a, b) : std::optional(false);
+  json["touching"] = touching ? Json(*touching) : Json();
+  json["nearest"] = apart ? ends : Json();
+  json["penetration"] = nullptr;
+  if (apart) return;
+  json["penetration"] = {{"depth", touching.value_or(false) ? 0.0 : std::max(-found->distance, 0.0)},
+                         {"direction", json_of_vector(found->direction)}};
+  json["penetration"].update(ends);
 }
 
 /// Writes the steps of a pair's test. pair: the line of its answer, counted from 1.
@@ -105,9 +132,12 @@ class Trace {
 /// exact: whether a pair whose own test is conservative is tested by slabs, then GJK.
 template <class Scalar, int Dim, class Observer>
 Json answer(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, bool exact, Observer& observe) {
-  if (exact && query::is_conservative(a.index(), b.index()))
-    return json_of_result(query::test_slabs_then_gjk(a, b, observe), query::PairTest::kSlabsThenGjk);
-  return json_of_result(query::test_any_overlap(a, b, observe), query::kPairTests[a.index()][b.index()]);
+  const bool conservative = query::is_conservative(a.index(), b.index());
+  Json json = exact && conservative
+                  ? json_of_result(query::test_slabs_then_gjk(a, b, observe), query::PairTest::kSlabsThenGjk)
+                  : json_of_result(query::test_any_overlap(a, b, observe), query::kPairTests[a.index()][b.index()]);
+  add_distance<Scalar, Dim>(json, a, b, conservative && !exact);
+  return json;
 }
 
 template <class Scalar, int Dim>
@@ -188,18 +218,18 @@ CommandResult run_overlap(const OverlapOptions& options) {
   auto file = trace_file(options.steps);
   if (!file) return bad_input(file.error());
   std::int64_t number = 0;
-  auto answers =
-      answer_given(options.file, options.name, overlap_case, [&](const Json& json) -> tl::expected<Json, std::string> {
-        const auto pair = pair_of(json, options);
-        if (!pair) return tl::unexpected(pair.error());
-        const bool in_plane = dim_of(pair->a) == 2;
-        std::optional<Trace> trace;
-        if (*file) trace.emplace(**file, ++number, in_plane ? 2 : 3);
-        Trace* const watch = trace ? &*trace : nullptr;
-        return in_plane ? answer<2>(std::get<0>(pair->a), std::get<0>(pair->b), options, watch)
-                        : answer<3>(std::get<1>(pair->a), std::get<1>(pair->b), options, watch);
-      });
-  return with_trace(std::move(answers), *file);
+  RoughAxes rough;
+  const auto answer_line = [&](const Json& json) -> tl::expected<Json, std::string> {
+    const auto pair = pair_of(json, options, rough);
+    if (!pair) return tl::unexpected(pair.error());
+    const bool in_plane = dim_of(pair->a) == 2;
+    std::optional<Trace> trace;
+    if (*file) trace.emplace(**file, ++number, in_plane ? 2 : 3);
+    Trace* const watch = trace ? &*trace : nullptr;
+    return in_plane ? answer<2>(std::get<0>(pair->a), std::get<0>(pair->b), options, watch)
+                    : answer<3>(std::get<1>(pair->a), std::get<1>(pair->b), options, watch);
+  };
+  return with_trace(answer_given(options.file, options.name, overlap_case, answer_line, rough), *file);
 }
 
 constexpr const char* kOverlapFooter =
@@ -210,9 +240,16 @@ constexpr const char* kOverlapFooterEnd = R"(A 6-DOP exists in 2-D and 3-D: it t
                    dimension of the other volume, or of --dim, or is 3-D.
   overlap          whether they share a point; touching volumes do. Of k-DOPs: whether they may, for a program compares
                    only their intervals, and these may overlap though the volumes are apart (see --exact)
-  distance         0 if they overlap; null if the test for this pair finds no distance (boxes and k-DOPs among themselves)
+  distance         0 if they overlap. Of k-DOPs that may: that of the bodies, which may be apart
   separating_axis  {kind, direction, gap}: a unit direction from a to b, and the separation along it; null if they
                    overlap. kind: centers, closest_points, slab, face_a, face_b, edge_edge
+  touching         whether they share points, but some move, however short, parts them; decided without rounding. null
+                   for pairs that only rounded numbers know: all but those of spheres, AABBs and OBBs among themselves
+                   (without sphere and OBB)
+  nearest          {a, b}: the nearest points of volumes that are apart; null if they overlap
+  penetration      {depth, direction, a, b} of volumes that overlap, else null: the shortest move that parts them is b's,
+                   by depth along direction, a unit vector; it brings the points a and b together. GJK's expanding
+                   polytope finds it, within some roundings of the volumes' size
   tests            the number of axes, pairs of features or simplices tested
   test             what a program tests such a pair by: spheres, sphere_box, swept_spheres, slabs, separating_axes, gjk;
                    slabs_then_gjk with --exact
@@ -241,6 +278,7 @@ void add_overlap(Commands& commands) {
           "Test this many random pairs of oriented boxes instead, by separating axes. Counts for each axis how often "
           "the test ends there (first), and how often it separates the boxes (separates)")
       ->transform(whole_number(1, 1000000));
+  command.add_flag("--strict", options->strict, "Refuse axes of four digits, which are taken with a warning otherwise");
   command.add_flag("--exact", options->exact,
                    "Test k-DOPs, and k-DOPs with AABBs, by GJK too if no interval separates them: is the body apart?");
   command.add_flag(

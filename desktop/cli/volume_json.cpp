@@ -70,6 +70,16 @@ class Fields {
     return kind;
   }
 
+  /// Whether axes may be off by that much. Rough ones are counted, once for each field.
+  [[nodiscard]] bool takes_off_by(double off, std::string_view name) {
+    if (off <= tolerance::kAxesAsGiven) return true;
+    if (wanted_.rough == nullptr || !(off <= tolerance::kAxesRough)) return false;
+    if (rough_ == field(name)) return true;
+    rough_ = field(name);
+    if (++wanted_.rough->count == 1) wanted_.rough->first = rough_;
+    return true;
+  }
+
   [[nodiscard]] bool has(const char* name) const { return error_.empty() && object_->contains(name); }
 
   /// Checks that exactly these fields are there.
@@ -160,7 +170,7 @@ class Fields {
   int dim_;
   std::string path_;
   const Json* object_ = nullptr;
-  std::string error_;
+  std::string error_, rough_;
 };
 
 /// Reads axes as rows that are unit, perpendicular and right-handed: kept if they are so within rounding, else made so.
@@ -177,7 +187,7 @@ Matrix<double, 3> axes_of(Fields& fields, std::string_view field) {
     axes.col(static_cast<int>(i)) = rows[i];
     for (std::size_t j = 0; j <= i; ++j) {
       const double off = std::abs(rows[i].dot(rows[j]) - (i == j ? 1 : 0));
-      if (off > tolerance::kAxesAsGiven)
+      if (!fields.takes_off_by(off, field))
         fields.fail(i == j ? name + place(i) + " is not of unit length"
                            : name + place(j) + " and " + place(i) + " are not perpendicular");
       most_off = std::max(most_off, off);
@@ -197,7 +207,7 @@ std::array<Point, 2> edges_of(Fields& fields, std::string_view field) {
   if (length > 0 && other > 0) {
     const Point along = edges[0] / length;
     const double cosine = std::abs(along.dot(edges[1] / other));
-    if (cosine > tolerance::kAxesAsGiven) fields.fail(fields.field(field) + " are not perpendicular");
+    if (!fields.takes_off_by(cosine, field)) fields.fail(fields.field(field) + " are not perpendicular");
     if (cosine > tolerance::kObbAxes<double>) edges[1] -= along * along.dot(edges[1]);
   }
   return {edges[0], edges[1]};
@@ -315,8 +325,8 @@ std::string_view remark_on(std::string_view kind) {
 
 }  // namespace
 
-VolumeWanted volume_wanted(std::string name, int dim, const std::string& scalar) {
-  VolumeWanted wanted{.name = std::move(name), .dim = dim};
+VolumeWanted volume_wanted(std::string name, int dim, const std::string& scalar, RoughAxes* rough) {
+  VolumeWanted wanted{.name = std::move(name), .dim = dim, .rough = rough};
   if (scalar == "float") wanted.largest = PointSet<float, 3>::kLargest, wanted.largest_said = "1.1e18 in float";
   return wanted;
 }
@@ -336,8 +346,8 @@ tl::expected<AnyVolume, std::string> read_volume(const Json& json, const VolumeW
 }
 
 bool may_have_either_dim(const Json& json) {
-  if (!json.is_object() || json.size() != 1 || json.begin().key() != "kdop") return false;
-  const Json& kdop = json.begin().value();
+  if (!json.is_object() || !json.contains("kdop")) return false;
+  const Json& kdop = json["kdop"];
   return kdop.is_object() && kdop.contains("k") && kdop["k"] == 6;
 }
 

@@ -44,7 +44,8 @@ TEST_CASE("ticks are whole powers of ten, or what is between where there is room
   CHECK(labels(count, 9, 1100, 9) == std::vector<std::string>{"10", "100", "1,000"});
   CHECK(labels(ratio, 0.9, 12, 9) == std::vector<std::string>{"1", "2", "5", "10"});
   CHECK(labels(ratio, 0.98, 1.31, 4) == std::vector<std::string>{"1", "1.1", "1.2", "1.3"});
-  CHECK(labels({"", ChartUnit::kDegrees}, -5, 365, 5) == std::vector<std::string>{"0°", "100°", "200°", "300°"});
+  CHECK(labels({"", ChartUnit::kDegrees}, -5, 365, 5) == std::vector<std::string>{"0°", "90°", "180°", "270°", "360°"});
+  CHECK(labels({"", ChartUnit::kDegrees}, -5, 365, 9).at(1) == "45°");
 }
 
 TEST_CASE("ticks are in the range, rising, and no more than wanted but by a few") {

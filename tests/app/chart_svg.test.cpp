@@ -70,6 +70,32 @@ std::string svg_in_frame(Bench& bench, const Look& look, const Chart& chart) {
 
 }  // namespace
 
+TEST_CASE("names stand at the ends of lines, and in a legend where there is no room for that") {
+  Bench bench(test::flat_kdop());
+  const Chart chart = growth_chart(growth_table());
+  const auto place = [&](const Rect& rect) {
+    for (const DrawnWords& one : drawn_on_screen(bench, chart, rect))
+      if (one.words.starts_with("Ritter: n")) return one.low;
+    return ImVec2(0, 0);
+  };
+  const ImVec2 beside = place({0, 0, 960, 600}), below = place({0, 0, 250, 600});
+  CHECK(beside.x > 600);
+  CHECK(beside.y < 300);
+  CHECK(below.y > 500);
+  CHECK(below.x > 0);
+}
+
+TEST_CASE("words and marks grow with a picture larger than the screen's") {
+  Bench bench(test::flat_kdop());
+  const Chart chart = growth_chart(growth_table());
+  ImGui::NewFrame();
+  const std::string large = chart_svg(bench.app.look(), 2560, 1600, chart);
+  const std::string usual = chart_svg(bench.app.look(), 1280, 800, chart);
+  ImGui::EndFrame();
+  CHECK(large.find("width=\"2560\" height=\"1600\" viewBox=\"0 0 1280 800\"") != std::string::npos);
+  CHECK(large.substr(large.find("<title")) == usual.substr(usual.find("<title")));
+}
+
 TEST_CASE("an SVG has every word of the screen's chart, as text") {
   Bench bench(test::flat_kdop());
   for (const Chart& chart :

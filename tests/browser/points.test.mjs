@@ -174,11 +174,19 @@ test("a coordinate has as many digits as its field shows, and what was not touch
   assert.equal(moved.coordinates[1], coordinates[1]);
 });
 
-const drop = (page, name, text) => page.evaluate(([file_name, content]) => {
+const drop = (page, name, text, ...others) => page.evaluate(([file_name, content, more]) => {
   const data = new DataTransfer();
-  data.items.add(new File([content], file_name));
+  for (const each of [file_name, ...more]) data.items.add(new File([content], each));
   for (const type of ["dragover", "drop"]) document.querySelector("#stage").dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
-}, [name, text]);
+}, [name, text, others]);
+
+test("a drop says what became of each file", async (t) => {
+  const page = await visit(t, await in_the_plane());
+  await drop(page, "five.xyz", "0 0\n4 0\n4 3\n0 3\n2 1\n", "six.xyz", "seven.ply");
+  await until(page, (now) => now.size === 5);
+  await page.getByText("five.xyz is open.").waitFor();
+  await page.getByText("One file is taken at a time; not opened: six.xyz, seven.ply.").waitFor();
+});
 
 test("a dropped point file is used", async (t) => {
   const page = await visit(t, await in_the_plane());

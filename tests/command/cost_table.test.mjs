@@ -340,3 +340,27 @@ test("a result goes to a file whole", () => {
   assert.equal(good(["cost", ...quick, "--volume", "aabb", "--csv", "-o", "here.csv", cloud]), "");
   assert.match(read("here.csv"), /\naabb,min_max,/);
 });
+
+test("snug which has the five criteria, T and where it goes, in every format", () => {
+  const args = ["which", "--generate", "gaussian:60", "--repeat", "2", "--bodies", "3", "--frames", "10", "--updates", "4", "--pairs", "50", "--hit-rate", "20"];
+  const { table, rows } = JSON.parse(good([...args, "--json"]));
+  assert.equal(table, "which");
+  assert.deepEqual(rows.map((row) => row.volume), ["sphere", "aabb", "obb", "kdop", "capsule", "lozenge", "hull"]);
+  const hull = rows.at(-1);
+  assert.equal(hull.false_positives, 0);
+  for (const row of rows) {
+    assert.deepEqual(row.load, { bodies: 3, frames: 10, updates: 4, pairs: 50, hit_rate: 0.2, deforms: false });
+    const close = (a, b) => assert.ok(Math.abs(a - b) <= 1e-9 * Math.abs(b), `${row.volume}: ${a}, ${b}`);
+    close(row.total_ns.build, 3 * row.build_ns.median);
+    close(row.total_ns.updates, 40 * row.update_ns.median);
+    close(row.total_ns.tests, 500 * row.test_ns.median);
+    close(row.total_ns.false_positives, 500 * 0.8 * row.false_positives * hull.test_ns.median);
+    close(row.total_ns.total, row.total_ns.build + row.total_ns.updates + row.total_ns.tests + row.total_ns.false_positives);
+    assert.equal(row.passed, Math.round(row.false_positives * row.pairs_apart));
+  }
+  const text = good(args);
+  assert.ok(text.split("\n").every((line) => line.length <= 100), text);
+  assert.equal(text.match(/ \*/g).length, 2);  // the least, and what the star means
+  assert.ok(good([...args, "--csv"]).includes("total_ns.total"));
+  assert.equal(JSON.parse(good([...args, "--dim", "2", "--json"])).rows.length, 7);
+});

@@ -37,10 +37,9 @@ const plane = {
   hull: (x) => ({ points: [[x - 1, 0], [x + 1, 0], [x, 1], [x, -1]] }),
 };
 const kinds = Object.keys(space);
-const has_no_distance = ["aabb", "obb", "kdop"];
 
-/** Which pairs answer by axes alone. */
-const axes_only = (a, b) => has_no_distance.includes(a) && has_no_distance.includes(b) && !(a === "obb" && b === "kdop") && !(a === "kdop" && b === "obb");
+/** Pairs of which touching is told from overlapping. */
+const exactly_told = ["sphere sphere", "sphere aabb", "aabb aabb", "aabb obb", "obb obb"];
 
 for (const [dim, of] of [[3, space], [2, plane]])
   for (const scalar of ["double", "float"])
@@ -54,11 +53,18 @@ for (const [dim, of] of [[3, space], [2, plane]])
       results.forEach((result, i) => {
         const { a, b, gap, side } = cases[i];
         const about = `${a} ${b} ${gap} ${side}: ${JSON.stringify(result)}`;
-        assert.deepEqual(Object.keys(result), ["overlap", "distance", "separating_axis", "tests", "test"], about);
+        assert.deepEqual(Object.keys(result), ["overlap", "distance", "separating_axis", "tests", "test", "touching", "nearest", "penetration"], about);
         assert.equal(result.overlap, gap <= 0, about);
         assert.ok(Number.isInteger(result.tests) && result.tests > 0, about);
-        if (axes_only(a, b)) assert.equal(result.distance, null, about);
-        else assert.ok(Math.abs(result.distance - Math.max(0, gap)) < 1e-6, about);
+        assert.ok(Math.abs(result.distance - Math.max(0, gap)) < 1e-6, about);
+        assert.equal(result.touching, gap > 0 || exactly_told.some((pair) => pair === `${a} ${b}` || pair === `${b} ${a}`) ? gap === 0 : null, about);
+        const ends = gap > 0 ? result.nearest : result.penetration;
+        assert.equal(gap > 0 ? result.penetration : result.nearest, null, about);
+        const along = gap > 0 ? result.separating_axis.direction : result.penetration.direction;
+        if (gap <= 0) assert.ok(result.penetration.depth >= 0 && result.penetration.depth <= -gap + 1e-6, about);
+        // Both ends lie on both sides of the gap, or of the depth.
+        const moved = ends.b.map((x, i) => x - ends.a[i] - along[i] * (gap > 0 ? result.distance : -result.penetration.depth));
+        assert.ok(Math.hypot(...moved) < (gap > 0 ? 2e-3 : 1e-5), about);
         if (gap <= 0) return assert.equal(result.separating_axis, null, about);
         const { kind, direction, gap: found } = result.separating_axis;
         assert.deepEqual(Object.keys(result.separating_axis), ["kind", "direction", "gap"], about);
@@ -128,7 +134,31 @@ test("axes and edges as rough as float makes them are taken, and rougher ones ar
   const box = (axes) => ({ obb: { center: [0, 0, 0], axes, half_extents: [1, 1, 1] } });
   assert.equal(answer(box([[c, c, 0], [-c, c, 0], [0, 0, 1]]), sphere).overlap, true);
   assert.equal(answer(box([[0.7071068, 0.7071068, 0], [-0.7071068, 0.7071068, 0], [0, 0, 1]]), sphere).overlap, true);
-  refused(with_sphere(box([[0.7071, 0.7071, 0], [-0.7071, 0.7071, 0], [0, 0, 1]])), "b.obb.axes[0] is not of unit length");
+  const rough = with_sphere(box([[0.7071, 0.7071, 0], [-0.7071, 0.7071, 0], [0, 0, 1]]));
+  refused(rough, "b.obb.axes[0] is not of unit length", 1, "--strict");
+  refused(with_sphere(box([[0.707, 0.707, 0], [-0.707, 0.707, 0], [0, 0, 1]])), "b.obb.axes[0] is not of unit length");
+});
+
+test("axes of four digits are made unit and perpendicular, and one warning counts them", () => {
+  const far = { sphere: { center: [5, 0, 0], radius: 1 } };
+  const rough = { a: far, b: { obb: { center: [0, 0, 0], axes: [[0.7071, 0.7071, 0], [-0.7071, 0.7071, 0], [0, 0, 1]], half_extents: [1, 1, 1] } } };
+  const lozenge = { a: { lozenge: { origin: [9, 0, 0], edges: [[1, 0, 0], [0.0001, 1, 0]], radius: 1 } }, b: far };
+  const { out, err, status } = snug(["overlap"], [{ a: far, b: far }, rough, lozenge].map((line) => JSON.stringify(line)).join("\n"));
+  assert.equal(status, 0);
+  assert.equal(err, "snug: -:2: warning: b.obb.axes (and 1 more) are only unit and perpendicular to about four digits, and were made so exactly\n");
+  assert.ok(Math.abs(json_lines(out)[1].distance - (4 - Math.SQRT2)) < 1e-14);
+});
+
+test("how deep and how near: what is known comes out, and names may stand beside a 6-DOP", () => {
+  const deep = answer({ aabb: { min: [0, 0, 0], max: [1, 1, 1] } }, { aabb: { min: [0.75, 0.5, -0.25], max: [2, 2, 2] } });
+  assert.deepEqual([deep.distance, deep.nearest, deep.touching, deep.penetration.depth, deep.penetration.direction], [0, null, false, 0.25, [1, 0, 0]]);
+  const near = answer({ aabb: { min: [0, 0, 0], max: [1, 1, 1] } }, { aabb: { min: [4, 5, 0], max: [5, 6, 1] } });
+  assert.deepEqual([near.distance, near.nearest.a.slice(0, 2), near.nearest.b.slice(0, 2), near.penetration], [5, [1, 1], [4, 5], null]);
+  // The intervals of these two overlap, the bodies do not.
+  const [a, b] = [{ hull: { points: [[0, 0], [4, 0], [0, 4]] } }, { kdop: { k: 4, min: [2.5, 2.5], max: [3, 3] } }];
+  assert.ok(Math.abs(answer(a, b).distance - Math.SQRT1_2) < 1e-12);
+  const named = { name: "mine", kdop: { k: 6, min: [0, 0, 0.5], max: [1, 1, 1.5] } };
+  assert.equal(answer(named, { sphere: { center: [3, 0.5], radius: 1 } }).nearest.a.length, 2);
 });
 
 test("a volume that is wrong is refused by the name of its field", () => {

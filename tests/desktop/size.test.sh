@@ -23,3 +23,22 @@ kill "$pid"; wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"
 
 xvfb-run -a -s "-screen 0 1366x768x24" bash "${BASH_SOURCE[0]}" small
+
+# The size, the theme and the text size of the last window are those of the next one.
+geometry() { xdotool getwindowgeometry "$window" | grep -oP 'Geometry: \K\S+'; }
+open_window --lesson sphere-ritter
+xdotool windowsize --sync "$window" 1100 720
+tab_to "Text size: 100 %"
+xdotool key Return
+tab_to "Theme: Light"
+xdotool key Return
+until_state 's.theme === "Dark"'
+sleep 1
+close_window
+open_window --lesson sphere-ritter
+[[ $(geometry) == 1100x720 ]] || fail "the window opens at $(geometry)"
+until_state 's.theme === "Dark" && s.text_scale > 1'
+close_window
+SNUG_THEME=contrast open_window --size 1280x800 --lesson sphere-ritter # what is asked for comes first
+until_state 's.theme === "High contrast"'
+[[ $(geometry) == 1280x800 ]] || fail "a size that was asked for gives way to the last one: $(geometry)"

@@ -126,18 +126,21 @@ export class PointTools {
     }
   }
 
+  /** Returns whether the file was taken; a notice says why not. */
   async load(file) {
     const most = this.#view.cover ? kMostMeasured : kMostBytes;
-    if (file.size > most) return notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
-    this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
+    if (file.size > most) return void notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
+    return this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
   }
 
   #use(bytes, name) {
+    let error = "";
     this.#act(() => {
-      const error = this.#take(bytes, name);
+      error = this.#take(bytes, name);
       if (error) notice(`That file cannot be used. ${error}.`);
       else clear_notices();
     });
+    return !error;
   }
 
   /** Uses a file: points, or a result to draw over the chart. */
@@ -190,8 +193,16 @@ export class PointTools {
       if (!carries_file(event)) return;
       event.preventDefault();
       show(false);
-      if (event.dataTransfer.files[0]) this.load(event.dataTransfer.files[0]);
+      this.#take_dropped([...event.dataTransfer.files]);
     });
+  }
+
+  /** Takes the first of several files, and says what became of each. */
+  async #take_dropped([first, ...others]) {
+    if (!first) return;
+    const taken = await this.load(first);
+    if (taken) notice(`${first.name} is open.`, "told");
+    if (others.length > 0) notice(`One file is taken at a time; not opened: ${others.map(({ name }) => name).join(", ")}.`);
   }
 
   #show_place(selected, coordinates) {

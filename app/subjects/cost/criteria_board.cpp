@@ -120,9 +120,10 @@ void CriteriaBoard::start(const lesson::Session& session) {
   measured_ = session.subject().clone();
   const auto& subject = static_cast<const CriteriaSubject&>(*measured_);
   options_.fit.seed = session.seed();
-  result_ = {here_, {}};
-  result_.provenance.points = session.source(), result_.provenance.scalar = "double";
-  result_.provenance.dim = session.dim(), result_.provenance.seed = static_cast<std::int64_t>(session.seed());
+  rows_.clear();
+  provenance_ = here_;
+  provenance_.points = session.source(), provenance_.scalar = "double";
+  provenance_.dim = session.dim(), provenance_.seed = static_cast<std::int64_t>(session.seed());
   run_ = std::make_unique<cost::CriteriaRun>(*measured_->points(), lesson::algorithms_of(subject.around()),
                                              subject.own_load().still(), options_, clock_);
   ++version_;
@@ -130,17 +131,16 @@ void CriteriaBoard::start(const lesson::Session& session) {
 
 /// Whatever stands on the stage now, and wherever the sliders do: what was measured stays known of its points.
 void CriteriaBoard::finish(lesson::Session& session) {
-  const std::vector<cost::CriteriaRow> rows = run_->rows();
+  rows_ = run_->rows();
   run_.reset();
   ++version_;
-  if (rows.empty()) return;
-  for (const cost::CriteriaRow& row : rows) result_.rows.push_back(row.costs);
-  cost::mark_front(result_.rows);
-  static_cast<CriteriaSubject&>(*measured_).measured(*measured_->points(), rows);
+  if (rows_.empty()) return;
+  static_cast<CriteriaSubject&>(*measured_).measured(*measured_->points(), rows_);
   session.inform<CriteriaSubject>([](CriteriaSubject&) {});
 }
 
 void CriteriaBoard::work(lesson::Session& session, double budget) {
+  load_ = criteria(session).load_now();
   if (!running()) return;
   cost::advance(*run_, clock_, budget);
   if (run_->done()) finish(session);
@@ -259,9 +259,10 @@ bool CriteriaBoard::decided(const lesson::Session& session) const { return crite
 std::span<const std::string_view> CriteriaBoard::formats() const { return kCriteriaFormats; }
 
 std::string CriteriaBoard::file(std::string_view format) const {
-  const std::span<const cost::CostRow> rows(result_.rows);
-  if (rows.empty()) return {};
-  return format == "csv" ? cost::csv_of(result_.provenance, rows) : cost::json_of(result_.provenance, rows);
+  if (rows_.empty()) return {};
+  const std::vector<cost::WhichRow> table = cost::which_rows(rows_, load_);
+  const std::span<const cost::WhichRow> all(table);
+  return format == "csv" ? cost::csv_of(provenance_, all) : cost::json_of(provenance_, all);
 }
 
 std::optional<tl::expected<void, InputError>> CriteriaBoard::lay_over(lesson::Session&, std::string_view text,

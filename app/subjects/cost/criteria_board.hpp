@@ -42,7 +42,7 @@ class CriteriaBoard final : public Cover {
   /// Everyone sees it once the questions are answered and the volumes measured.
   [[nodiscard]] WordTable table(const lesson::Session& session) const override;
   [[nodiscard]] bool decided(const lesson::Session& session) const override;
-  /// The formats of `snug cost`.
+  /// The formats of `snug which`.
   [[nodiscard]] std::span<const std::string_view> formats() const override;
   [[nodiscard]] std::string file_name() const override { return "snug-criteria"; }
   [[nodiscard]] std::string file(std::string_view format) const override;
@@ -71,7 +71,9 @@ class CriteriaBoard final : public Cover {
   cost::CostOptions options_;
   std::unique_ptr<lesson::Subject> measured_;  // what is measured, as it stood when that began
   std::unique_ptr<cost::CriteriaRun> run_;
-  cost::Table<cost::CostRow> result_;  // of the last measurement
+  cost::Provenance provenance_;          // of the last measurement,
+  std::vector<cost::CriteriaRow> rows_;  // its figures
+  lesson::Load load_;                    // and the load as the sliders stood when it was last shown
   lesson::CriteriaTableKind kind_ = lesson::CriteriaTableKind::kCriteria;
   std::array<int, 3> sorted_{-1, -1, -1};  // by which column each table is sorted; -1: in the lesson's order
   Gaze gaze_;

@@ -126,16 +126,7 @@ void CriteriaSubject::count(const AnyPointSet& points) {
 }
 
 std::optional<TotalCost> CriteriaSubject::total(std::size_t volume, const Load& load) const {
-  const std::vector<cost::CriteriaRow>& rows = known().rows;
-  const auto hull = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.costs.volume == "hull"; });
-  if (volume >= rows.size() || hull == rows.end()) return std::nullopt;
-  const cost::CriteriaRow& row = rows[volume];
-  return total_of({.build = row.costs.whole_ns.value_or(row.costs.time.median),
-                   .update = row.update.median,
-                   .test = row.costs.overlap.median,
-                   .false_positives = row.passes.rate(),
-                   .exact = hull->costs.overlap.median},
-                  load);
+  return cost::total_of(known().rows, volume, load);
 }
 
 std::optional<double> CriteriaSubject::value(std::size_t volume, Criterion criterion, const Load& load) const {

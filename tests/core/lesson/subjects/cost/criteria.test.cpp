@@ -4,6 +4,7 @@
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/play.hpp"
 #include "lesson/subjects/cost/criteria_words.hpp"
+#include "measure/report.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -104,9 +105,12 @@ void count_now(Session& session) {
 }  // namespace
 
 TEST_CASE("the total cost is what each part costs, as often as the load has it") {
-  const UnitCosts costs{.build = 100, .update = 7, .test = 3, .false_positives = 0.25, .exact = 40};
+  std::vector<cost::CriteriaRow> rows(2);
+  rows[0].costs.time.median = 100, rows[0].update.median = 7, rows[0].costs.overlap.median = 3;
+  rows[0].passes = {.pairs = 9, .apart = 8, .passed = 2};
+  rows[1].costs.volume = "hull", rows[1].costs.overlap.median = 40;
   const Load load{.bodies = 2, .frames = 10, .updates = 5, .pairs = 8, .hit_rate = 0.5, .deforms = false};
-  const TotalCost total = total_of(costs, load);
+  const TotalCost total = *cost::total_of(rows, 0, load);
   CHECK(total.build == 200);
   CHECK(total.updates == 350);
   CHECK(total.tests == 240);
@@ -114,7 +118,25 @@ TEST_CASE("the total cost is what each part costs, as often as the load has it")
   CHECK(total.sum() == 1190);
   Load cloth = load;
   cloth.deforms = true;
-  CHECK(total_of(costs, cloth).updates == 5000);
+  CHECK(cost::total_of(rows, 0, cloth)->updates == 5000);
+  CHECK_FALSE(cost::total_of(rows, 2, load));
+  rows[1].costs.volume = "obb";  // nobody knows what the exact test costs
+  CHECK_FALSE(cost::total_of(rows, 0, load));
+}
+
+TEST_CASE("the table of a load has its figures, and reads back to them") {
+  std::vector<cost::CriteriaRow> rows(1);
+  rows[0].costs.volume = "hull", rows[0].costs.time.median = 100, rows[0].costs.overlap.median = 40;
+  rows[0].costs.time.repeats = rows[0].costs.overlap.repeats = rows[0].update.repeats = 9;
+  rows[0].passes = {.pairs = 9, .apart = 8, .passed = 2};
+  const auto table = cost::which_rows(rows, {.bodies = 2, .frames = 10, .updates = 5, .pairs = 8, .hit_rate = 0.5});
+  REQUIRE(table.size() == 1);
+  CHECK(table[0].total == 200 + 80 * 40 + 80 * 0.5 * 0.25 * 40);
+  const auto back = cost::read_csv<cost::WhichRow>(cost::csv_of({}, std::span<const cost::WhichRow>(table)), "which");
+  REQUIRE(back.has_value());
+  CHECK(back->rows[0].total == table[0].total);
+  CHECK(back->rows[0].passed == 2);
+  CHECK(back->rows[0].hit_rate == 0.5);
 }
 
 TEST_CASE("a slider, undo and a look at another situation lose no measurement") {

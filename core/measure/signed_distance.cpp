@@ -1,0 +1,244 @@
+#include "measure/signed_distance.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "fit/hull/quickhull.hpp"
+#include "geometry/point_set.hpp"
+#include "geometry/tolerance.hpp"
+#include "number/double_double.hpp"
+#include "query/gjk.hpp"
+
+namespace snug::proximity {
+namespace {
+
+constexpr double kCoresTouch = 4 * tolerance::kTouching<double>;
+constexpr int kMostTurns = 1000;
+
+/// A move of b that parts the cores, and the points that it brings together.
+template <int Dim>
+struct Parting {
+  double depth = std::numeric_limits<double>::infinity();
+  double surely = 0;  // a lower bound on the depth
+  Vector<double, Dim> direction = Vector<double, Dim>::Unit(0);
+  Vector<double, Dim> on_a = Vector<double, Dim>::Zero(), on_b = Vector<double, Dim>::Zero();
+};
+
+/// The polytope that grows within the difference of two cores, all points a - b, of coordinates up to 2.
+template <int Dim>
+class ExpandingPolytope {
+ public:
+  using Point = Vector<double, Dim>;
+
+  ExpandingPolytope(const query::SupportMapping& a, const query::SupportMapping& b) : a_(a), b_(b) {
+    for (int i = 0; i < Dim; ++i)
+      for (const double side : {1.0, -1.0}) add(farthest(side * Point::Unit(i)));
+    make_hull();
+    while (hull_.affine_dim < Dim)
+      if (!thickened()) break;
+  }
+
+  /// A flat difference has no depth: the cores part across it. Their points in common are then not known here.
+  [[nodiscard]] bool is_flat() const { return hull_.affine_dim < Dim; }
+  [[nodiscard]] Point across() const { return flat_normals().front(); }
+
+  Parting<Dim> least_parting() {
+    Parting<Dim> best;
+    std::set<Facet> settled;  // facets that no point of the difference lies beyond
+    for (int turn = 0; turn < kMostTurns; ++turn) {
+      const auto [facet, normal, height] = nearest_facet(settled);
+      if (!(height < best.depth - tolerance::kTouching<double>)) break;
+      const Corner corner = farthest(normal);
+      const double depth = corner.difference().dot(normal);
+      if (depth < best.depth) best.depth = depth, best.direction = normal;
+      if (depth > height + tolerance::kTouching<double> && add(corner)) make_hull();
+      else settled.insert(facet);
+    }
+    best.surely = nearest_facet({}).height;
+    find_ends(best);
+    return best;
+  }
+
+ private:
+  struct Corner {
+    Point a, b;
+    [[nodiscard]] Point difference() const { return a - b; }
+  };
+  using Facet = std::array<Index, Dim>;  // sorted indices of corners
+
+  [[nodiscard]] Corner farthest(const Point& direction) const {
+    Vector<double, 3> towards = Vector<double, 3>::Zero();
+    towards.template head<Dim>() = direction;
+    return {a_.farthest(a_.core, towards).at.template head<Dim>(),
+            b_.farthest(b_.core, -towards).at.template head<Dim>()};
+  }
+
+  /// Returns false if it is there already.
+  bool add(const Corner& corner) {
+    const Point point = corner.difference();
+    if (std::find(points_.begin(), points_.end(), point) != points_.end()) return false;
+    points_.push_back(point);
+    corners_.push_back(corner);
+    return true;
+  }
+
+  void make_hull() { hull_ = fit::quickhull(PointSet<double, Dim>::make(points_)->span()).volume; }
+
+  /// Adds what lies off the flat hull. Returns whether there was anything.
+  bool thickened() {
+    const int before = hull_.affine_dim;
+    bool added = false;
+    for (const Point& normal : flat_normals())
+      for (const double side : {1.0, -1.0}) added = add(farthest(side * normal)) || added;
+    if (added) make_hull();
+    return hull_.affine_dim > before;
+  }
+
+  /// Directions across a flat hull: one for each dimension that it lacks.
+  [[nodiscard]] std::vector<Point> flat_normals() const {
+    std::vector<Point> normals;
+    const auto at = [&](std::size_t i) { return hull_.vertices[i]; };
+    if (hull_.affine_dim == 0) {
+      for (int i = 0; i < Dim; ++i) normals.push_back(Point::Unit(i));
+    } else if constexpr (Dim == 2) {
+      const Point along = at(1) - at(0);
+      normals.push_back(Point(-along[1], along[0]).normalized());
+    } else if (hull_.affine_dim == 1) {
+      const Point along = (at(1) - at(0)).normalized();
+      int least = 0;
+      along.cwiseAbs().minCoeff(&least);
+      normals.push_back(along.cross(Point::Unit(least)).normalized());
+      normals.push_back(along.cross(normals.front()).normalized());
+    } else {
+      std::size_t last = hull_.vertices.size() - 1;
+      normals.push_back(normal_of({at(0), at(last / 2), at(last)}));
+    }
+    return normals;
+  }
+
+  /// Unit, or zero of a facet without area. The edges of a sliver are all but parallel: it takes twice the digits.
+  [[nodiscard]] static Point normal_of(const std::array<Point, Dim>& corners) {
+    if constexpr (Dim == 2) {
+      const Point along = corners[1] - corners[0];
+      return Point(along[1], -along[0]).stableNormalized();
+    } else {
+      const auto wide = [](const Point& p) { return query::Triple<DoubleDouble>{p[0], p[1], p[2]}; };
+      const auto first = wide(corners[0]);
+      const auto normal = cross(wide(corners[1]) - first, wide(corners[2]) - first);
+      return Point(normal.x.value(), normal.y.value(), normal.z.value()).stableNormalized();
+    }
+  }
+
+  [[nodiscard]] std::array<Point, Dim> corners_of(const std::array<Index, Dim>& facet) const {
+    std::array<Point, Dim> corners;
+    for (std::size_t i = 0; i < Dim; ++i) corners[i] = hull_.vertices[facet[i]];
+    return corners;
+  }
+
+  struct Near {
+    Facet facet{};
+    Point normal = Point::Zero();
+    double height = std::numeric_limits<double>::infinity();  // the origin's distance from its plane
+  };
+
+  [[nodiscard]] Near nearest_facet(const std::set<Facet>& settled) const {
+    Near near;
+    for (const auto& facet : hull_.facets) {
+      const Point normal = normal_of(corners_of(facet));
+      const double height = normal.dot(hull_.vertices[facet[0]]);
+      if (!(height < near.height) || normal.isZero(0)) continue;
+      Facet sorted;
+      for (std::size_t i = 0; i < Dim; ++i) sorted[i] = hull_.indices[facet[i]];
+      std::sort(sorted.begin(), sorted.end());
+      if (settled.count(sorted) == 0) near = {sorted, normal, height};
+    }
+    return near;
+  }
+
+  /// The foot of the origin on the facets that face the direction, as a mean of corners: the same mean on both cores.
+  void find_ends(Parting<Dim>& parting) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const bool any : {false, true}) {
+      for (const auto& facet : hull_.facets) {
+        if (!any && normal_of(corners_of(facet)).dot(parting.direction) < 1 - 1e-9) continue;
+        query::Simplex<DoubleDouble> simplex;
+        simplex.size = Dim;
+        for (std::size_t i = 0; i < Dim; ++i) {
+          const Point& p = hull_.vertices[facet[i]];
+          simplex.corners[i] = {p[0], p[1], Dim == 3 ? p[Dim - 1] : 0.0};
+        }
+        const auto nearest = simplex.nearest_to_origin();
+        if (!(nearest.square.value() < least)) continue;
+        least = nearest.square.value();
+        parting.on_a = parting.on_b = Point::Zero();
+        for (int i = 0; i < nearest.size; ++i) {
+          const Corner& corner = corners_[hull_.indices[facet[nearest.corners[i]]]];
+          parting.on_a += nearest.weights[i].value() * corner.a;
+          parting.on_b += nearest.weights[i].value() * corner.b;
+        }
+      }
+      if (least < std::numeric_limits<double>::infinity()) return;
+    }
+  }
+
+  query::SupportMapping a_, b_;
+  std::vector<Point> points_;
+  std::vector<Corner> corners_;  // of the same indices
+  ConvexHull<double, Dim> hull_;
+};
+
+/// Of two cores at most 1 in every coordinate.
+template <int Dim>
+Parting<Dim> parting_of(const query::GrownCore& a, const query::GrownCore& b) {
+  const query::SupportMapping of_a = query::support_mapping(a), of_b = query::support_mapping(b);
+  Ignore ignore;
+  query::Gjk<Ignore> gjk(of_a, of_b, 1, ignore);
+  gjk.run(std::nullopt);
+  const Vector<double, Dim> on_a = gjk.on_a.template head<Dim>(), on_b = gjk.on_b.template head<Dim>();
+  if (gjk.most > kCoresTouch) return {-gjk.least, -gjk.most, gjk.direction.template head<Dim>(), on_a, on_b};
+  ExpandingPolytope<Dim> polytope(of_a, of_b);
+  return polytope.is_flat() ? Parting<Dim>{0, 0, polytope.across(), on_a, on_b} : polytope.least_parting();
+}
+
+}  // namespace
+
+template <int Dim>
+DistanceBounds bounds_between(const query::GrownCore& a, const query::GrownCore& b) {
+  const Parting<Dim> parting = parting_of<Dim>(a, b);
+  return {-parting.depth, -parting.surely};
+}
+template DistanceBounds bounds_between<2>(const query::GrownCore&, const query::GrownCore&);
+template DistanceBounds bounds_between<3>(const query::GrownCore&, const query::GrownCore&);
+
+template <class Scalar, int Dim>
+std::optional<SignedDistance<Dim>> signed_distance(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+  const auto anchor_of = [](const Volume<Scalar, Dim>& volume) {
+    return std::visit([](const auto& own) { return anchor(own); }, volume);
+  };
+  const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
+  const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
+    return std::visit([&](const auto& own) { return query::grown_core(own, origin); }, volume);
+  };
+  query::GrownCore first = core_of(a), second = core_of(b);
+  if (first.is_empty() || second.is_empty()) return std::nullopt;
+  const double unit = query::scale_to_unit(first, second);
+  const Parting<Dim> parting = parting_of<Dim>(first, second);
+  const auto in_scene = [&](const Vector<double, Dim>& p) {
+    return Vector<double, Dim>(origin.template cast<double>() + p * unit);
+  };
+  // The points prove how near they are at most, the plane how deep: of each case that is the better known.
+  const double depth = parting.surely < 0 ? parting.surely : parting.depth;
+  return SignedDistance<Dim>{-(depth + first.radius + second.radius) * unit, parting.direction,
+                             in_scene(parting.on_a + first.radius * parting.direction),
+                             in_scene(parting.on_b - second.radius * parting.direction)};
+}
+
+template std::optional<SignedDistance<2>> signed_distance(const Volume<float, 2>&, const Volume<float, 2>&);
+template std::optional<SignedDistance<3>> signed_distance(const Volume<float, 3>&, const Volume<float, 3>&);
+template std::optional<SignedDistance<2>> signed_distance(const Volume<double, 2>&, const Volume<double, 2>&);
+template std::optional<SignedDistance<3>> signed_distance(const Volume<double, 3>&, const Volume<double, 3>&);
+
+}  // namespace snug::proximity
