@@ -386,8 +386,7 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   if (const auto& left = state_->session) state_->answers[left->lesson().id] = {left->outcomes(), left->done_tasks()};
   state_->session.emplace(std::move(*session));
   const lesson::KeptAnswers& answers = state_->answers[state_->session->lesson().id];
-  state_->session->take_up_answers(answers.outcomes);
-  state_->session->take_up_tasks(answers.tasks);
+  lesson::take_up(*state_->session, answers);
   state_->subject = &subject_of(state_->session->lesson());
   state_->view = state_->subject->view();
   state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;

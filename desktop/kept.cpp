@@ -11,6 +11,7 @@
 
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/progress.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::desktop {
@@ -152,11 +153,9 @@ const KeptLesson* Kept::lesson(const std::string& id) const {
 
 void Kept::keep(const lesson::Session& session) {
   const std::string& id = session.lesson().id;
-  const bool begun = !session.previewing() && (session.step() > 0 || !session.outcomes().empty() || session.edited());
+  const lesson::Progress progress = lesson::progress_of(session);
   const KeptLesson* before = lesson(id);
-  if (!begun && before == nullptr) return;
-  const auto decided = [](const lesson::Outcome& outcome) { return !outcome.passed && !outcome.pending; };
-  const auto& outcomes = session.outcomes();
+  if (!progress.begun && before == nullptr) return;
   KeptLesson now;
   now.seed = session.seed();
   now.step = session.step(), now.steps = session.steps();
@@ -164,16 +163,11 @@ void Kept::keep(const lesson::Session& session) {
   now.algorithm = lesson::name_in(session.lesson(), *session.method(0));
   now.beside =
       session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
-  now.answered = static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [&](const lesson::Outcome& outcome) {
-    return decided(outcome) && !outcome.skipped;
-  }));
-  const auto asked = static_cast<std::ptrdiff_t>(session.questions().size());
-  const bool through = asked > 0 ? std::count_if(outcomes.begin(), outcomes.end(), decided) >= asked
-                                 : begun && session.step() == session.steps();
+  now.answered = progress.answered;
   // A lesson once done stays done, even if it is opened again.
-  now.done = through || (before != nullptr && before->done);
-  now.task = session.tasks_done() || (before != nullptr && before->task);
-  now.answers = lesson::kept_text({outcomes, session.done_tasks()});
+  now.done = progress.done || (before != nullptr && before->done);
+  now.task = progress.task || (before != nullptr && before->task);
+  now.answers = lesson::kept_text(lesson::answers_of(session));
   const auto file = session.subject().file(), own = session.own().file();
   if (file && own && (file->runs != own->runs || file->typed != file->runs))
     now.file = {own->runs, file->runs, file->typed};

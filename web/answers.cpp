@@ -1,4 +1,5 @@
 // The questions, the answers and the task, for the page.
+#include "lesson/progress.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 #include "web/prose.hpp"
@@ -170,6 +171,12 @@ void set_answers(val& object, const lesson::Session& session) {
   object.set("tasks", tasks);
   object.set("task", static_cast<int>(session.task()));
   object.set("tasksDone", session.tasks_done());
+  const lesson::Progress progress = lesson::progress_of(session);
+  val far = val::object();
+  far.set("begun", progress.begun);
+  far.set("answered", progress.answered);
+  far.set("done", progress.done);
+  object.set("progress", far);
 }
 
 }  // namespace snug::web

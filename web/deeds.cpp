@@ -58,9 +58,7 @@ void jump(int step) {
   if (session()) session()->jump(step);
 }
 
-std::string kept_answers() {
-  return session() ? lesson::kept_text({session()->outcomes(), session()->done_tasks()}) : "";
-}
+std::string kept_answers() { return session() ? lesson::kept_text(lesson::answers_of(*session())) : ""; }
 void keep_answers(const std::string& lesson, const std::string& kept) {
   door().app->keep_answers(lesson, lesson::kept_answers_of(kept));
 }

@@ -35,6 +35,7 @@ std::optional<std::string> words_for(const lesson::Session& session) {
   if (source == "own" || (!own.mesh.empty() && source == own.mesh)) return "";
   const Index count = lesson::count_of(session.subject());
   if (source == own.generate && count == own.count) return "";
+  if (source == "task" && session.task() > 0) return source + ":" + std::to_string(session.task() + 1);
   if (source == "task" || is_one_of(lesson::mesh_names(), source)) return source;
   if (is_one_of(generator_kinds(), source)) return source + ":" + std::to_string(count);
   return std::nullopt;

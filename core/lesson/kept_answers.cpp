@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 6> kKinds{"point", "choice", "skipped", "
 constexpr std::int64_t kMost = std::numeric_limits<int>::max();
 
 /// The text as a basic string of TOML.
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string out = "\"";
   for (const char c : text) {
@@ -27,7 +27,7 @@ std::string quoted(std::string_view text) {
 }
 
 void add_text(std::string& out, std::string_view key, std::string_view text) {
-  if (!text.empty()) ((out += key) += " = ") += quoted(text) + '\n';
+  if (!text.empty()) ((out += key) += " = ") += toml_string(text) + '\n';
 }
 
 void add_number(std::string& out, std::string_view key, int number) {
@@ -79,9 +79,24 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
 
 }  // namespace
 
+KeptAnswers answers_of(const Session& session) {
+  return {session.outcomes(), session.done_tasks(), session.moved_sliders()};
+}
+
+void take_up(Session& session, const KeptAnswers& answers) {
+  session.take_up_answers(answers.outcomes);
+  session.take_up_tasks(answers.tasks);
+  session.take_up_moved(answers.moved);
+}
+
 std::string kept_text(const KeptAnswers& answers) {
   std::string out;
   add_list(out, "tasks", answers.tasks);
+  if (!answers.moved.empty()) {
+    out += "moved = [";
+    for (const std::string& drives : answers.moved) (out += toml_string(drives)) += ", ";
+    out += "]\n";
+  }
   for (const Outcome& outcome : answers.outcomes) {
     out += "[[answer]]\n";
     add_text(out, "question", outcome.question);
@@ -114,6 +129,7 @@ KeptAnswers kept_answers_of(std::string_view kept) {
   if (table.has("tasks"))
     for (const double task : table.numbers("tasks"))
       if (task >= 0 && task <= kMost) answers.tasks.push_back(static_cast<int>(task));
+  if (table.has("moved")) answers.moved = table.texts("moved", 0);
   for (const toml::table* answer : table.tables("answer"))
     answers.outcomes.push_back(read_outcome(*answer, complaints));
   if (complaints.first()) return {};

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lesson/ask.hpp"
+#include "lesson/session.hpp"
 
 namespace snug::lesson {
 
@@ -13,7 +13,13 @@ namespace snug::lesson {
 struct KeptAnswers {
   std::vector<Outcome> outcomes;
   std::vector<int> tasks;
+  std::vector<std::string> moved = {};  // the sliders that the lesson is about which were moved, by what they drive
 };
+
+/// Those of a session.
+[[nodiscard]] KeptAnswers answers_of(const Session& session);
+/// Takes them over in another session of the lesson.
+void take_up(Session& session, const KeptAnswers& answers);
 
 /// The answers as TOML. Pending ones stay pending: the next measurement decides them.
 [[nodiscard]] std::string kept_text(const KeptAnswers& answers);

@@ -169,6 +169,7 @@ struct Slider {
   std::optional<int> decimals;      // none: as many as the steps need
   std::optional<std::string> unit;  // none: that of what it drives
   std::string situation;            // in this one alone; empty for all
+  bool must_move = false;           // whether the lesson is about it, and not done before it was moved
   FilePlace place, drives_place;    // in the file, for errors
   bool sound = true;                // as of questions
 };

@@ -84,6 +84,7 @@ Slider read_slider(const toml::table& toml, const Lesson& lesson, Complaints& co
   if (decimals >= 0) slider.decimals = static_cast<int>(decimals);
   if (table.has("unit")) slider.unit = table.text("unit");
   slider.situation = read_situation(table, lesson, "");
+  slider.must_move = table.flag_or("must_move", false);
   table.refuse_others();
   return slider;
 }

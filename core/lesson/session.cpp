@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lesson/patience.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
@@ -18,6 +19,7 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
     places.push_back({*std::move(own), {}});
   }
   Session session(std::move(lesson), std::move(places));
+  session.clock_ = clock;
   if (auto made = session.make_room_for(*session.now_); !made) return tl::unexpected(std::move(made.error()));
   session.subject_changed();
   session.step_ = 0;
@@ -90,6 +92,17 @@ Done Session::make_room_for(const Subject& next) {
   }
   if (slots_[1].method != nullptr && !next.suits(*slots_[1].method)) use(1, nullptr);
   return {};
+}
+
+/// Edits of a few points are not estimated again.
+Done Session::has_time_for(const Subject& next) const {
+  if (next.points() == nullptr || (next.size() <= size() + 1 && next.origin().source == now_->origin().source))
+    return {};
+  const auto chosen = [&](int slot) {
+    const Method* method = slots_[slot].method;
+    return method == nullptr || next.suits(*method) ? method : slot == 0 ? first_that_suits(next) : nullptr;
+  };
+  return chosen(0) == nullptr ? Done{} : check_patience(*lesson_, next, {chosen(0), chosen(1)}, clock_);
 }
 
 void Session::run_again(int slot) {

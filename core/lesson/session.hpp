@@ -271,12 +271,18 @@ class Session {
   [[nodiscard]] bool tasks_done() const;
   /// The numbers of those that were.
   [[nodiscard]] std::vector<int> done_tasks() const;
+  /// The sliders that the lesson is about (must_move) which nobody has moved yet; and those that were, by what they
+  /// drive.
+  [[nodiscard]] std::vector<const Slider*> sliders_to_move() const;
+  [[nodiscard]] const std::vector<std::string>& moved_sliders() const { return moved_; }
   /// Forgets all answers.
   void forget_answers();
   /// Takes over the outcomes of an earlier session of this lesson, without those of unknown questions.
   void take_up_answers(std::vector<Outcome> outcomes);
   /// The tasks that were done in it, by number; those that the lesson does not have are left out.
   void take_up_tasks(const std::vector<int>& done);
+  /// The sliders that were moved in it, by what they drive.
+  void take_up_moved(std::vector<std::string> drives);
 
   // ---- figures ----------------------------------------------------------------------------------------------
   using Figure = lesson::Figure;
@@ -327,6 +333,8 @@ class Session {
   [[nodiscard]] const Snapshot& opened() const { return places_[shown_].own; }
   [[nodiscard]] const Method* first_that_suits(const Subject& subject) const;
   Done make_room_for(const Subject& next);
+  /// Refuses new points of which the lesson's runs would take too long.
+  [[nodiscard]] Done has_time_for(const Subject& next) const;
   template <class Edit>
   Done edit(Edit edit);
   template <class Edit>
@@ -358,6 +366,7 @@ class Session {
   Outcome& outcome_for(const std::string& id);
 
   std::unique_ptr<const Lesson> lesson_;
+  Clock clock_ = nullptr;
   std::vector<Situated> places_;  // of each situation, the lesson's own first
   std::size_t shown_ = 0;         // which of them is on the stage
   std::unique_ptr<Subject> now_;
@@ -378,6 +387,7 @@ class Session {
   bool previewing_ = false;
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
+  std::vector<std::string> moved_;
   std::vector<Outcome> outcomes_;
   std::size_t task_ = 0;            // the one in hand
   bool task_started_ = false;       // and whether nothing but what it leaves to be moved was changed since

@@ -38,6 +38,7 @@ Done Session::become(std::unique_ptr<Subject> next) {
 }
 
 Done Session::become(Snapshot next) {
+  if (Done patient = has_time_for(*next.subject); !patient) return patient;
   if (Done made = make_room_for(*next.subject); !made) return made;
   end_drag();
   const bool keeps = keeps_to_task(*next.subject);

@@ -180,7 +180,10 @@ std::string Session::score() const {
   const bool of_steps = lesson_->subject->asks_of_steps;
   const bool over =
       of_steps ? step_ == steps() && !previewing_ : std::none_of(outcomes_.begin(), outcomes_.end(), open);
-  return over ? score_text(tally()) : std::string();
+  if (!over) return {};
+  std::string says = score_text(tally());
+  for (const Slider* slider : sliders_to_move()) says += " Still to do: move the slider “" + slider->title + "”.";
+  return says;
 }
 
 bool Session::at_summary() const {
@@ -371,6 +374,7 @@ void Session::take_up_answers(std::vector<Outcome> outcomes) {
 
 void Session::forget_answers() {
   outcomes_.clear();
+  moved_.clear();
   unpick();
   tried_.reset();
   shown_outcome_ = -1;

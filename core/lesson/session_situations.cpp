@@ -83,8 +83,19 @@ Done Session::slide(std::size_t slider, double value) {
   const bool started = task_started_;
   Done done = set_sliders(std::move(values));
   task_started_ = started;
+  const std::string& drives = lesson_->sliders[slider].drives;
+  if (done && lesson_->sliders[slider].must_move && !is_among(moved_, drives)) moved_.push_back(drives);
   return done;
 }
+
+std::vector<const Slider*> Session::sliders_to_move() const {
+  std::vector<const Slider*> left;
+  for (const Slider& slider : lesson_->sliders)
+    if (slider.must_move && !is_among(moved_, slider.drives)) left.push_back(&slider);
+  return left;
+}
+
+void Session::take_up_moved(std::vector<std::string> drives) { moved_ = std::move(drives); }
 
 Done Session::slide_to_place(std::size_t slider, int place) {
   if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_)) return slide(slider, 0);

@@ -99,3 +99,11 @@ test("embed leaves out everything but the lesson, and stays", async (t) => {
   await page.waitForTimeout(400);
   assert.match(page.url(), /embed=1/);
 });
+
+test("a link to the second task opens the second task", async (t) => {
+  const again = await visit(t, "?lesson=which-volume&situation=debris&from=task:2");
+  assert.equal((await until(again, (now) => now.task === 1)).task, 1);
+  assert.match(await again.evaluate(() => location.search), /from=task:2/);
+  const beyond = await visit(t, "?lesson=which-volume&from=task:9");
+  await beyond.getByText("this lesson has no task 9").waitFor();
+});

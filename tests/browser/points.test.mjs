@@ -215,3 +215,9 @@ test("a file is opened by the button", async (t) => {
   await (await chooser).setFiles({ name: "three.csv", mimeType: "text/csv", buffer: Buffer.from("0,0\n2,0\n1,2\n") });
   assert.equal((await until(page, (now) => now.size === 3)).size, 3);
 });
+
+test("an address whose points would take minutes is refused with how many can be shown, and the lesson opens", async (t) => {
+  const page = await visit(t, "?lesson=obb-fitting&from=sphere:99999");
+  await page.getByText(/would take about .* for 99,999 such points; up to about [\d,]+ take less than ten seconds here/).waitFor();
+  assert.ok((await state(page)).size < 1000);
+});

@@ -322,9 +322,14 @@ class Page {
     return text === null ? "it changes a file that this lesson does not have" : this.#door.set_file(text) || this.#door.end_typing() || "";
   }
 
+  /** number: counted from 1. */
+  #restore_task(number) {
+    return number <= this.#lesson.tasks.length ? this.#door.start_task(number - 1) : `this lesson has no task ${number}`;
+  }
+
   async #restore_source(from, seed) {
     const [name, count] = from.split(":");
-    if (name === "task") return this.#door.start_task(0);
+    if (name === "task") return this.#restore_task(Number(count ?? 1));
     if (count) return this.#door.set_generator(name, Number(count), seed);
     if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
     return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” could not be loaded`);
@@ -379,17 +384,15 @@ class Page {
   /** Keeps the student's place and answers, once the student has done something here. */
   #keep(address) {
     if (!this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
-    const { previewing, outcomes, step, steps, questions, tasksDone, edited, asked, outcome, deciding } = this.#view;
-    const decided = outcomes.filter(({ passed, pending }) => !passed && !pending);
+    const { outcomes, step, steps, tasksDone, asked, outcome, deciding, progress } = this.#view;
     if (address === this.#erased_at && outcomes.length === 0) return;
     this.#erased_at = null;
-    const begun = !previewing && (step > 0 || outcomes.length > 0 || edited || Boolean(asked?.tried));
-    if (!begun && !this.#kept.lesson(this.#lesson.id)) return;
+    if (!progress.begun && !this.#kept.lesson(this.#lesson.id)) return;
     const before = this.#kept.lesson(this.#lesson.id);
     this.#kept.keep_lesson(this.#lesson.id, {
-      address, answers: this.#door.kept_answers(), answered: decided.filter(({ skipped }) => !skipped).length, step, steps,
+      address, answers: this.#door.kept_answers(), answered: progress.answered, step, steps,
       // Once done, a lesson stays done when it is looked at again.
-      done: Boolean(before?.done) || (questions > 0 ? decided.length >= questions : step === steps && begun),
+      done: Boolean(before?.done) || progress.done,
       task: Boolean(before?.task) || tasksDone,
       told: (outcome ?? deciding)?.question ?? null, tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
     });

@@ -1,0 +1,26 @@
+#include "lesson/progress.hpp"
+
+#include <algorithm>
+
+namespace snug::lesson {
+
+Progress progress_of(const Session& session) {
+  const Lesson& lesson = session.lesson();
+  const auto answered = [&](const Question& question) {
+    return std::any_of(session.outcomes().begin(), session.outcomes().end(), [&](const Outcome& outcome) {
+      return outcome.question == question.id && !outcome.passed && !outcome.pending && !outcome.skipped;
+    });
+  };
+  Progress progress;
+  progress.begun = !session.previewing() && (session.step() > 0 || !session.outcomes().empty() || session.edited() ||
+                                             session.tried() != nullptr);
+  progress.asked = static_cast<int>(lesson.questions.size());
+  progress.answered = static_cast<int>(std::count_if(lesson.questions.begin(), lesson.questions.end(), answered));
+  const bool through =
+      progress.asked > 0 ? progress.answered == progress.asked : progress.begun && session.step() == session.steps();
+  progress.done = through && session.sliders_to_move().empty();
+  progress.task = session.tasks_done();
+  return progress;
+}
+
+}  // namespace snug::lesson
