@@ -589,17 +589,25 @@ std::vector<double> even_places(ChartUnit unit, double from, double to, int most
   return places;
 }
 
-std::vector<double> log_places(double from, double to, int most) {
+/// Every so many powers of ten that lie between; with what is between them, their multiples by 2 and 5 as well.
+std::vector<double> powers_between(double from, double to, int every, bool multiples) {
   std::vector<double> places;
-  const double decades = std::log10(to / from);
-  const bool between = decades < kFewDecades && 3 * decades + 1 <= most;
-  const int every = between ? 1 : std::max(1, static_cast<int>(std::ceil(decades / most)));
   const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
   for (int power = first; power <= last; power += every)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double place = factor * std::pow(10.0, power);
-      if ((between || factor == 1) && place >= from && place <= to) places.push_back(place);
+      if ((multiples || factor == 1) && place >= from && place <= to) places.push_back(place);
     }
+  return places;
+}
+
+/// Two at least, where two powers of ten lie between.
+std::vector<double> log_places(double from, double to, int most) {
+  const double decades = std::log10(to / from);
+  if (decades < kFewDecades && 3 * decades + 1 <= most) return powers_between(from, to, 1, true);
+  int every = std::max(1, static_cast<int>(std::ceil(decades / most)));
+  std::vector<double> places = powers_between(from, to, every, false);
+  while (places.size() < 2 && every > 1) places = powers_between(from, to, --every, false);
   return places;
 }
 

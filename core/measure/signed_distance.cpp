@@ -158,29 +158,27 @@ class ExpandingPolytope {
     return near;
   }
 
-  /// The foot of the origin on the facets that face the direction, as a mean of corners: the same mean on both cores.
+  /// The foot of the origin, which the move leads to, lies on a facet: as a mean of corners, the same mean on both
+  /// cores.
   void find_ends(Parting<Dim>& parting) const {
+    const Point foot = parting.depth * parting.direction;
     double least = std::numeric_limits<double>::infinity();
-    for (const bool any : {false, true}) {
-      for (const auto& facet : hull_.facets) {
-        if (!any && normal_of(corners_of(facet)).dot(parting.direction) < 1 - 1e-9) continue;
-        query::Simplex<DoubleDouble> simplex;
-        simplex.size = Dim;
-        for (std::size_t i = 0; i < Dim; ++i) {
-          const Point& p = hull_.vertices[facet[i]];
-          simplex.corners[i] = {p[0], p[1], Dim == 3 ? p[Dim - 1] : 0.0};
-        }
-        const auto nearest = simplex.nearest_to_origin();
-        if (!(nearest.square.value() < least)) continue;
-        least = nearest.square.value();
-        parting.on_a = parting.on_b = Point::Zero();
-        for (int i = 0; i < nearest.size; ++i) {
-          const Corner& corner = corners_[hull_.indices[facet[nearest.corners[i]]]];
-          parting.on_a += nearest.weights[i].value() * corner.a;
-          parting.on_b += nearest.weights[i].value() * corner.b;
-        }
+    for (const auto& facet : hull_.facets) {
+      query::Simplex<DoubleDouble> simplex;
+      simplex.size = Dim;
+      for (std::size_t i = 0; i < Dim; ++i) {
+        const Point from_foot = hull_.vertices[facet[i]] - foot;
+        simplex.corners[i] = {from_foot[0], from_foot[1], Dim == 3 ? from_foot[Dim - 1] : 0.0};
       }
-      if (least < std::numeric_limits<double>::infinity()) return;
+      const auto nearest = simplex.nearest_to_origin();
+      if (!(nearest.square.value() < least)) continue;
+      least = nearest.square.value();
+      parting.on_a = parting.on_b = Point::Zero();
+      for (int i = 0; i < nearest.size; ++i) {
+        const Corner& corner = corners_[hull_.indices[facet[nearest.corners[i]]]];
+        parting.on_a += nearest.weights[i].value() * corner.a;
+        parting.on_b += nearest.weights[i].value() * corner.b;
+      }
     }
   }
 

@@ -41,6 +41,7 @@ TEST_CASE("ticks are whole powers of ten, or what is between where there is room
         std::vector<std::string>{"1 µs", "10 µs", "100 µs", "1 ms", "10 ms", "100 ms", "1 s"});
   CHECK(labels(time, 900, 2e9, 4) == std::vector<std::string>{"10 µs", "1 ms", "100 ms"});
   CHECK(labels(time, 37e3, 44e6, 4) == std::vector<std::string>{"100 µs", "1 ms", "10 ms"});
+  CHECK(labels(time, 90, 240e6, 2) == std::vector<std::string>{"10 µs", "10 ms"});  // and not "200 ms" alone
   CHECK(labels(count, 9, 1100, 9) == std::vector<std::string>{"10", "100", "1,000"});
   CHECK(labels(ratio, 0.9, 12, 9) == std::vector<std::string>{"1", "2", "5", "10"});
   CHECK(labels(ratio, 0.98, 1.31, 4) == std::vector<std::string>{"1", "1.1", "1.2", "1.3"});

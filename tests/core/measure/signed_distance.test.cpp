@@ -74,6 +74,7 @@ TEST_CASE("the distance and the depth of every pair of volumes are proven by a p
   check_all_pairs<double, 3>(2);
   check_all_pairs<float, 2>(3);
   check_all_pairs<float, 3>(4);
+  for (std::uint64_t seed = 10; seed < 14; ++seed) check_all_pairs<double, 3>(seed);  // slivers differ by compiler
 }
 
 TEST_CASE("two boxes lie as deep in each other as the least overlap of their axes") {
