@@ -51,37 +51,30 @@ class ExpandingPolytope {
     for (int turn = 0; turn < kMostTurns; ++turn) {
       const auto [facet, normal, height] = nearest_facet(settled);
       if (!(height < best.depth - tolerance::kTouching<double>)) break;
-      const Corner corner = farthest(normal);
-      const double depth = corner.difference().dot(normal);
+      const Point beyond = farthest(normal);
+      const double depth = beyond.dot(normal);
       if (depth < best.depth) best.depth = depth, best.direction = normal;
-      if (depth > height + tolerance::kTouching<double> && add(corner)) make_hull();
+      if (depth > height + tolerance::kTouching<double> && add(beyond)) make_hull();
       else settled.insert(facet);
     }
     best.surely = nearest_facet({}).height;
-    find_ends(best);
     return best;
   }
 
  private:
-  struct Corner {
-    Point a, b;
-    [[nodiscard]] Point difference() const { return a - b; }
-  };
-  using Facet = std::array<Index, Dim>;  // sorted indices of corners
+  using Facet = std::array<Index, Dim>;  // sorted indices of points
 
-  [[nodiscard]] Corner farthest(const Point& direction) const {
+  /// The point of the difference farthest along a direction.
+  [[nodiscard]] Point farthest(const Point& direction) const {
     Vector<double, 3> towards = Vector<double, 3>::Zero();
     towards.template head<Dim>() = direction;
-    return {a_.farthest(a_.core, towards).at.template head<Dim>(),
-            b_.farthest(b_.core, -towards).at.template head<Dim>()};
+    return (a_.farthest(a_.core, towards).at - b_.farthest(b_.core, -towards).at).template head<Dim>();
   }
 
   /// Returns false if it is there already.
-  bool add(const Corner& corner) {
-    const Point point = corner.difference();
+  bool add(const Point& point) {
     if (std::find(points_.begin(), points_.end(), point) != points_.end()) return false;
     points_.push_back(point);
-    corners_.push_back(corner);
     return true;
   }
 
@@ -158,35 +151,32 @@ class ExpandingPolytope {
     return near;
   }
 
-  /// The foot of the origin, which the move leads to, lies on a facet: as a mean of corners, the same mean on both
-  /// cores.
-  void find_ends(Parting<Dim>& parting) const {
-    const Point foot = parting.depth * parting.direction;
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& facet : hull_.facets) {
-      query::Simplex<DoubleDouble> simplex;
-      simplex.size = Dim;
-      for (std::size_t i = 0; i < Dim; ++i) {
-        const Point from_foot = hull_.vertices[facet[i]] - foot;
-        simplex.corners[i] = {from_foot[0], from_foot[1], Dim == 3 ? from_foot[Dim - 1] : 0.0};
-      }
-      const auto nearest = simplex.nearest_to_origin();
-      if (!(nearest.square.value() < least)) continue;
-      least = nearest.square.value();
-      parting.on_a = parting.on_b = Point::Zero();
-      for (int i = 0; i < nearest.size; ++i) {
-        const Corner& corner = corners_[hull_.indices[facet[nearest.corners[i]]]];
-        parting.on_a += nearest.weights[i].value() * corner.a;
-        parting.on_b += nearest.weights[i].value() * corner.b;
-      }
-    }
-  }
-
   query::SupportMapping a_, b_;
   std::vector<Point> points_;
-  std::vector<Corner> corners_;  // of the same indices
   ConvexHull<double, Dim> hull_;
 };
+
+query::GrownCore moved(query::GrownCore core, const Vector<double, 3>& by) {
+  for (auto& corner : core.corners) corner += by;
+  if (core.farthest)
+    core.farthest = [whole = std::move(core.farthest), by](const Vector<double, 3>& direction) {
+      return Vector<double, 3>(whole(direction) + by);
+    };
+  return core;
+}
+
+/// Finds the points that the move brings together: where a and the moved b touch.
+template <int Dim>
+void find_ends(Parting<Dim>& parting, const query::GrownCore& a, const query::GrownCore& b) {
+  Vector<double, 3> move = Vector<double, 3>::Zero();
+  move.template head<Dim>() = parting.depth * parting.direction;
+  const query::GrownCore there = moved(b, move);
+  Ignore ignore;
+  query::Gjk<Ignore> gjk(query::support_mapping(a), query::support_mapping(there), 1, ignore);
+  gjk.run(std::nullopt);
+  parting.on_a = gjk.on_a.template head<Dim>();
+  parting.on_b = (gjk.on_b - move).template head<Dim>();
+}
 
 /// Of two cores at most 1 in every coordinate.
 template <int Dim>
@@ -198,7 +188,10 @@ Parting<Dim> parting_of(const query::GrownCore& a, const query::GrownCore& b) {
   const Vector<double, Dim> on_a = gjk.on_a.template head<Dim>(), on_b = gjk.on_b.template head<Dim>();
   if (gjk.most > kCoresTouch) return {-gjk.least, -gjk.most, gjk.direction.template head<Dim>(), on_a, on_b};
   ExpandingPolytope<Dim> polytope(of_a, of_b);
-  return polytope.is_flat() ? Parting<Dim>{0, 0, polytope.across(), on_a, on_b} : polytope.least_parting();
+  if (polytope.is_flat()) return {0, 0, polytope.across(), on_a, on_b};
+  Parting<Dim> parting = polytope.least_parting();
+  find_ends(parting, a, b);
+  return parting;
 }
 
 }  // namespace
