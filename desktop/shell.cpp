@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "app/cover.hpp"
 #include "app/cover_picture.hpp"
@@ -182,7 +183,8 @@ void Shell::keep_view(int width, int height) {
   if (presenting) return;
   const app::Settings& settings = app_.settings();
   const KeptView view{static_cast<int>(settings.theme), settings.text_scale, width, height};
-  if (kept_.view == view) return;
+  // What a window opens with was nobody's choice.
+  if (const auto before = std::exchange(view_seen_, view); !before || before == view) return;
   kept_.view = view;
   kept_.write();
 }

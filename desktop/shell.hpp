@@ -141,6 +141,7 @@ class Shell {
   [[nodiscard]] const std::string& of_strip() const;
   void read_again();
 
+  std::optional<KeptView> view_seen_;
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_

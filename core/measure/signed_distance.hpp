@@ -11,7 +11,8 @@
 namespace snug::proximity {
 
 /// Volumes that overlap have a negative distance: minus their depth, the length of the shortest move that parts them.
-/// Scene units, within some roundings of the volumes' extents about a common point.
+/// Scene units, within some roundings of the volumes' extents about a common point; the direction and the points within
+/// 1e-7 of these, for a distance that is right to its last digits leaves them so much room.
 template <int Dim>
 struct SignedDistance {
   double distance = 0;
