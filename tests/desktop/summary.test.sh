@@ -17,8 +17,9 @@ for i in $(seq 12); do # past each question, by the key that says so first
 done
 until_state 's.summary && s.tally.skipped === s.tally.right + s.tally.wrong + s.tally.skipped + s.tally.open'
 xdotool key F2
-until_state 's.lesson === null && s.course[0].done'
+until_state 's.lesson === null && !s.course[0].done' # what was skipped is not done
 close_window
+sed -i '0,/"done": false/s//"done": true/' "$work/snug/course.json" # as if every question had been answered
 
 open_window
 until_state 's.course[0].done && s.lead === "Next lesson"'
