@@ -20,9 +20,8 @@ constexpr double kBesideRuns = 1.5;
 /// A time below this says little about how the next one grows, ns.
 constexpr double kTellingTime = 100e6;
 
-/// A copy with so many of the points, evenly taken; null if it cannot have them.
-std::unique_ptr<Subject> sample_of(const Subject& subject, Index count) {
-  const std::vector<Point3> all = all_points(*subject.points());
+/// A copy with so many of all of its points, evenly taken; null if it cannot have them.
+std::unique_ptr<Subject> sample_of(const Subject& subject, const std::vector<Point3>& all, Index count) {
   io::PointFile some{subject.dim(), {}, {}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) some.points.push_back(all[i * all.size() / count]);
   auto sample = subject.clone();
@@ -69,8 +68,9 @@ Done check_patience(const Lesson& lesson, const Subject& next, const std::array<
                     Clock clock) {
   if (clock == nullptr || next.points() == nullptr || count_of(next) <= kFewPoints) return {};
   bool known = true;
+  const std::vector<Point3> all = all_points(*next.points());
   const auto time_of = [&](Index count) {
-    const auto sample = sample_of(next, count);
+    const auto sample = sample_of(next, all, count);
     if (sample == nullptr) return known = false, 1.0;
     const double begin = clock();
     std::array<std::unique_ptr<Run>, 2> runs;

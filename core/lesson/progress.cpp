@@ -8,7 +8,8 @@ Progress progress_of(const Session& session) {
   const Lesson& lesson = session.lesson();
   const auto answered = [&](const Question& question) {
     return std::any_of(session.outcomes().begin(), session.outcomes().end(), [&](const Outcome& outcome) {
-      return outcome.question == question.id && !outcome.passed && !outcome.pending && !outcome.skipped;
+      const Standing stands = standing_of(&outcome);
+      return outcome.question == question.id && (stands == Standing::kRight || stands == Standing::kWrong);
     });
   };
   Progress progress;

@@ -16,13 +16,6 @@ using ExactCorners = std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>;
 template <int Dim>
 using Exactly = query::Numbers<Dyadic, Dim>;
 
-template <class Scalar, int Dim>
-Exactly<Dim> exactly(const Vector<Scalar, Dim>& v) {
-  Exactly<Dim> result;
-  for (int i = 0; i < Dim; ++i) result[i] = static_cast<double>(v[i]);
-  return result;
-}
-
 template <std::size_t Dim>
 std::array<Dyadic, Dim> scaled(const Dyadic& by, std::array<Dyadic, Dim> v) {
   for (Dyadic& x : v) x *= by;
@@ -41,11 +34,11 @@ template <class Scalar, int Dim>
 class ExactSphere {
  public:
   ExactSphere(const Frustum<Scalar, Dim>& frustum, const ExactCorners<Dim>& corners, const Sphere<Scalar, Dim>& sphere)
-      : corners_(corners), center_(exactly<Scalar, Dim>(sphere.center)) {
+      : corners_(corners), center_(query::numbers<Dyadic, Scalar, Dim>(sphere.center)) {
     const Dyadic radius = static_cast<double>(sphere.radius);
     square_ = radius * radius;
     for (const auto& plane : frustum.planes()) {
-      normals_.push_back(exactly<Scalar, Dim>(plane.normal));
+      normals_.push_back(query::numbers<Dyadic, Scalar, Dim>(plane.normal));
       heights_.push_back(query::dot(normals_.back(), center_) + Dyadic(static_cast<double>(plane.d)));
     }
   }

@@ -1,12 +1,12 @@
 #include "measure/signed_distance.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <set>
 #include <vector>
 
 #include "fit/hull/quickhull.hpp"
+#include "fit/obb/obb_frame.hpp"
 #include "geometry/point_set.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/double_double.hpp"
@@ -97,16 +97,12 @@ class ExpandingPolytope {
     if (hull_.affine_dim == 0) {
       for (int i = 0; i < Dim; ++i) normals.push_back(Point::Unit(i));
     } else if constexpr (Dim == 2) {
-      const Point along = at(1) - at(0);
-      normals.push_back(Point(-along[1], along[0]).normalized());
+      normals.push_back(fit::frame(Point(at(1) - at(0))).col(1));
     } else if (hull_.affine_dim == 1) {
-      const Point along = (at(1) - at(0)).normalized();
-      int least = 0;
-      along.cwiseAbs().minCoeff(&least);
-      normals.push_back(along.cross(Point::Unit(least)).normalized());
-      normals.push_back(along.cross(normals.front()).normalized());
+      const Matrix<double, 3> axes = fit::frame(Point(at(1) - at(0)), Point::Zero());
+      normals = {axes.col(1), axes.col(2)};
     } else {
-      std::size_t last = hull_.vertices.size() - 1;
+      const std::size_t last = hull_.vertices.size() - 1;
       normals.push_back(normal_of({at(0), at(last / 2), at(last)}));
     }
     return normals;
@@ -178,7 +174,7 @@ void find_ends(Parting<Dim>& parting, const query::GrownCore& a, const query::Gr
   parting.on_b = (gjk.on_b - move).template head<Dim>();
 }
 
-/// Of two cores at most 1 in every coordinate.
+/// The least move that parts two cores. No coordinate of theirs is above 1.
 template <int Dim>
 Parting<Dim> parting_of(const query::GrownCore& a, const query::GrownCore& b) {
   const query::SupportMapping of_a = query::support_mapping(a), of_b = query::support_mapping(b);

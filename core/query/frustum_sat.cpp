@@ -12,13 +12,6 @@
 namespace snug::query {
 namespace {
 
-template <class Number, class Scalar, int Dim>
-Numbers<Number, Dim> numbers(const Vector<Scalar, Dim>& v) {
-  Numbers<Number, Dim> result;
-  for (int i = 0; i < Dim; ++i) result[i] = Number(static_cast<double>(v[i]));
-  return result;
-}
-
 template <std::size_t Dim>
 double size_of_all(const std::array<double, Dim>& v) {
   double sum = 0;

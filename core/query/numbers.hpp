@@ -4,10 +4,20 @@
 #include <array>
 #include <cstddef>
 
+#include "geometry/vector.hpp"
+
 namespace snug::query {
 
 template <class Number, int Dim>
 using Numbers = std::array<Number, Dim>;
+
+/// A vector's coordinates, which convert without loss.
+template <class Number, class Scalar, int Dim>
+[[nodiscard]] Numbers<Number, Dim> numbers(const Vector<Scalar, Dim>& v) {
+  Numbers<Number, Dim> result;
+  for (int i = 0; i < Dim; ++i) result[i] = Number(static_cast<double>(v[i]));
+  return result;
+}
 
 template <class Number, std::size_t Dim>
 [[nodiscard]] Number dot(const std::array<Number, Dim>& a, const std::array<Number, Dim>& b) {

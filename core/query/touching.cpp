@@ -3,6 +3,7 @@
 #include "geometry/aabb_forms.hpp"
 #include "number/dyadic.hpp"
 #include "query/exact_gap.hpp"
+#include "query/overlaps_spheres.hpp"
 
 namespace snug::query {
 namespace {
@@ -20,18 +21,12 @@ bool touching(const Sphere<Scalar, Dim>& a, const Sphere<Scalar, Dim>& b) {
   return square.sign() == 0;
 }
 
+/// The box's point nearest to the centre has the coordinates of both: it does not round.
 template <class Scalar, int Dim>
 bool touching(const Sphere<Scalar, Dim>& sphere, const Aabb<Scalar, Dim>& box) {
-  Dyadic square = -(exact(sphere.radius) * exact(sphere.radius));
-  bool deep = true;  // whether the centre lies inside, and not on a face
-  for (int i = 0; i < Dim; ++i) {
-    const Scalar center = sphere.center[i];
-    deep = deep && box.min[i] < center && center < box.max[i];
-    const Dyadic below = exact(box.min[i]) - exact(center), above = exact(center) - exact(box.max[i]);
-    const Dyadic beyond = below.sign() > 0 ? below : above.sign() > 0 ? above : Dyadic();
-    square += beyond * beyond;
-  }
-  return !deep && square.sign() == 0;
+  const Vector<Scalar, Dim>& center = sphere.center;
+  const bool deep = (box.min.array() < center.array()).all() && (center.array() < box.max.array()).all();
+  return !deep && touching(sphere, Sphere<Scalar, Dim>{nearest_of(box, center), 0});
 }
 
 template <class Scalar, int Dim>
@@ -52,7 +47,8 @@ bool touching(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
 /// The box by its centre and half extents, if neither rounds.
 template <class Scalar, int Dim>
 std::optional<Obb<Scalar, Dim>> as_obb(const Aabb<Scalar, Dim>& box) {
-  Obb<Scalar, Dim> result{box.min / 2 + box.max / 2, Matrix<Scalar, Dim>::Identity(), box.max / 2 - box.min / 2};
+  const auto [middle, extents] = center_extents_of(box);
+  const Obb<Scalar, Dim> result{middle, Matrix<Scalar, Dim>::Identity(), extents};
   for (int i = 0; i < Dim; ++i) {
     const Dyadic center = exact(result.center[i]), half = exact(result.half_extents[i]);
     if (!(center - half == exact(box.min[i]) && center + half == exact(box.max[i]))) return std::nullopt;

@@ -35,8 +35,7 @@ struct CostOptions {
   bool growth = false, turn = false, claims = false;
   std::string trials;  // a claim's name
   std::string against;
-  bool json = false, csv = false;
-  std::string out;
+  TableOutput output;
 };
 
 /// The claims that can be tried.
@@ -73,29 +72,16 @@ tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const
   return chosen;
 }
 
-/// A table in the requested format.
-template <class Row>
-std::string printed(const CostOptions& options, const cost::Provenance& provenance, const std::vector<Row>& rows) {
-  const std::span<const Row> all(rows);
-  if (options.json) return cost::json_of(provenance, all);
-  if (options.csv) return cost::csv_of(provenance, all);
-  return text_of(provenance, all);
-}
-
 std::string printed_costs(const CostOptions& options, const cost::Provenance& provenance,
                           const std::vector<cost::CostRow>& rows, const cost::Table<cost::CostRow>* then) {
   const std::span<const cost::CostRow> all(rows);
-  if (options.csv) return cost::csv_of(provenance, all);
-  if (!options.json) return text_of(provenance, all, then);
+  if (options.output.csv) return cost::csv_of(provenance, all);
+  if (!options.output.json) return text_of(provenance, all, then);
   std::string text = cost::json_of(provenance, all);
   if (then == nullptr) return text;
   std::string old = cost::json_of(then->provenance, std::span<const cost::CostRow>(then->rows));
   old.pop_back();  // the line feed
   return text.substr(0, text.size() - 2) + ",\"against\":" + old + "}\n";
-}
-
-cost::Provenance provenance_of(const CostOptions& options, const MeasuredPoints& subject) {
-  return provenance_of(options.points, subject);
 }
 
 struct Measured {
@@ -117,7 +103,7 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Measu
       return read_table<cost::CostRow>(text, options.against);
     });
     if (!table) return Wrong(table.error());
-    if (auto other = of_other_points(provenance_of(options, subject), table->provenance, options.against))
+    if (auto other = of_other_points(provenance_of(options.points, subject), table->provenance, options.against))
       return Wrong(std::move(*other));
     for (const cost::CostRow& row : table->rows)
       if (row.of != fit::size_of(subject.points))
@@ -133,7 +119,7 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Measu
   finish(run);
   std::vector<cost::CostRow> rows = run.rows();
   cost::mark_front(rows);
-  Measured measured{printed_costs(options, provenance_of(options, subject), rows, then ? &*then : nullptr)};
+  Measured measured{printed_costs(options, provenance_of(options.points, subject), rows, then ? &*then : nullptr)};
   for (const cost::CostRow& row : rows) measured.all_hold = measured.all_hold && row.contains;
   return measured;
 }
@@ -151,7 +137,7 @@ Measured growth(const CostOptions& options, const MeasuredPoints& subject,
         cost::workload_of(*algorithm, dim, fit::size_of(subject.points), points, {.seed = options.points.seed}));
   cost::GrowthRun run(std::move(loads), timing_of(options), options.longest * 1e6, native_clock());
   finish(run);
-  return {printed(options, provenance_of(options, subject), run.rows())};
+  return {printed(options.output, provenance_of(options.points, subject), run.rows())};
 }
 
 Measured full_turn(const CostOptions& options, const MeasuredPoints& subject) {
@@ -164,7 +150,7 @@ Measured full_turn(const CostOptions& options, const MeasuredPoints& subject) {
   const AnyPointSet points = cost::sample(subject.points, kMostTurned, options.points.seed);
   cost::TurnRun run(points, strategies, kFrames, timing_of(options), native_clock());
   finish(run);
-  Measured measured{printed(options, provenance_of(options, subject), run.rows())};
+  Measured measured{printed(options.output, provenance_of(options.points, subject), run.rows())};
   for (const cost::TurnRow& row : run.rows()) measured.all_hold = measured.all_hold && row.contains;
   return measured;
 }
@@ -178,7 +164,7 @@ Measured claims(const CostOptions& options, const MeasuredPoints& subject) {
         cost::run_claim(claim, {.points = subject.points, .seed = options.points.seed, .clock = native_clock()}));
     bar.advance();
   }
-  return {printed(options, provenance_of(options, subject), rows)};
+  return {printed(options.output, provenance_of(options.points, subject), rows)};
 }
 
 /// One claim on all of its clouds, which are generated: no points of the student's are measured.
@@ -192,16 +178,16 @@ tl::expected<Measured, InputError> trials(const CostOptions& options) {
   cost::Provenance provenance = native_provenance();
   provenance.points = std::to_string(cost::kTrialSeeds) + " clouds of each kind";
   provenance.scalar = "double";
-  return Measured{printed(options, provenance, run.rows())};
+  return Measured{printed(options.output, provenance, run.rows())};
 }
 
 std::optional<std::string> wrong_with(const CostOptions& options) {
   const int tables = options.growth + options.turn + options.claims + (options.trials.empty() ? 0 : 1);
   if (tables > 1) return "give only one of --growth, --turn, --claims and --trials";
-  if (options.json && options.csv) return "give only one of --json and --csv";
   const bool other = tables > 0;
   if (!options.against.empty() && other) return "--against goes with the table of costs only";
-  if (!options.against.empty() && options.csv) return "--against cannot go into CSV, which has room for one table";
+  if (!options.against.empty() && options.output.csv)
+    return "--against cannot go into CSV, which has room for one table";
   if (other && !options.growth && !options.algorithms.empty()) return "--algorithms goes with costs and --growth only";
   return std::nullopt;
 }
@@ -227,8 +213,9 @@ tl::expected<Measured, InputError> measured(const CostOptions& options) {
 }
 
 CommandResult run_cost(const CostOptions& given) {
-  CostOptions options = given;
-  return write_table(options.out, options.csv, options.json, [&]() -> tl::expected<Printed, InputError> {
+  return write_table(given.output, [&](const TableOutput& output) {
+    CostOptions options = given;
+    options.output = output;
     return measured(options).map([](const Measured& done) { return Printed{done.text, done.all_hold ? 0 : 1}; });
   });
 }
@@ -306,9 +293,7 @@ void add_cost(Commands& commands) {
                      "Try one of the claims on 240 clouds instead; one of " + trial_names());
   command.add_option("--against", options->against,
                      "Earlier result in CSV or JSON, on the same points, to compare with");
-  command.add_flag("--json", options->json, "Print one JSON object");
-  command.add_flag("--csv", options->csv, "Print CSV");
-  command.add_option("-o", options->out, "File to write, in the format of its ending; - is standard output");
+  add_output(command, options->output);
 }
 
 }  // namespace snug::desktop

@@ -166,13 +166,6 @@ Json exact_class(const Frustum<Scalar, Dim>& frustum, const Volume<Scalar, Dim>&
 }
 
 template <class Scalar, int Dim>
-Json json_of_point(const Vector<Scalar, Dim>& point) {
-  Json list = Json::array();
-  for (int i = 0; i < Dim; ++i) list.push_back(static_cast<double>(point[i]));
-  return list;
-}
-
-template <class Scalar, int Dim>
 Json plane_json(const query::PlaneTested<Scalar, Dim>& fact) {
   return {{"plane", fact.plane},
           {"p_vertex", json_of_point<Scalar, Dim>(fact.p_point)},

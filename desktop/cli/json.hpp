@@ -25,6 +25,14 @@ using Json = nlohmann::ordered_json;
   return list;
 }
 
+/// A vector of any scalar, in its own dimension.
+template <class Scalar, int Dim>
+[[nodiscard]] Json json_of_point(const Vector<Scalar, Dim>& point) {
+  Json list = Json::array();
+  for (int i = 0; i < Dim; ++i) list.push_back(static_cast<double>(point[i]));
+  return list;
+}
+
 /// A number as it is, a vector by its first dim coordinates, a matrix by rows, or a list of any of these.
 [[nodiscard]] inline Json json_of(double value, int) { return value; }
 [[nodiscard]] inline Json json_of(int value, int) { return value; }

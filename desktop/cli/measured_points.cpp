@@ -11,7 +11,7 @@
 namespace snug::desktop {
 namespace {
 
-/// With more points a table would take minutes, and memory that not every machine has.
+/// More points would take minutes, and more memory than some machines have.
 constexpr Index kMostMeasured = 2'000'000;
 
 tl::unexpected<InputError> refused(std::string what, std::string file = {}) {
@@ -41,15 +41,16 @@ tl::expected<MeasuredPoints, InputError> generated(const PointsChoice& choice) {
 }
 
 /// Sets the format by the file's ending; standard output and .txt leave it to the flags.
-std::optional<InputError> set_format(const std::string& out, bool& csv, bool& json) {
-  const std::string ending = is_standard_output(out) ? "" : ending_of(out);
+std::optional<InputError> set_format(TableOutput& output) {
+  const std::string ending = is_standard_output(output.file) ? "" : ending_of(output.file);
   if (ending != "csv" && ending != "json") {
     if (ending.empty() || ending == "txt") return std::nullopt;
-    return InputError{.what = "has none of the endings .csv, .json and .txt, which say the format", .file = out};
+    return InputError{.what = "has none of the endings .csv, .json and .txt, which say the format",
+                      .file = output.file};
   }
-  if (ending == "csv" ? json : csv)
-    return InputError{.what = "ends in ." + ending + ", and another format was asked for", .file = out};
-  (ending == "csv" ? csv : json) = true;
+  if (ending == "csv" ? output.json : output.csv)
+    return InputError{.what = "ends in ." + ending + ", and another format was asked for", .file = output.file};
+  (ending == "csv" ? output.csv : output.json) = true;
   return std::nullopt;
 }
 
@@ -91,17 +92,23 @@ cost::Provenance provenance_of(const PointsChoice& choice, const MeasuredPoints&
   return provenance;
 }
 
-CommandResult write_table(const std::string& out, bool& csv, bool& json,
-                          const std::function<tl::expected<Printed, InputError>()>& measure) {
-  if (auto wrong = set_format(out, csv, json)) return bad_input(std::move(*wrong));
-  if (csv && json) return bad_input("give only one of --json and --csv");
+void add_output(CLI::App& command, TableOutput& output) {
+  command.add_flag("--json", output.json, "Print one JSON object");
+  command.add_flag("--csv", output.csv, "Print CSV");
+  command.add_option("-o", output.file, "File to write, in the format of its ending; - is standard output");
+}
+
+CommandResult write_table(TableOutput output,
+                          const std::function<tl::expected<Printed, InputError>(const TableOutput&)>& measure) {
+  if (auto wrong = set_format(output)) return bad_input(std::move(*wrong));
+  if (output.csv && output.json) return bad_input("give only one of --json and --csv");
   std::optional<NewFile> file;
-  if (!out.empty() && !is_standard_output(out)) {
-    auto created = NewFile::create(out);
+  if (!output.file.empty() && !is_standard_output(output.file)) {
+    auto created = NewFile::create(output.file);
     if (!created) return bad_input(created.error());
     file.emplace(std::move(*created));
   }
-  auto done = measure();
+  auto done = measure(output);
   if (!done) return bad_input(done.error());
   if (!file) return std::move(*done);
   file->write(done->text);

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/cost_text.hpp"
 #include "desktop/cli/progress.hpp"
 #include "measure/point_stock.hpp"
 #include "measure/rows.hpp"
@@ -46,10 +49,28 @@ void finish(Run& run) {
   }
 }
 
-/// Writes what measure returns to a file, or prints it if out is empty or "-". The file's ending says the format (csv,
-/// json), which measure may read then; the file is created before the long work, so that an impossible one is reported
-/// at once.
-[[nodiscard]] CommandResult write_table(const std::string& out, bool& csv, bool& json,
-                                        const std::function<tl::expected<Printed, InputError>()>& measure);
+/// Where a table goes, and its format: text if neither flag is set.
+struct TableOutput {
+  bool json = false, csv = false;
+  std::string file;  // empty or "-": standard output
+};
+
+/// Adds its options to a command.
+void add_output(CLI::App& command, TableOutput& output);
+
+/// A table in its format.
+template <class Row>
+[[nodiscard]] std::string printed(const TableOutput& output, const cost::Provenance& provenance,
+                                  const std::vector<Row>& rows) {
+  const std::span<const Row> all(rows);
+  if (output.json) return cost::json_of(provenance, all);
+  if (output.csv) return cost::csv_of(provenance, all);
+  return text_of(provenance, all);
+}
+
+/// Writes or prints what measure returns. measure receives the output with the format that the file's ending says. The
+/// file is created before the long work, so that an impossible one is reported at once.
+[[nodiscard]] CommandResult
+write_table(TableOutput output, const std::function<tl::expected<Printed, InputError>(const TableOutput&)>& measure);
 
 }  // namespace snug::desktop

@@ -59,13 +59,6 @@ tl::expected<VolumePair, std::string> pair_of(const Json& json, const OverlapOpt
 
 // ---- the answer
 
-template <class Vector>
-Json json_of_vector(const Vector& v) {
-  Json list = Json::array();
-  for (const auto coordinate : v) list.push_back(static_cast<double>(coordinate));
-  return list;
-}
-
 template <class Scalar, int Dim>
 Json json_of_result(const query::OverlapResult<Scalar, Dim>& result, query::PairTest test) {
   Json json{{"overlap", result.overlap},
@@ -76,7 +69,7 @@ Json json_of_result(const query::OverlapResult<Scalar, Dim>& result, query::Pair
   if (result.distance) json["distance"] = static_cast<double>(*result.distance);
   if (result.separating_axis)
     json["separating_axis"] = {{"kind", result.separating_axis->kind},
-                               {"direction", json_of_vector(result.separating_axis->direction)},
+                               {"direction", json_of_point<Scalar, Dim>(result.separating_axis->direction)},
                                {"gap", static_cast<double>(result.separating_axis->gap)}};
   return json;
 }
@@ -89,7 +82,7 @@ void add_distance(Json& json, const Volume<Scalar, Dim>& a, const Volume<Scalar,
   const auto found = proximity::signed_distance<Scalar, Dim>(a, b);
   if (!found) return;
   const bool apart = !overlap || (conservative && found->distance > 0);
-  const Json ends{{"a", json_of_vector(found->on_a)}, {"b", json_of_vector(found->on_b)}};
+  const Json ends{{"a", json_of_point<double, Dim>(found->on_a)}, {"b", json_of_point<double, Dim>(found->on_b)}};
   if (json["distance"].is_null()) json["distance"] = apart ? std::max(found->distance, 0.0) : 0.0;
   const auto touching = overlap ? query::touch<Scalar, Dim>(a, b) : std::optional(false);
   json["touching"] = touching ? Json(*touching) : Json();
@@ -97,7 +90,7 @@ void add_distance(Json& json, const Volume<Scalar, Dim>& a, const Volume<Scalar,
   json["penetration"] = nullptr;
   if (apart) return;
   json["penetration"] = {{"depth", touching.value_or(false) ? 0.0 : std::max(-found->distance, 0.0)},
-                         {"direction", json_of_vector(found->direction)}};
+                         {"direction", json_of_point<double, Dim>(found->direction)}};
   json["penetration"].update(ends);
 }
 

@@ -1,5 +1,4 @@
 #include "desktop/cli/command.hpp"
-#include "desktop/cli/cost_text.hpp"
 #include "desktop/cli/measured_points.hpp"
 #include "desktop/cli/timing.hpp"
 #include "fit/catalogue.hpp"
@@ -23,26 +22,19 @@ struct WhichOptions {
   cost::Load load;
   double hit_rate = 10;  // per cent
   int repeat = 9;
-  bool json = false, csv = false;
-  std::string out;
+  TableOutput output;
 };
 
+/// All of them take points of either dimension, but for the 14-DOP: in the plane an 8-DOP is in its place.
 std::vector<const fit::Algorithm*> compared_in(int dim) {
   std::vector<const fit::Algorithm*> algorithms;
-  for (const auto& [volume, name] : kCompared) {
-    const fit::Algorithm* algorithm = fit::find_algorithm(volume, name);
-    if (algorithm != nullptr && !fit::takes(*algorithm, dim) && volume == "kdop")
-      algorithm = fit::find_algorithm(volume, "k8");
-    if (algorithm != nullptr && !fit::takes(*algorithm, dim) && volume == "obb")
-      algorithm = fit::find_algorithm(volume, "min_area_rectangle");
-    if (algorithm != nullptr && fit::takes(*algorithm, dim)) algorithms.push_back(algorithm);
-  }
+  for (const auto& [volume, name] : kCompared)
+    algorithms.push_back(fit::find_algorithm(volume, dim == 2 && volume == "kdop" ? "k8" : name));
   return algorithms;
 }
 
-CommandResult run_which(const WhichOptions& given) {
-  WhichOptions options = given;
-  return write_table(options.out, options.csv, options.json, [&]() -> tl::expected<Printed, InputError> {
+CommandResult run_which(const WhichOptions& options) {
+  return write_table(options.output, [&](const TableOutput& output) -> tl::expected<Printed, InputError> {
     const auto points = points_of(options.points);
     if (!points) return tl::unexpected(points.error());
     cost::Load load = options.load;
@@ -50,12 +42,7 @@ CommandResult run_which(const WhichOptions& given) {
     const cost::CostOptions how{{.seed = options.points.seed}, native_timing(options.repeat), {}};
     cost::CriteriaRun run(points->points, compared_in(fit::dim_of(points->points)), load.still(), how, native_clock());
     finish(run);
-    const std::vector<cost::WhichRow> rows = cost::which_rows(run.rows(), load);
-    const cost::Provenance provenance = provenance_of(options.points, *points);
-    const std::span<const cost::WhichRow> all(rows);
-    return Printed{options.json  ? cost::json_of(provenance, all)
-                   : options.csv ? cost::csv_of(provenance, all)
-                                 : text_of(provenance, all)};
+    return Printed{printed(output, provenance_of(options.points, *points), cost::which_rows(run.rows(), load))};
   });
 }
 
@@ -101,9 +88,7 @@ void add_which(Commands& commands) {
   command.add_option("--repeat", options->repeat, "Number of timed batches")
       ->transform(whole_number(1, 1'000'000))
       ->capture_default_str();
-  command.add_flag("--json", options->json, "Print one JSON object");
-  command.add_flag("--csv", options->csv, "Print CSV");
-  command.add_option("-o", options->out, "File to write, in the format of its ending; - is standard output");
+  add_output(command, options->output);
 }
 
 }  // namespace snug::desktop
