@@ -236,7 +236,7 @@ bool App::State::player(std::string_view name) {
 /// Starts what decides the predictions about the cover, once all of them are given and one waits for it.
 void App::State::decide_by_measuring() {
   const auto waits = [](const lesson::Outcome& outcome) { return outcome.pending && !outcome.skipped; };
-  if (cover == nullptr || cover->running() || session->asked() != nullptr) return;
+  if (cover == nullptr || cover->running() || session->to_predict() != nullptr) return;
   if (std::any_of(session->outcomes().begin(), session->outcomes().end(), waits)) cover->command(*session, "measure");
 }
 
@@ -357,7 +357,7 @@ void App::State::invite(const Rect& rect) {
   const auto at = *due == lesson::Invited::kDrag   ? handle_to_drag(rect)
                   : *due == lesson::Invited::kStep ? std::optional(step_button)
                                                    : std::optional(play_button);
-  if (at) invitation = Invitation{lesson::invitation_text(*due, invited_handle, view->step_button()), *at};
+  if (at) invitation = Invitation{lesson::invitation_text(*due, invited_handle, step_words(*session, *view)), *at};
 }
 
 /// What was measured would give the answers away.

@@ -16,7 +16,7 @@ namespace snug::app {
 namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
-constexpr float kNoteLeading = 1.5f, kNearName = 10;
+constexpr float kNoteLeading = 1.5f, kNearName = 10, kOffLine = 3;
 constexpr double kPadding = 0.06;
 constexpr double kNothing = 1e-7;  // a fraction below this is only rounding
 // A line chart lower than the first has no note, and any chart lower than the second; its file has the note as well.
@@ -176,14 +176,25 @@ bool has_lines(const Chart& chart) {
   return std::any_of(chart.series.begin(), chart.series.end(), [](const ChartSeries& one) { return one.line; });
 }
 
-/// Draws a name in its place, with a thin line to its mark if it stands away from that.
-void name_beside(ChartPen& pen, const Look& look, ImVec2 mark, const Rect& place, const ChartSeries& series,
-                 std::string_view words) {
-  const ImVec2 near{std::clamp(mark.x, place.x, place.x + place.width),
-                    std::clamp(mark.y, place.y, place.y + place.height)};
-  if (std::hypot(near.x - mark.x, near.y - mark.y) > kMark * look->mark + kNearName)
-    pen.line(mark, near, with_alpha(mark_color(look, series.role), 0.5f));
-  pen.halo_words(look, Face::kRegular, kSize, {place.x, place.y}, word_color(look, series.role), look->ground, words);
+/// A name and its place.
+struct PlacedName {
+  const ChartSeries* series;
+  ImVec2 mark;
+  Rect place;
+  std::string words;
+};
+
+/// Draws names, each with a thin line to its mark if it stands away from that. The lines lie below all words.
+void draw_names(ChartPen& pen, const Look& look, std::span<const PlacedName> names) {
+  for (const auto& [series, mark, place, words] : names) {
+    const ImVec2 near{std::clamp(mark.x, place.x, place.x + place.width),
+                      std::clamp(mark.y, place.y, place.y + place.height)};
+    if (std::hypot(near.x - mark.x, near.y - mark.y) > kMark * look->mark + kNearName)
+      pen.line(mark, near, with_alpha(mark_color(look, series->role), 0.5f));
+  }
+  for (const auto& [series, mark, place, words] : names)
+    pen.halo_words(look, Face::kRegular, kSize, {place.x, place.y}, word_color(look, series->role), look->ground,
+                   words);
 }
 
 /// The names of lines at their right ends, one below the other, each with a thin line to its end. A line that ends
@@ -192,13 +203,19 @@ class EndNames {
  public:
   EndNames(const Look& look, const Chart& chart) : look_(look), chart_(chart) {}
 
-  /// How much of the width they take; 0 where that or the height is too small for them. height: of the frame.
-  [[nodiscard]] float margin(float width, float height) {
-    if (!has_lines(chart_) || static_cast<float>(names().size()) * row() > height) return 0;
+  /// How much of the width they take; 0 where that or the frame's height is too small for them, or where many lines end
+  /// early: their names would crowd. frame, at: without a margin.
+  template <class At>
+  [[nodiscard]] float margin(float width, const Rect& frame, const At& at) {
+    const std::vector<const ChartSeries*> all = names();
+    if (!has_lines(chart_) || static_cast<float>(all.size()) * row() > frame.height) return 0;
+    const auto early = std::count_if(all.begin(), all.end(),
+                                     [&](const ChartSeries* one) { return ends_early(at(one->points.back()), frame); });
+    if (kFewEarly * early > std::ssize(all)) return 0;
     for (const bool whole : {true, false}) {
       whole_ = whole;
       float widest = 0;
-      for (const ChartSeries* one : names())
+      for (const ChartSeries* one : all)
         widest = std::max(widest, measure(look_, Face::kRegular, kSize, words_of(*one, whole)).x);
       if (widest + kLeader <= kMostMargin * width) return widest + kLeader;
     }
@@ -214,7 +231,7 @@ class EndNames {
     std::vector<const ChartSeries*> early_series;
     for (const ChartSeries* one : names()) {
       const ImVec2 end = at(one->points.back());
-      if (end.x > right - 0.12f * frame.width) {
+      if (!ends_early(end, frame)) {
         far.push_back({one, end});
       } else {
         const ImVec2 size = measure(look_, Face::kRegular, kSize, words_of(*one, whole_));
@@ -232,10 +249,11 @@ class EndNames {
                 word_color(look_, series->role), words_of(*series, whole_));
     }
     const auto places = place_labels(early, obstacles(at), frame);
+    std::vector<PlacedName> beside;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (places[i])
-        name_beside(pen, look_, {early[i].x, early[i].y}, *places[i], *early_series[i],
-                    words_of(*early_series[i], whole_));
+        beside.push_back({early_series[i], {early[i].x, early[i].y}, *places[i], words_of(*early_series[i], whole_)});
+    draw_names(pen, look_, beside);
   }
 
  private:
@@ -243,7 +261,11 @@ class EndNames {
     const ChartSeries* series;
     ImVec2 at;
   };
-  static constexpr float kLeader = 28, kMostMargin = 0.3f;
+  static constexpr float kLeader = 28, kMostMargin = 0.3f, kEarly = 0.12f;
+  static constexpr std::ptrdiff_t kFewEarly = 4;  // one in so many lines may end early
+  [[nodiscard]] static bool ends_early(ImVec2 end, const Rect& frame) {
+    return end.x <= frame.x + (1 - kEarly) * frame.width;
+  }
   [[nodiscard]] float row() const { return look_.px(1.3f * kSize); }
 
   [[nodiscard]] std::vector<const ChartSeries*> names() const {
@@ -438,15 +460,16 @@ struct Plot {
     }
   }
 
-  /// The place of each series' name beside its last point, clear of the bars of spread. None if one finds no place near
-  /// its mark: then a legend has them all.
-  [[nodiscard]] std::optional<std::vector<Rect>> name_places() const {
+  /// Each series' name beside its last point, clear of the bars of spread. None if one finds no place: then a legend
+  /// has them all.
+  [[nodiscard]] std::optional<std::vector<PlacedName>> names() const {
     std::vector<LabelRequest> requests;
     Obstacles obstacles;
     for (const ChartSeries& one : chart.series) {
       const ImVec2 end = one.points.empty() ? ImVec2(frame.x, frame.y) : at(one.points.back());
       const ImVec2 size = measure(look, Face::kRegular, kSize, one.name);
-      requests.push_back({end.x, end.y, kMark * look->mark + 5, size.x, size.y, 0.7f, -0.7f, false, true});
+      requests.push_back(
+          {end.x, end.y, kMark * look->mark + 5, size.x, size.y + 2 * kOffLine, 0.7f, -0.7f, false, true});
       for (const ChartPoint& p : one.points) {
         obstacles.discs.push_back({at(p).x, at(p).y, kMark * look->mark + 2});
         if (p.x_low < p.x_high) obstacles.segments.push_back({x.at(p.x_low), at(p).y, x.at(p.x_high), at(p).y});
@@ -458,19 +481,15 @@ struct Plot {
       obstacles.segments.push_back({to.x, from.y, to.x, to.y});
     }
     const auto places = place_labels(requests, obstacles, frame);
-    if (!std::all_of(places.begin(), places.end(), [](const auto& place) { return place.has_value(); }))
-      return std::nullopt;
-    std::vector<Rect> found;
-    for (const auto& place : places) found.push_back(*place);
-    return found;
-  }
-
-  void names(const std::vector<Rect>& places) const {
+    std::vector<PlacedName> found;
     for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!places[i]) return std::nullopt;
       const ChartSeries& one = chart.series[i];
-      if (!one.points.empty() && !one.name.empty())
-        name_beside(pen, look, at(one.points.back()), places[i], one, one.name);
+      if (one.points.empty() || one.name.empty()) continue;
+      const auto& [left, top, width, height] = *places[i];
+      found.push_back({&one, at(one.points.back()), {left, top + kOffLine, width, height - 2 * kOffLine}, one.name});
     }
+    return found;
   }
 
   [[nodiscard]] std::optional<ChartHit> under_pointer() const {
@@ -664,10 +683,11 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
   const float left = rect.x + 16, heading = draw_heading(pen, look, rect, chart, taken);
   Plot plot{pen, look, chart, {}, scale_of(chart, true), scale_of(chart, false)};
   fit_frame(plot, rect, heading, 0, 0);
+  const auto at = [&](const ChartPoint& p) { return plot.at(p); };
   EndNames ends(look, chart);
-  const float margin = ends.margin(rect.width, plot.frame.height);
+  const float margin = ends.margin(rect.width, plot.frame, at);
   if (margin > 0) fit_frame(plot, rect, heading, margin, 0);
-  const auto beside = has_lines(chart) ? std::nullopt : plot.name_places();
+  const auto beside = has_lines(chart) ? std::nullopt : plot.names();
   std::optional<Legend> legend;
   if (margin == 0 && !beside) {
     legend.emplace(look, chart, rect.width - 32);
@@ -685,8 +705,8 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
   plot.series();
   plot.name_limit();
   if (legend) legend->draw(pen, {left, rect.y + rect.height - legend->height()});
-  else if (beside) plot.names(*beside);
-  else ends.draw(pen, plot.frame, [&](const ChartPoint& p) { return plot.at(p); });
+  else if (beside) draw_names(pen, look, *beside);
+  else ends.draw(pen, plot.frame, at);
   const auto hit = plot.under_pointer();
   const auto shown = hit ? hit : focus;
   if (shown) plot.figures(*shown, hit.has_value());

@@ -129,12 +129,16 @@ float speed_menu(const Look& look, const Rect& anchor, float current) {
   return chosen;
 }
 
+constexpr float kButtonSize = 14, kButtonEdges = 8;
+
 void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const SubjectView& view,
                   const std::array<Rect, 5>& rects, const PlayerView& player, PlayerWish& wish) {
   const bool gate = session.asked() != nullptr;
   const bool chosen = session.picked() != nullptr && answers(*session.asked(), *session.picked());
   const bool told = session.outcome() != nullptr;
   const bool at_end = session.step() == session.steps() && !session.previewing();
+  const std::string_view step = step_words(session, view);
+  const bool short_of_room = measure(look, Face::kSemiBold, kButtonSize, step).x > rects[2].width - kButtonEdges;
   const bool at_start = session.step() == 0;
   const auto press = [&](const Button& b, std::string_view command) {
     if (button(list, look, b)) wish.command = command;
@@ -144,12 +148,13 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   press({.id = "Back", .rect = rects[1], .icon = Icon::kBack, .enabled = !at_start}, "back");
   wish.step = press({.id = "step",
                      .rect = rects[2],
-                     .words = gate   ? lesson::kAnswerWord
-                              : told ? lesson::kContinueWord
-                                     : view.step_button(),
-                     .icon = chosen || told ? Icon::kNone
-                             : gate         ? Icon::kLock
-                                            : Icon::kStep,
+                     .words = gate            ? lesson::kAnswerWord
+                              : told          ? lesson::kContinueWord
+                              : short_of_room ? view.step_button()
+                                              : step,
+                     .icon = chosen || told || session.previewing() ? Icon::kNone
+                             : gate                                 ? Icon::kLock
+                                                                    : Icon::kStep,
                      .kind = ButtonKind::kPrimary,
                      .enabled = chosen || told || (!gate && !at_end)},
                     gate   ? "commit_answer"
@@ -165,6 +170,10 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
 }
 
 }  // namespace
+
+std::string_view step_words(const lesson::Session& session, const SubjectView& view) {
+  return session.previewing() ? "From the start" : view.step_button();
+}
 
 PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect,
                          const PlayerView& player) {

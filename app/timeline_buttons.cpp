@@ -13,7 +13,7 @@ struct RowSizes {
 };
 
 RowSizes row_sizes(const Look& look, float width, bool low) {
-  if (!look.fingers && width >= look.px(324) + 4 * kButtonGap) return {look.px(36), look.px(44), look.px(96)};
+  if (!look.fingers && width >= look.px(372) + 4 * kButtonGap) return {look.px(36), look.px(44), look.px(120)};
   // Buttons for the thumb, over the whole width: two small, two large, one small.
   const float unit = (width - 4 * kButtonGap) / 7.4f;
   return {!look.fingers ? look.px(36) : low ? 44.0f : 52.0f, unit, unit * 2.2f};

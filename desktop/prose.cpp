@@ -65,6 +65,7 @@ std::vector<Word> words_of(const Paragraph& paragraph, lesson::ProseFigures& fig
   std::vector<Word> words;
   bool space = false;
   for (const Stretch& stretch : paragraph) {
+    if (!figures.tells(paragraph, stretch)) continue;
     const std::string_view text = stretch.figure ? figures.of(*stretch.figure).text : stretch.text;
     for (std::size_t begin = 0; begin < text.size();) {
       if (text[begin] == ' ') {

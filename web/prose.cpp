@@ -29,6 +29,7 @@ val stretch_object(const Stretch& stretch) {
   if (!stretch.tex.empty()) piece.set("tex", stretch.tex);
   if (stretch.link) piece.set("link", link_object(*stretch.link));
   if (stretch.figure) piece.set("figure", name_of(*stretch.figure));
+  if (stretch.sentence >= 0) piece.set("sentence", stretch.sentence);
   return piece;
 }
 
@@ -59,6 +60,7 @@ val prose_figures_object(const lesson::Session& session) {
     val one = val::object();
     one.set("text", now.text);
     one.set("says", text(now.says));
+    one.set("known", now.says != lesson::kFigureUnknown);
     object.set(name_of(figure), one);
   }
   return object;

@@ -91,7 +91,7 @@ frustum_of_camera(const FrustumCamera<Scalar, Dim>& camera);
 
 /// Where the depth of a clip space begins: -w <= z <= w, as of OpenGL, or 0 <= z <= w, as of Direct3D, Metal, Vulkan
 /// and WebGPU. Reversed depth (1 near, 0 far) needs no name of its own: w grows along the view and tells near from far.
-/// Of a parallel projection, whose w does not grow, near is where the depth begins.
+/// A parallel projection's w does not grow: its near plane is then the one where depth begins.
 enum class ClipDepth : std::uint8_t { kFromMinusOne, kFromZero };
 
 /// The planes of what a view-projection matrix maps into clip space, -w <= x, y <= w. They are sums and differences of

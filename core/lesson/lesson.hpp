@@ -48,6 +48,7 @@ struct Stretch {
   Script script = Script::kNone;
   std::optional<RunFigure> figure = {};
   std::size_t at = 0;  // where it begins in the text that was read
+  int sentence = -1;   // which one of a paragraph with figures it belongs to; elsewhere -1
 };
 using Paragraph = std::vector<Stretch>;
 

@@ -139,6 +139,7 @@ void Place::take_step(Session& session) const {
 }
 
 void Place::take_try(Session& session) const {
+  if (tried_ && session.to_predict() != nullptr) session.ask_predictions();
   const Asked* asked = session.asked();
   if (!tried_ || asked == nullptr || asked->question->id != tried_->question) return;
   if (!answers(*asked, tried_->answer)) return;

@@ -32,6 +32,7 @@ tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, con
   if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
   Played::Algorithm played{name, session.situation(), session.steps(), {}};
   session.first();
+  session.ask_predictions();
   // Every iteration answers a question or takes a step, so there are at most as many as both together.
   std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
   while (session.step() < session.steps() || session.asked() != nullptr)

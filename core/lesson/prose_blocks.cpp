@@ -34,6 +34,34 @@ std::vector<SourceLine> lines_of(std::string_view text) {
   return lines;
 }
 
+/// Where the next sentence begins in plain words; npos if none does.
+std::size_t next_sentence(std::string_view words) {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+    if (std::string_view(".?!").find(words[i]) != std::string_view::npos && words[i + 1] == ' ') return i + 2;
+  return std::string_view::npos;
+}
+
+/// Counts the sentences of a paragraph with figures, and splits stretches where one begins.
+Paragraph in_sentences(Paragraph paragraph) {
+  const auto is_figure = [](const Stretch& one) { return one.figure.has_value(); };
+  if (std::none_of(paragraph.begin(), paragraph.end(), is_figure)) return paragraph;
+  Paragraph split;
+  int sentence = 0;
+  for (Stretch& rest : paragraph) {
+    const bool plain = !rest.link && !rest.code && !rest.figure && rest.tex.empty();
+    for (auto next = next_sentence(rest.text); plain && next != std::string::npos; next = next_sentence(rest.text)) {
+      Stretch& one = split.emplace_back(rest);
+      one.text.resize(next);
+      one.sentence = sentence++;
+      rest.text.erase(0, next);
+      rest.at += next;
+    }
+    rest.sentence = sentence;
+    if (!rest.text.empty()) split.push_back(std::move(rest));
+  }
+  return split;
+}
+
 class Reader {
  public:
   Reader(std::string_view text, std::vector<ProseFault>& faults)
@@ -92,7 +120,8 @@ class Reader {
 
   void paragraph() {
     const std::size_t from = lines_[next_].begin, end = end_of_words(from, false);
-    blocks_.push_back({.rows = {{paragraph_of(text_.substr(from, end - from), faults_, Within::kSection, from)}}});
+    Paragraph words = paragraph_of(text_.substr(from, end - from), faults_, Within::kSection, from);
+    blocks_.push_back({.rows = {{in_sentences(std::move(words))}}});
   }
 
   void list(Block::Kind kind) {

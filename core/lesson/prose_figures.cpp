@@ -15,7 +15,8 @@ const Figure* figure_of_key(const std::vector<Figure>& figures, std::string_view
 /// Whether the result of a method must stay hidden now: until its questions are answered, and wherever results are
 /// hidden beside the stage as well.
 bool hides_result(const Session& session, const Method& method, std::string_view key) {
-  return session.asked() != nullptr || session.hides_result(method) || session.is_hidden(key) ||
+  return session.asked() != nullptr || session.to_predict() != nullptr || session.hides_result(method) ||
+         session.is_hidden(key) ||
          session.awaits(method, session.lesson().subject->compares ? key : std::string_view());
 }
 
@@ -43,6 +44,12 @@ const FigureNow& ProseFigures::of(const RunFigure& figure) {
   const auto [found, is_new] = found_.try_emplace(name_of(figure));
   if (is_new) found->second = look_up(figure);
   return found->second;
+}
+
+bool ProseFigures::tells(const Paragraph& paragraph, const Stretch& stretch) {
+  return stretch.sentence < 0 || std::none_of(paragraph.begin(), paragraph.end(), [&](const Stretch& one) {
+           return one.sentence == stretch.sentence && one.figure && of(*one.figure).says == kFigureUnknown;
+         });
 }
 
 FigureNow ProseFigures::look_up(const RunFigure& figure) {

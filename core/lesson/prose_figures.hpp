@@ -27,6 +27,9 @@ class ProseFigures {
   explicit ProseFigures(const Session& session) : session_(session) {}
   /// It stays where it is as long as this does.
   [[nodiscard]] const FigureNow& of(const RunFigure& figure);
+  /// Whether the sentence that a stretch of the paragraph belongs to is shown: not while one of its figures has no
+  /// value yet.
+  [[nodiscard]] bool tells(const Paragraph& paragraph, const Stretch& stretch);
 
  private:
   [[nodiscard]] FigureNow look_up(const RunFigure& figure);

@@ -32,7 +32,8 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
 
 Session::Session(Lesson lesson, std::vector<Situated> places)
     : lesson_(std::make_unique<const Lesson>(std::move(lesson))), places_(std::move(places)), now_(own().clone()),
-      slid_(opened().slid), grades_(lesson_->tasks.size()), done_(lesson_->tasks.size()) {
+      slid_(opened().slid), grades_(lesson_->tasks.size()), predicts_(!lesson_->subject->predict_when_measuring),
+      done_(lesson_->tasks.size()) {
   use(0, find_method(*lesson_, lesson_->algorithms.front()));
   if (!lesson_->compare.empty()) use(1, find_method(*lesson_, lesson_->compare));
 }

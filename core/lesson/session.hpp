@@ -190,6 +190,10 @@ class Session {
   // told, and acknowledged; only then is the next one asked.
   /// The open question at the current step; null while an outcome is shown. Playing waits for it.
   [[nodiscard]] const Asked* asked() const;
+  /// The first open question about what is measured, which belongs to no step; null for none.
+  [[nodiscard]] const Asked* to_predict() const;
+  /// Asks those of the situation on the stage, where they wait until measuring is wanted.
+  void ask_predictions();
   /// Every question of this run in the timeline's order, without those whose step the run does not have.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
   /// Gives a final answer and goes to the step that decides it, so that prediction and result can be compared. Returns
@@ -358,6 +362,7 @@ class Session {
   /// Whether the results at the end of runs, and grades, wait until the hand rests.
   [[nodiscard]] bool waits() const;
   [[nodiscard]] const Asked* standing() const;
+  [[nodiscard]] const Asked* open_at(int step) const;
   bool give(const Answer& answer, bool for_good);
   bool pick_one_more(const Asked& question, const Answer& chosen);
   bool pick_number(const Asked& question, std::string_view typed);
@@ -385,6 +390,7 @@ class Session {
   mutable std::optional<std::uint64_t> hash_;
   int step_ = 0;
   bool previewing_ = false;
+  bool predicts_ = false;  // whether to_predict() is asked
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
   std::vector<std::string> moved_;

@@ -19,11 +19,22 @@ bool Session::is_open(const Question& question) const {
 
 const Asked* Session::asked() const { return deciding_ || outcome() != nullptr ? nullptr : standing(); }
 
+const Asked* Session::open_at(int step) const {
+  const auto found = std::find_if(asked_.begin(), asked_.end(),
+                                  [&](const Asked& asked) { return asked.step == step && is_open(*asked.question); });
+  return found == asked_.end() ? nullptr : &*found;
+}
+
 const Asked* Session::standing() const {
-  for (const Asked& asked : asked_)
-    if ((asked.step == Asked::kAnytime || (asked.step == step_ && !previewing_)) && is_open(*asked.question))
-      return &asked;
-  return nullptr;
+  if (const Asked* predicted = predicts_ ? to_predict() : nullptr) return predicted;
+  return previewing_ ? nullptr : open_at(step_);
+}
+
+const Asked* Session::to_predict() const { return open_at(Asked::kAnytime); }
+
+void Session::ask_predictions() {
+  predicts_ = true;
+  ++revision_;
 }
 
 Outcome& Session::outcome_for(const std::string& id) {
@@ -175,7 +186,7 @@ std::vector<std::string> Session::target_names() const {
 }
 
 std::string Session::score() const {
-  if (standing() != nullptr || deciding_) return {};
+  if (standing() != nullptr || to_predict() != nullptr || deciding_) return {};
   const auto open = [](const Outcome& outcome) { return outcome.pending; };
   const bool of_steps = lesson_->subject->asks_of_steps;
   const bool over =

@@ -57,6 +57,7 @@ void Session::enter_situation() {
   const bool shows_end = lesson_->start == Lesson::Start::kEnd;
   previewing_ = again ? place.previewing : shows_end;
   step_ = again ? place.step : shows_end ? steps() : 0;
+  predicts_ = !lesson_->subject->predict_when_measuring;
   run_changed(previewing_);
   const auto waits = [&](const Asked& asked) { return asked.step == 0 && is_open(*asked.question); };
   if (!again && std::any_of(asked_.begin(), asked_.end(), waits)) previewing_ = false, step_ = 0;

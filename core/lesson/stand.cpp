@@ -37,6 +37,7 @@ Done open_question(Session& session, const std::string& id) {
   const auto it = std::find_if(all.begin(), all.end(), [&](const Asked& one) { return one.question->id == id; });
   if (it == all.end()) return refused("the question " + id + " does not come on what is on the stage");
   if (it->step != Asked::kAnytime) session.jump(it->step);
+  else session.ask_predictions();
   for (std::size_t others = all.size(); others > 0; --others) {
     const Asked* asked = session.asked();
     if (asked == nullptr) break;

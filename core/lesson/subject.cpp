@@ -17,7 +17,11 @@ std::string drive_name(const NumberGroup& group, const NumberRow& row, std::size
 }
 
 tl::unexpected<InputError> fixed_number() {
-  return tl::unexpected(InputError{.what = "this lesson has exactly two volumes"});
+  return tl::unexpected(InputError{.what = "in this lesson nothing is added to the stage, and nothing removed"});
+}
+
+tl::unexpected<InputError> no_points() {
+  return tl::unexpected(InputError{.what = "this lesson takes no point file, and scatters no points"});
 }
 
 }  // namespace
@@ -79,8 +83,8 @@ Done Subject::remove(Index) { return fixed_number(); }
 Done Subject::set_numbers(std::size_t, std::size_t, std::span<const double>) {
   return tl::unexpected(InputError{.what = "there are no such numbers"});
 }
-Done Subject::load(const io::PointFile&, std::string_view) { return fixed_number(); }
-Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return fixed_number(); }
+Done Subject::load(const io::PointFile&, std::string_view) { return no_points(); }
+Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return no_points(); }
 std::vector<Rival> Subject::rivals(const Lesson&, const View&) const { return {}; }
 std::vector<Figure> Subject::figures_at_end(const Method& method, const View& view) const {
   for (const Slot& slot : view.slots)

@@ -28,7 +28,8 @@ struct SubjectRow {
   std::vector<AskingOf> (*askings)() = nullptr;        // besides those of any step (general_askings)
   std::string_view decided_by = "";                    // what replaces time if there is no clock; empty for nothing
   bool compares = false;                               // whether its methods' results are compared with a reference
-  bool asks_of_steps = true;  // false: its questions come before the first step, without a gate
+  bool asks_of_steps = true;            // false: its questions come before the first step, without a gate;
+  bool predict_when_measuring = false;  // then not at once, but when measuring is wanted
 
   /// Reads its own tables from the file.
   void (*read)(TomlTable& table, Lesson& lesson, Complaints& complaints) = nullptr;

@@ -202,18 +202,11 @@ template DistanceBounds bounds_between<3>(const query::GrownCore&, const query::
 
 template <class Scalar, int Dim>
 std::optional<SignedDistance<Dim>> signed_distance(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
-  const auto anchor_of = [](const Volume<Scalar, Dim>& volume) {
-    return std::visit([](const auto& own) { return anchor(own); }, volume);
-  };
-  const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
-  const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
-    return std::visit([&](const auto& own) { return query::grown_core(own, origin); }, volume);
-  };
-  query::GrownCore first = core_of(a), second = core_of(b);
+  auto [first, second, middle] = query::cores_of(a, b);
   if (first.is_empty() || second.is_empty()) return std::nullopt;
   const double unit = query::scale_to_unit(first, second);
   const Parting<Dim> parting = parting_of<Dim>(first, second);
-  const auto in_scene = [&](const Vector<double, Dim>& p) {
+  const auto in_scene = [&, origin = middle](const Vector<double, Dim>& p) {
     return Vector<double, Dim>(origin.template cast<double>() + p * unit);
   };
   // The points prove how near they are at most, the plane how deep: of each case that is the better known.

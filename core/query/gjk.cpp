@@ -11,22 +11,28 @@ SNUG_GJK(double, 2)
 SNUG_GJK(double, 3)
 
 template <class Scalar, int Dim>
-std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
-  const auto anchor_of = [](const Volume<Scalar, Dim>& volume) {
-    return std::visit([](const auto& v) { return anchor(v); }, volume);
-  };
+Cores<Scalar, Dim> cores_of(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
   const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
   const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
-    return std::visit([&](const auto& v) { return grown_core(v, origin); }, volume);
+    return std::visit([&](const auto& own) { return grown_core(own, origin); }, volume);
   };
-  Ignore ignore;
-  return separation_of<Scalar, Dim>(core_of(a), core_of(b), origin, false, ignore);
+  return {core_of(a), core_of(b), origin};
 }
 
-template std::optional<Separation<float, 2>> gjk(const Volume<float, 2>&, const Volume<float, 2>&);
-template std::optional<Separation<float, 3>> gjk(const Volume<float, 3>&, const Volume<float, 3>&);
-template std::optional<Separation<double, 2>> gjk(const Volume<double, 2>&, const Volume<double, 2>&);
-template std::optional<Separation<double, 3>> gjk(const Volume<double, 3>&, const Volume<double, 3>&);
+template <class Scalar, int Dim>
+std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+  auto [first, second, origin] = cores_of(a, b);
+  Ignore ignore;
+  return separation_of<Scalar, Dim>(std::move(first), std::move(second), origin, false, ignore);
+}
+
+#define SNUG_GJK_OF_ANY(Scalar, Dim)                                                                                   \
+  template Cores<Scalar, Dim> cores_of(const Volume<Scalar, Dim>&, const Volume<Scalar, Dim>&);                        \
+  template std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>&, const Volume<Scalar, Dim>&);
+SNUG_GJK_OF_ANY(float, 2)
+SNUG_GJK_OF_ANY(float, 3)
+SNUG_GJK_OF_ANY(double, 2)
+SNUG_GJK_OF_ANY(double, 3)
 
 SupportMapping support_mapping(const Corners<3>& corners) {
   const auto farthest = [](const void* core, const Vector<double, 3>& direction) {

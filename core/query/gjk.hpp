@@ -343,6 +343,21 @@ extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) e
   return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe, kept);
 }
 
+template <class Scalar, int Dim>
+[[nodiscard]] Vector<Scalar, Dim> anchor_of(const Volume<Scalar, Dim>& volume) {
+  return std::visit([](const auto& own) { return anchor(own); }, volume);
+}
+
+/// The cores of two volumes around an origin that is the same for either order.
+template <class Scalar, int Dim>
+struct Cores {
+  GrownCore a, b;
+  Vector<Scalar, Dim> origin;
+};
+
+template <class Scalar, int Dim>
+[[nodiscard]] Cores<Scalar, Dim> cores_of(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);
+
 /// The test of any two volumes.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);

@@ -20,19 +20,11 @@ auto among(const Volume<Scalar, Dim>& volume, Call call) {
   return result;
 }
 
-template <class Scalar, int Dim>
-[[nodiscard]] Vector<Scalar, Dim> anchor_of(const Volume<Scalar, Dim>& volume) {
-  return std::visit([](const auto& own) { return anchor(own); }, volume);
-}
-
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> by_gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
                                                 Observer& observe, bool only_whether = false) {
-  const Vector<Scalar, Dim> origin = anchor_of(a) / 2 + anchor_of(b) / 2;
-  const auto core_of = [&](const Volume<Scalar, Dim>& volume) {
-    return std::visit([&](const auto& own) { return grown_core(own, origin); }, volume);
-  };
-  return result_of(separation_of<Scalar, Dim>(core_of(a), core_of(b), origin, only_whether, observe));
+  auto [first, second, origin] = cores_of(a, b);
+  return result_of(separation_of<Scalar, Dim>(std::move(first), std::move(second), origin, only_whether, observe));
 }
 
 template <class Scalar, int Dim, class Observer>
@@ -94,7 +86,7 @@ template <class Scalar, int Dim, class Observer>
 template <class Scalar, int Dim>
 [[nodiscard]] bool turned(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
   if (a.index() != b.index()) return a.index() > b.index();
-  const Vector<Scalar, Dim> p = any_pair::anchor_of(a), q = any_pair::anchor_of(b);
+  const Vector<Scalar, Dim> p = anchor_of(a), q = anchor_of(b);
   return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
 }
 

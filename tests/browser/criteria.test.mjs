@@ -11,8 +11,9 @@ const button = (page, name) => page.getByRole("button", { name, exact: true });
 const table = (page) => page.locator(".cover-table");
 const column = (page, i) => table(page).locator("tbody tr").evaluateAll((rows, at) => rows.map((row) => row.children[at].textContent), i);
 
-/** Skips what is asked here, and measures. */
+/** Measures: what is asked before that is skipped. */
 async function measure(page) {
+  await button(page, "Measure").click();
   await until(page, (now) => now.asked);
   for (let i = 0; (await state(page)).asked && i < 3; ++i) {
     await button(page, "Skip").click();
@@ -48,6 +49,9 @@ test("seven small pictures; one drag turns all, a click chooses one", async (t) 
 test("the table is measured here, sorts by any column, and a slider loses none of it", async (t) => {
   const page = await visit(t, kLesson);
   await until(page, (now) => now.cover?.shown);
+  const { asked, section } = await state(page);
+  assert.deepEqual([asked, section], [null, 0], "seen first, then asked: it opens at its top, with no question");
+  assert.ok(await page.locator("#timeline").isHidden(), "the pictures have no steps");
   assert.ok(await table(page).isHidden(), "predict first");
   await measure(page);
   assert.equal((await column(page, 0)).length, kVolumes.length);

@@ -15,7 +15,7 @@ until_state "s.sliders[0].value === 100000 && $all === 100000"
 drawn=$(state 's.readout.drawn')
 
 last=
-until [[ $(handle Aim) == "$last" ]]; do last=$(handle Aim) && sleep 0.3; done # the view eases to the larger field
+until [[ $(handle Aim) == "$last" ]]; do last=$(handle Aim) && sleep 1; done # the view eases to the larger field
 read -r x y <<<"$last"
 xdotool mousemove --window "$window" "$x" "$y" sleep 0.5 mousedown 1 sleep 0.2
 for i in 1 2 3 4 5 6; do xdotool mousemove --window "$window" $((x + 10 * i)) $((y + 2 * i)) sleep 0.05; done

@@ -9,9 +9,9 @@ xdotool key Escape
 for question in 1 2 3; do xdotool key s; sleep 0.2; done
 xdotool key m
 for i in 1 2 3; do
-    (until_state 's.handles.length === 6') 2>/dev/null && break
+    (until_state '/on the front/.test(s.caption)') 2>/dev/null && break
 done
-until_state 's.handles.length === 6'
+until_state '/on the front/.test(s.caption) && s.handles.length === 6' # until then each round moves the times
 for name in snug-costs.csv snug-costs-2.csv snug-costs-3.csv; do
     xdotool key ctrl+s
     until_state "s.notice === 'Saved as $work/own/$name.'"

@@ -81,6 +81,7 @@ export class CoverTools {
   });
 
   update({ cover }) {
+    document.documentElement.classList.toggle("covered", Boolean(cover?.shown)); // the timeline is the stage's
     set_hidden(this.#section, !cover);
     this.#seen.update(cover?.table);
     set_hidden(this.#told, Boolean(cover?.table.sorts.length));

@@ -309,6 +309,7 @@ class Page {
   /** The conversation goes on where it stood: at an outcome that was not read to its end, or before the second try. */
   #resume({ told, tried }) {
     if (told) return this.#door.command(`review:${told}`);
+    if (tried && !this.#door.view().asked) this.#door.command("measure"); // which asks for the predictions first
     if (!tried || tried.question !== this.#door.view().asked?.id) return;
     if (tried.handle === null) tried.choices.forEach((choice) => this.#door.pick_choice(choice));
     else this.#door.pick_name(tried.handle);

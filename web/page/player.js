@@ -14,6 +14,7 @@ export class Player {
   #buttons;
   #place = element("p", { class: "label" });
   #play;
+  #step;
   #word = "step";
   #effects = element("span", { class: "row" });
   #switches = [];
@@ -29,7 +30,8 @@ export class Player {
       oninput: () => act(() => door.go(Number(this.#slider.value))) });
     this.#buttons = kButtons.map(([command, words]) =>
       element("button", { type: "button", class: command === "reset_view" ? "button of-stage" : "button", onclick: () => act(() => door.command(command)) }, words));
-    this.#play = this.#buttons[kButtons.findIndex(([command]) => command === "play")];
+    const button_of = (wanted) => this.#buttons[kButtons.findIndex(([command]) => command === wanted)];
+    this.#play = button_of("play"), this.#step = button_of("step");
     by_id("player").append(...this.#buttons, this.#effects, this.#place, this.#slider);
   }
 
@@ -48,7 +50,8 @@ export class Player {
     this.#switches[names.indexOf(held)]?.focus(); // an element each, in whatever order
   });
 
-  #show_step = when_changed((step, steps, word) => {
+  #show_step = when_changed((step, steps, word, previewing) => {
+    set_text(this.#step, previewing ? "From the start" : kWords[word].step);
     this.#slider.max = steps;
     this.#slider.value = step;
     const place = `${word} ${step} of ${steps}`;
@@ -57,7 +60,7 @@ export class Player {
   });
 
   update(view) {
-    this.#show_step(view.step, view.steps, this.#word);
+    this.#show_step(view.step, view.steps, this.#word, view.previewing);
     const effects = view.effects ?? [];
     this.#list_effects(...effects.map(({ effect }) => effect));
     for (const [i, { on, called, says }] of effects.entries()) {

@@ -25,6 +25,7 @@ export class Words {
   update({ proseFigures }) {
     this.#figures = proseFigures;
     for (const node of document.querySelectorAll("[data-figure]")) fill(node, proseFigures[node.dataset.figure]);
+    for (const node of document.querySelectorAll(".sentence")) this.#leave_out(node);
   }
 
   /** A paragraph's nodes. link(text, link): makes one. */
@@ -39,6 +40,26 @@ export class Words {
     });
   }
 
+  /** A sentence that tells a figure, while that has no value yet. */
+  #leave_out(sentence) {
+    const unknown = ({ dataset }) => this.#figures[dataset.figure]?.known === false;
+    sentence.hidden = [...sentence.querySelectorAll("[data-figure]")].some(unknown);
+  }
+
+  /** The nodes of stretches, each sentence that tells a figure as one. */
+  #in_sentences(stretches, nodes) {
+    const telling = new Set(stretches.filter(({ figure }) => figure).map(({ sentence }) => sentence));
+    const wholes = new Map();
+    return nodes.flatMap((node, i) => {
+      const { sentence } = stretches[i];
+      if (sentence === undefined || !telling.has(sentence)) return [node];
+      const whole = wholes.get(sentence);
+      if (whole) return whole.append(node), [];
+      wholes.set(sentence, element("span", { class: "sentence" }, node));
+      return [wholes.get(sentence)];
+    });
+  }
+
   /** A paragraph, a list or a table. */
   block({ kind, rows, right }, link) {
     const of = (cell) => this.of(cell, link);
@@ -46,7 +67,11 @@ export class Words {
       return element(kind === "bullets" ? "ul" : "ol", {}, ...rows.map(([item]) => element("li", {}, ...of(item))));
     if (kind === "table") return this.#table(rows, right, of);
     const [[stretches]] = rows;
-    if (stretches.length !== 1 || !stretches[0].tex) return element("p", {}, ...of(stretches));
+    if (stretches.length !== 1 || !stretches[0].tex) {
+      const paragraph = element("p", {}, ...this.#in_sentences(stretches, of(stretches)));
+      for (const node of paragraph.querySelectorAll(".sentence")) this.#leave_out(node);
+      return paragraph;
+    }
     const [{ text, tex }] = stretches; // without other words it is on its own line
     return element("p", { class: "display" }, this.#formula(tex, text, `$$${tex}$$`));
   }

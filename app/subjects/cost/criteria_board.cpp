@@ -19,6 +19,7 @@ using lesson::CriteriaSubject;
 using lesson::CriteriaTable;
 using lesson::CriteriaTableKind;
 
+constexpr const char* kPressMeasure = "Press Measure: first you predict, then it is measured.";
 constexpr Index kMostFitted = 5'000;  // points around which all volumes are fitted within a frame or two
 /// The length of a batch that any browser's clock can measure, and the longest runs that do not delay a frame, ns.
 constexpr double kShortestBatch = 10e6, kLongestBatch = 15e6, kLongestFit = 24e6, kLongestWatchedFit = 28e6;
@@ -75,8 +76,9 @@ CriteriaBoard::CriteriaBoard(const Platform& platform) {
 
 std::vector<SmallPicture> CriteriaBoard::pictures(const lesson::Session& session) const {
   const CriteriaSubject& subject = criteria(session);
-  const std::vector<int> ranks =
-      session.asked() == nullptr ? subject.ranks(lesson::Criterion::kTotal, subject.load_now()) : std::vector<int>{};
+  const std::vector<int> ranks = session.to_predict() == nullptr
+                                     ? subject.ranks(lesson::Criterion::kTotal, subject.load_now())
+                                     : std::vector<int>{};
   const int chosen = chosen_in(session);
   std::vector<SmallPicture> pictures;
   for (const lesson::FittedVolume& volume : subject.around().volumes) {
@@ -113,6 +115,7 @@ std::string CriteriaBoard::caption(const lesson::Session& session) const {
   if (running()) return "Measuring all volumes: test, looseness, build, update, bytes, false positives.";
   const int chosen = chosen_in(session);
   if (chosen < 0) return "Select a picture.";
+  if (session.to_predict() != nullptr && criteria(session).is_measured()) return kPressMeasure;
   return lesson::defence_text(criteria(session), chosen);
 }
 
@@ -188,7 +191,7 @@ bool CriteriaBoard::command(lesson::Session& session, std::string_view name) {
   if (name == "toggle_pictures") return show(!shown_), true;
   if (name == "measure") {
     if (running() || !clock_ || session.asked() != nullptr) return false;
-    return start(session), true;
+    return session.to_predict() != nullptr ? session.ask_predictions() : start(session), true;
   }
   if (name == "stop_measuring") {
     if (!running()) return false;
@@ -216,7 +219,7 @@ std::vector<CoverButton> CriteriaBoard::choices(const lesson::Session& session) 
   std::vector<CoverButton> buttons;
   for (std::size_t i = 0; i < kTableNames.size(); ++i)
     buttons.push_back({"show_" + std::string(kTableNames[i]), std::string(kTableWords[i]),
-                       i == static_cast<std::size_t>(kind_), session.asked() == nullptr});
+                       i == static_cast<std::size_t>(kind_), session.to_predict() == nullptr});
   return buttons;
 }
 
@@ -227,6 +230,7 @@ std::array<CoverButton, 2> CriteriaBoard::work_buttons(const lesson::Session& se
 
 std::string CriteriaBoard::status(const lesson::Session& session) const {
   if (session.asked() != nullptr) return "Answer the question first: the table would give the answer away.";
+  if (session.to_predict() != nullptr) return kPressMeasure;
   const std::string points = points_words(session.size());
   if (running()) return "Measuring, on " + points_words(measured_->size()) + ".";
   if (criteria(session).is_measured()) return "Measured here, on " + points + ".";
@@ -237,7 +241,7 @@ WordTable CriteriaBoard::table(const lesson::Session& session) const {
   const CriteriaSubject& subject = criteria(session);
   const auto kind = static_cast<std::size_t>(kind_);
   WordTable words{.head = {}, .rows = {}, .title = std::string(kTableTitles[kind])};
-  if (session.asked() != nullptr || !subject.is_measured()) return words;
+  if (session.to_predict() != nullptr || !subject.is_measured()) return words;
   const CriteriaTable table = lesson::criteria_table(subject, kind_);
   words.head = table.head;
   words.sorted = sorted_[kind];

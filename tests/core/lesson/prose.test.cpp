@@ -211,6 +211,27 @@ TEST_CASE("a figure without an algorithm is that of the inspector; with one, its
   CHECK(now(session, "count outside") == "1");
 }
 
+TEST_CASE("a sentence is left out while its figure has no value yet; a list and a table stay") {
+  Session session =
+      open(small_lesson_with(test::kSmallText, "One **term**. Now it is {radius}, no more. In the end {radius welzl}."
+                                               "\n\n- {radius} so far\n\n| now |\n|---|\n| {radius} |\n"));
+  const auto told = [&](const Block& block) {
+    ProseFigures figures(session);
+    const Paragraph& paragraph = block.rows.back().front();
+    std::string text;
+    for (const Stretch& one : paragraph)
+      if (figures.tells(paragraph, one)) text += one.figure ? figures.of(*one.figure).text : one.text;
+    return text;
+  };
+  const std::vector<Block>& blocks = session.lesson().sections.front().blocks;
+  REQUIRE(blocks.size() >= 3);
+  CHECK(told(blocks[0]) == "One term. In the end 2.050\u00a0units.");
+  CHECK(told(blocks[1]) == "… so far");
+  CHECK(told(blocks[2]) == "…");
+  session.jump(3);
+  CHECK(told(blocks[0]).starts_with("One term. Now it is 2.000\u00a0units, no more. In the end "));
+}
+
 TEST_CASE("a figure is hidden while a question asks for it, and results while they are to be predicted") {
   const std::string text = small_lesson_with("[[task]]", R"([[question]]
 id = "how-large"

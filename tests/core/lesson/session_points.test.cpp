@@ -1,3 +1,4 @@
+#include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 
@@ -211,4 +212,16 @@ TEST_CASE("rivals and the optimum follow the points") {
   CHECK(ball_of(optimum_of(session)->result).radius == doctest::Approx(2));
   REQUIRE(session.choose(0, "pivot").has_value());
   CHECK(optimum_of(session) == recording_of(session, 0));
+}
+
+TEST_CASE("a lesson that takes no points says just that, whatever stands on its stage") {
+  for (const char* id : {"obb-axes", "sphere-overlap", "frustum-2d", "bvh-build"}) {
+    CAPTURE(id);
+    Session session = test::session_of(id);
+    const auto loaded = session.load(tetrahedron(), "mine.ply");
+    REQUIRE_FALSE(loaded.has_value());
+    CHECK(loaded.error().what == "this lesson takes no point file, and scatters no points");
+    CHECK_FALSE(session.set_generator("cube", 9, 3, 1).has_value());
+    CHECK(session.is_own());
+  }
 }

@@ -69,7 +69,11 @@ TEST_CASE("the table is seen once the question is answered and all is measured, 
   CriteriaBoard board({.clock = ticking, .here = {.version = "9"}});
   lesson::Session session = opened_board();
   CHECK(board.shown());
-  CHECK_FALSE(board.command(session, "measure"));  // the question comes first
+  CHECK(session.asked() == nullptr);
+  REQUIRE(board.command(session, "measure"));  // the question comes first
+  CHECK_FALSE(board.running());
+  REQUIRE(session.asked() != nullptr);
+  CHECK_FALSE(board.command(session, "measure"));
   CHECK(board.table(session).rows.empty());
   REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 0}));
   CHECK(board.table(session).sorts.empty());
@@ -95,6 +99,7 @@ TEST_CASE("the table is seen once the question is answered and all is measured, 
 TEST_CASE("stopped, it has measured nothing; measured anew, all of it") {
   CriteriaBoard board({.clock = ticking, .here = {}});
   lesson::Session session = opened_board();
+  session.ask_predictions();
   session.skip();
   REQUIRE(board.command(session, "measure"));
   board.work(session, 0);
@@ -113,6 +118,7 @@ TEST_CASE("stopped, it has measured nothing; measured anew, all of it") {
 TEST_CASE("a column sorts its table, the least first, and once more restores the order; a row chooses its volume") {
   CriteriaBoard board({.clock = ticking, .here = {}});
   lesson::Session session = opened_board();
+  session.ask_predictions();
   session.skip();
   REQUIRE(board.command(session, "measure"));
   finish_board(board, session);

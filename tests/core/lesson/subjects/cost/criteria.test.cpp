@@ -184,6 +184,8 @@ TEST_CASE("the looseness of the pictures is that of the measurement, digit for d
 
 TEST_CASE("predictions wait for the measurement, and are judged by the situation's own load") {
   Session session = opened_criteria();
+  CHECK(session.asked() == nullptr);  // seen first, then asked
+  session.ask_predictions();
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->choices == std::vector<std::string>{"Sphere", "AABB", "14-DOP", "Hull"});
   const int wrong = 3;  // the hull's test is the exact test itself, and costs most
