@@ -6,7 +6,3 @@ endif()
 execute_process(COMMAND ${SNUG_EM_CONFIG} EMSCRIPTEN_ROOT
   OUTPUT_VARIABLE root OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 include(${root}/cmake/Modules/Platform/Emscripten.cmake)
-# What every browser with WebGL 2 has: without it each conversion to an integer is a call or a branch, and the program is larger.
-foreach(language C CXX)
-  string(APPEND CMAKE_${language}_FLAGS_INIT " -msign-ext -mnontrapping-fptoint -mbulk-memory")
-endforeach()
