@@ -69,9 +69,11 @@ Sphere<double, 3> Camera::framing(const Outline& outline) const {
   const double width = free_width(), height = free_height();
   const double free_x = free_of(width, outline.left, outline.right),
                free_y = free_of(height, outline.below, outline.above);
-  const double unit = (dim_ == 3 ? kNearer : 1) *
-                      std::max(2 * outline.half_width / free_x, 2 * outline.half_height / free_y);  // to a pixel
+  double unit = (dim_ == 3 ? kNearer : 1) *
+                std::max(2 * outline.half_width / free_x, 2 * outline.half_height / free_y);  // to a pixel
   const double fit = std::min(1.0, width / height);
+  // The camera stands farther away where the view is high: what is deep would have its near end look far too large.
+  if (dim_ == 3) unit = std::max(unit, 1.6 * outline.half_depth / height);
   return {outline.center + right_ * (moved(width, free_x, outline.left, outline.right) * unit) +
               up_ * (moved(height, free_y, outline.below, outline.above) * unit),
           unit * fit * height / 2};
@@ -84,7 +86,8 @@ Outline outline_within(const Camera& camera, const std::function<std::array<doub
   return {.center = camera.right() * ((left + right) / 2) + camera.up() * ((low + high) / 2) +
                     camera.forward() * ((near + far) / 2),
           .half_width = (right - left) / 2,
-          .half_height = (high - low) / 2};
+          .half_height = (high - low) / 2,
+          .half_depth = (far - near) / 2};
 }
 
 double Camera::share_of_room(const Sphere<double, 3>& ball) const {

@@ -17,11 +17,11 @@ struct ScreenPoint {
   bool visible = true;  // in front of the camera
 };
 
-/// What a view has to show, as it is seen from where the camera stands: half of its width and of its height around a
+/// What a view has to show, as it is seen from where the camera stands: half of its width, height and depth around a
 /// place, scene units, and the pixels that are needed beside it.
 struct Outline {
   Vector<double, 3> center = Vector<double, 3>::Zero();
-  double half_width = 0, half_height = 0;
+  double half_width = 0, half_height = 0, half_depth = 0;
   float left = 0, right = 0, below = 0, above = 0;
 };
 

@@ -88,9 +88,17 @@ void Stage::open_anew(const lesson::Session& session, SubjectView& view) {
 }
 
 void Stage::reset_view(const lesson::Session& session) {
-  framed_ball_ = aimed_at(session);
+  if (session.lesson().view.camera) {  // as it will be seen from there
+    const Camera now = camera_;
+    camera_.turn_home();
+    camera_.frame(framed_ball_, true);
+    framed_ball_ = aimed_at(session);
+    camera_ = now;
+    camera_.turn_home();
+  } else {
+    framed_ball_ = aimed_at(session);
+  }
   camera_.frame(framed_ball_, false);
-  if (session.lesson().view.camera) camera_.turn_home();
 }
 
 /// What the view is framed by: everything, unless the lesson's file says otherwise.

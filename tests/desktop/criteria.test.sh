@@ -4,7 +4,7 @@ opened='s.caption.length > 0' open_window --lesson which-volume
 [[ $(state 's.handles.length') == 7 ]] || fail "it shows $(state 's.handles.length') small pictures"
 [[ $(state 's.asked') == null ]] || fail "it asks before anything was seen"
 xdotool key m # asks for the prediction first
-until_state '/^Predict/.test(s.caption) && s.asked'
+until_state '/^Predict/.test(s.caption) && s.asked !== null'
 xdotool key m
 sleep 0.3
 [[ $(state 's.caption') == Predict* ]] || fail "it measured before the prediction: $(state 's.caption')"

@@ -1,8 +1,12 @@
 #include "app/subjects/cloud/view.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include "app/marks.hpp"
+#include "app/polytope.hpp"
 #include "app/subjects/cloud/call_panel.hpp"
 #include "app/subjects/cloud/call_tree_view.hpp"
 #include "app/subjects/cloud/census_panel.hpp"
@@ -31,12 +35,39 @@ std::string_view button_for(const lesson::Session& session) {
   return "Reference";
 }
 
+bool leaves_points_outside(const lesson::Session& session) {
+  const fit::Recording* run = lesson::recording_of(session, 0);
+  return run != nullptr && !run->certificate.contains;
+}
+
 /// Widened to the points that a naive run leaves outside its volume.
 fit::Sphere3 with_left_outside(fit::Sphere3 all, const lesson::Session& session) {
-  const fit::Recording* run = lesson::recording_of(session, 0);
-  if (run == nullptr || run->certificate.contains) return all;
+  if (!leaves_points_outside(session)) return all;
   for (Index i = 0; i < session.size(); ++i) all.radius = std::max(all.radius, (session.point(i) - all.center).norm());
   return all;
+}
+
+/// The results and what the step shows; none if one of them is a sphere.
+std::vector<const fit::Volume3*> volumes_at_stake(const lesson::Session& session, const CloudShown& shown) {
+  std::vector<const fit::Volume3*> volumes;
+  for (const int slot : {0, 1})
+    if (session.method(slot) != nullptr) volumes.push_back(session.run(slot).volume(session.run(slot).steps()));
+  for (const auto* one : {&shown.volume, &shown.rival, &shown.optimum})
+    if (*one) volumes.push_back(&**one);
+  const auto is_round = [](const fit::Volume3* one) {
+    return one == nullptr || std::holds_alternative<fit::Sphere3>(*one);
+  };
+  return std::any_of(volumes.begin(), volumes.end(), is_round) ? std::vector<const fit::Volume3*>() : volumes;
+}
+
+/// How far the volumes, points outside and what is set by hand reach along a direction.
+double reach_of_all(const lesson::Session& session, std::span<const fit::Volume3* const> volumes, const Point3& way) {
+  if (session.dim() == 2 && way.head<2>().isZero()) return 0;  // the plane has no depth
+  double most = -std::numeric_limits<double>::infinity();
+  for (const fit::Volume3* one : volumes) most = std::max(most, way.dot(farthest_in(*one, way, session.dim())));
+  for (Index i = leaves_points_outside(session) ? 0 : lesson::count_of(session.subject()); i < session.size(); ++i)
+    if (shows_handle(session, i)) most = std::max(most, way.dot(session.point(i)));
+  return most;
 }
 
 class CloudView final : public SubjectView {
@@ -72,6 +103,14 @@ class CloudView final : public SubjectView {
     all.center += Point3(kAsideOfTree, kBelowTree, 0) * all.radius;
     all.radius *= kRoomForTree;
     return all;
+  }
+  /// Not of spheres, which look alike from everywhere, nor beside the tree of calls.
+  [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
+    const std::vector<const fit::Volume3*> volumes = volumes_at_stake(session, shown_);
+    if (volumes.empty() || shows_calls(session)) return std::nullopt;
+    return outline_within(camera, [&](const Point3& way) {
+      return std::array{-reach_of_all(session, volumes, -way), reach_of_all(session, volumes, way)};
+    });
   }
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override { return shows_handle(session, i); }
   [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {

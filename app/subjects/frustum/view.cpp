@@ -8,6 +8,8 @@
 namespace snug::app {
 namespace {
 
+constexpr double kAboutBox = 1.2;  // how much of the scene around a box is seen while one of its vertices is to be tapped
+
 class FrustumView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool) override { shown_ = frustum_shown_at(session); }
@@ -23,6 +25,8 @@ class FrustumView final : public SubjectView {
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
     const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
+    const lesson::Asked* asked = session.asked();
+    if (asked != nullptr && asked->on_stage && session.dim() == 3) return {ball(0).center, kAboutBox * ball(0).radius};
     return ball_around(ball_around({lesson::camera_of(pair).position, 0}, ball(1)), ball(0));
   }
   /// A centre has its box's name and a knob its arc; the frustum's vertices need no names.
