@@ -206,10 +206,18 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   rows.push_back({"Tab  Shift Tab", "the next or the previous button, link or field; Enter presses it"});
   rows.push_back({"F2", "the course, and back to the lesson; / searches it"});
   rows.push_back({"F5", "present: N and P go to the next and previous lesson, T shows its text, Esc ends it"});
-  const float width = std::min(look.px(620), window.width - 32);
+  const float keys = 28 + look.px(140);
+  float widest = 0;
+  for (const app::KeyHelp& help : rows) widest = std::max(widest, app::measure(look, Face::kRegular, 14, help.does).x);
+  const float width = std::min(std::max(look.px(620), keys + widest + 28), window.width - 32);
+  const auto lines_of = [&](const app::KeyHelp& help) {
+    return app::lines_of(look, Face::kRegular, 14, help.does, width - keys - 28);
+  };
+  std::size_t lines = 0;
+  for (const app::KeyHelp& help : rows) lines += lines_of(help).size();
   const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) /
-                                              static_cast<float>(rows.size()));  // all of it, even in a low window
-  const float height = row * static_cast<float>(rows.size()) + look.px(84);
+                                              static_cast<float>(lines));  // all of it, even in a low window
+  const float height = row * static_cast<float>(lines) + look.px(84);
   const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
                        width, height};
   const app::Pane pane("##keys", window, app::Pane::Kind::kOver);
@@ -223,9 +231,11 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   for (const app::KeyHelp& help : rows) {
     app::text(list, look, Face::kMonoBold, 13, {card.x + 28, app::middle_of(y + row / 2, look.px(13))},
               look->current_text, help.keys);
-    app::text(list, look, Face::kRegular, 14, {card.x + 28 + look.px(140), app::middle_of(y + row / 2, look.px(14))},
-              look->ink, help.does);
-    y += row;
+    for (const auto& line : lines_of(help)) {
+      app::text(list, look, Face::kRegular, 14, {card.x + keys, app::middle_of(y + row / 2, look.px(14))}, look->ink,
+                line);
+      y += row;
+    }
   }
   if (app::touch_area("keys away", window, lesson::kDismissWord).clicked) shell.keys_shown = false;
 }
