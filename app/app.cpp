@@ -200,6 +200,7 @@ bool App::State::go_on(std::string_view name) {
     if (session->lesson().subject->asks_of_steps) session->first();
     return true;
   }
+  if (name == "practise") return session->practise();
   if (name == "close_summary" || ((name == "continue" || name == "commit_answer") && session->at_summary()))
     return session->at_summary() && (session->close_summary(), true);
   if (name == "show_answer") return session->show_answer();

@@ -317,6 +317,8 @@ std::string draw_summary(Shell& shell, Column& column) {
       session.tasks_done() ? "✓ " + std::string(lesson::kTaskWord) : std::string(lesson::kToTaskWord);
   std::vector<RowButton> row{{"close_summary", lesson::kCloseWord, ButtonKind::kQuiet},
                              {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
+  if (session.can_practise()) row.push_back({"practise", lesson::kPractiseWord, ButtonKind::kQuiet});
+  const std::size_t back = row.size();
   if (grade) row.push_back({"task", task});
   const auto next = waiting.empty() ? ButtonKind::kPrimary : ButtonKind::kOutlined;
   if (shell.beside(1)) row.push_back({"next", lesson::kNextLessonWord, next});
@@ -324,7 +326,7 @@ std::string draw_summary(Shell& shell, Column& column) {
   if (!waiting.empty()) row.push_back({waiting.front().command.c_str(), go_on, ButtonKind::kPrimary});
   // What leads on stands apart where a row has no room for all of them.
   const std::span<const RowButton> all = row;
-  const std::size_t apart = column.width() < look.px(420) || !waiting.empty() ? 2 : 0;
+  const std::size_t apart = column.width() < look.px(420) || !waiting.empty() ? back : 0;
   if (apart > 0) {
     if (const int clicked = draw_row(column, {}, 0, all.first(apart)); clicked >= 0) command = all[clicked].id;
     column.gap(8);

@@ -70,6 +70,7 @@ val outcome_object(const lesson::Outcome& outcome, lesson::ProseFigures& figures
   object.set("kind", text(kind_of(&outcome)));
   object.set("tries", outcome.tries);
   object.set("question", outcome.question);
+  object.set("on", static_cast<double>(outcome.on));
   object.set("fromStep", outcome.from_step);
   object.set("step", outcome.step);
   object.set("right", outcome.right);
@@ -156,6 +157,7 @@ void set_answers(val& object, const lesson::Session& session) {
   object.set("waiting", array_of(session.waiting(), [&](const lesson::Method* method) {
                return text(lesson::name_in(session.lesson(), *method));
              }));
+  object.set("canPractise", session.can_practise());
   object.set("situationsWaiting", array_of(session.situations_waiting(), text));
   object.set("outcomes", array_of(session.outcomes(),
                                   [&](const lesson::Outcome& outcome) { return outcome_object(outcome, figures); }));

@@ -105,6 +105,7 @@ val words_object() {
   object.set("prediction", text(lesson::kPredictionWord));
   object.set("watch", text(lesson::kWatchWord));
   object.set("again", text(lesson::kPredictAgainWord));
+  object.set("practise", text(lesson::kPractiseWord));
   object.set("task", text(lesson::kTaskWord));
   object.set("hint", text(lesson::kHintWord));
   object.set("go_on", text(lesson::kContinueWord));

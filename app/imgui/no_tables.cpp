@@ -1,5 +1,5 @@
-// In the place of Dear ImGui's imgui_tables.cpp: Snug lays out its tables itself, and without those of ImGui the page is
-// 11 kB smaller on the wire. What the rest of ImGui calls of them, for a table that is never begun, does nothing.
+// In the place of Dear ImGui's imgui_tables.cpp: Snug lays out its tables itself, and without those of ImGui the page
+// is 11 kB smaller on the wire. What the rest of ImGui calls of them, for a table that is never begun, does nothing.
 #include <imgui.h>
 #include <imgui_internal.h>
 

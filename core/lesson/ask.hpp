@@ -2,6 +2,7 @@
 // What can be asked of a fact is in its entry (facts.hpp).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -92,6 +93,7 @@ struct AskingOf {
 /// What happened, and what was predicted.
 struct Outcome {
   std::string question;  // its id
+  std::uint64_t on = 0;  // what it was asked on (Session::instance)
   Answer given;
   int from_step = 0;  // where it was asked, and
   int step = 0;       // where it was decided: the steps in between show how

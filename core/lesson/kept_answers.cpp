@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kKinds{"point", "choice", "skipped", "points", "order", "number"};
 constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+constexpr std::int64_t kMostSeed = std::int64_t{1} << 53;  // what a page's numbers can hold
 
 /// The text as a basic string of TOML.
 std::string toml_string(std::string_view text) {
@@ -56,6 +57,7 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "[[answer]]", complaints);
   Outcome outcome;
   outcome.question = table.text("question");
+  outcome.on = static_cast<std::uint64_t>(table.integer_or("on", 0, kMostSeed, 0));
   const std::string kind = table.text("kind");
   for (std::size_t i = 0; i < kKinds.size(); ++i)
     if (kKinds[i] == kind) outcome.given.kind = static_cast<Answer::Kind>(i);
@@ -100,6 +102,7 @@ std::string kept_text(const KeptAnswers& answers) {
   for (const Outcome& outcome : answers.outcomes) {
     out += "[[answer]]\n";
     add_text(out, "question", outcome.question);
+    if (outcome.on != 0) ((out += "on = ") += std::to_string(outcome.on)) += '\n';
     add_text(out, "kind", kKinds[static_cast<std::size_t>(outcome.given.kind)]);
     add_number(out, "value", outcome.given.value);
     add_list(out, "list", outcome.given.list);

@@ -127,7 +127,7 @@ void Place::take_answers(Session& session) const {
     if (asked == nullptr) outcomes.push_back(outcome);  // it may be one of another algorithm
     if (asked == nullptr || !answers(*asked, outcome.given)) continue;
     Outcome& again = outcomes.emplace_back(judge(*asked, outcome.given, session.run(0)));
-    again.tries = outcome.tries, again.passed = outcome.passed;
+    again.on = outcome.on, again.tries = outcome.tries, again.passed = outcome.passed;
   }
   session.take_up_answers(std::move(outcomes));
 }

@@ -194,6 +194,14 @@ class Session {
   [[nodiscard]] const Asked* to_predict() const;
   /// Asks those of the situation on the stage, where they wait until measuring is wanted.
   void ask_predictions();
+  /// What questions are asked on now: the seed of the points to practise on; 0: the lesson's own, whose answers hold
+  /// wherever else the stage is changed by hand.
+  [[nodiscard]] std::uint64_t instance() const;
+  /// Whether something is asked of this run that holds on any points.
+  [[nodiscard]] bool can_practise() const;
+  /// Scatters to the next points that raise a question, and asks of them whatever was answered on others, from the
+  /// first step on. The answers given so far are kept. Returns false if none of the next hundred do.
+  bool practise();
   /// Every question of this run in the timeline's order, without those whose step the run does not have.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
   /// Gives a final answer and goes to the step that decides it, so that prediction and result can be compared. Returns
@@ -252,13 +260,13 @@ class Session {
   [[nodiscard]] const Outcome* outcome_of(const Asked& asked) const;
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
   /// The state of this run's questions, counted.
-  [[nodiscard]] Tally tally() const { return tally_of(asked_, outcomes_); }
+  [[nodiscard]] Tally tally() const;
   /// The score of the predictions (score_text), once the run is finished; otherwise empty.
   [[nodiscard]] std::string score() const;
   /// The lesson's other methods that still have open questions; none if the subject was edited, because then the
   /// questions may not come.
   [[nodiscard]] std::vector<const Method*> waiting() const;
-  /// Whether a question was neither answered nor skipped; one that a jump passed is open.
+  /// Whether a question was neither answered nor skipped on what it is asked on now; one that a jump passed is open.
   [[nodiscard]] bool is_open(const Question& question) const;
   /// Whether the summary is shown: the run is finished, each question done and its outcome read. It can be closed.
   [[nodiscard]] bool at_summary() const;
@@ -363,6 +371,7 @@ class Session {
   [[nodiscard]] bool waits() const;
   [[nodiscard]] const Asked* standing() const;
   [[nodiscard]] const Asked* open_at(int step) const;
+  [[nodiscard]] const Outcome* outcome_of(const std::string& question) const;
   bool give(const Answer& answer, bool for_good);
   bool pick_one_more(const Asked& question, const Answer& chosen);
   bool pick_number(const Asked& question, std::string_view typed);
@@ -390,7 +399,8 @@ class Session {
   mutable std::optional<std::uint64_t> hash_;
   int step_ = 0;
   bool previewing_ = false;
-  bool predicts_ = false;  // whether to_predict() is asked
+  bool predicts_ = false;       // whether to_predict() is asked
+  std::uint64_t practice_ = 0;  // the seed that was scattered to practise; 0 for none
   std::vector<Mark> marks_;
   std::vector<Asked> asked_;
   std::vector<std::string> moved_;

@@ -80,6 +80,7 @@ void Session::jump(int step) {
     if (asked.step == Asked::kAnytime || asked.step < from || asked.step >= to || !is_open(*asked.question)) continue;
     Outcome& outcome = outcome_for(asked.question->id);
     outcome = judge(asked, {}, run(0));
+    outcome.on = instance();
     outcome.passed = true;
   }
   stand(to);

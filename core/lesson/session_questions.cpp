@@ -1,6 +1,7 @@
 // A session's questions and the given answers.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 
 #include "io/text.hpp"
@@ -11,10 +12,53 @@
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
+const Outcome* Session::outcome_of(const std::string& question) const {
+  const std::uint64_t on = instance();
+  const auto found = std::find_if(outcomes_.begin(), outcomes_.end(),
+                                  [&](const Outcome& one) { return one.question == question && one.on == on; });
+  return found == outcomes_.end() ? nullptr : &*found;
+}
+
 bool Session::is_open(const Question& question) const {
-  for (const Outcome& outcome : outcomes_)
-    if (outcome.question == question.id) return outcome.passed;
-  return true;
+  const Outcome* outcome = outcome_of(question.id);
+  return outcome == nullptr || outcome->passed;
+}
+
+std::uint64_t Session::instance() const {
+  if (edited() || seed() == own().origin().seed) return 0;
+  const bool practised = practice_ == seed() || std::any_of(outcomes_.begin(), outcomes_.end(),
+                                                            [&](const Outcome& one) { return one.on == seed(); });
+  return practised ? seed() : 0;
+}
+
+bool Session::can_practise() const {
+  return lesson_->subject->asks_of_steps && !asked_.empty() &&
+         std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
+           return question.holds == Holds::kAlways && question.situation == situation() &&
+                  question.gate.algorithm == name_in(*lesson_, *method(0));
+         });
+}
+
+bool Session::practise() {
+  constexpr std::uint64_t kMostTried = 100;
+  const std::uint64_t first = seed() + 1;
+  for (std::uint64_t next = first; can_practise() && next < first + kMostTried; ++next) {
+    scatter(next);
+    if (asked_.empty() || seed() != next) continue;
+    practice_ = next;
+    summary_closed_ = false;
+    stand(0);
+    run_changed(false);
+    return true;
+  }
+  return false;
+}
+
+Tally Session::tally() const {
+  std::vector<Outcome> here;
+  std::copy_if(outcomes_.begin(), outcomes_.end(), std::back_inserter(here),
+               [on = instance()](const Outcome& one) { return one.on == on; });
+  return tally_of(asked_, here);
 }
 
 const Asked* Session::asked() const { return deciding_ || outcome() != nullptr ? nullptr : standing(); }
@@ -38,8 +82,7 @@ void Session::ask_predictions() {
 }
 
 Outcome& Session::outcome_for(const std::string& id) {
-  for (Outcome& outcome : outcomes_)
-    if (outcome.question == id) return outcome;
+  if (const Outcome* own = outcome_of(id)) return outcomes_[own - outcomes_.data()];
   return outcomes_.emplace_back();
 }
 
@@ -250,6 +293,7 @@ bool Session::give(const Answer& answer, bool for_good) {
   const Asked* question = asked();
   if (question == nullptr || !answers(*question, answer)) return false;
   Outcome judged = judge(*question, answer, run(0));
+  judged.on = instance();
   const bool second = tried() != nullptr;
   if (standing_of(&judged) == Standing::kWrong && !for_good && !second && has_second_try(*question)) {
     tried_ = Tried{question->question->id, answer};
@@ -331,16 +375,13 @@ bool Session::review(std::string_view question) {
 }
 
 const Asked* Session::question_of(const Outcome& outcome) const {
+  if (outcome.on != instance()) return nullptr;
   for (const Asked& asked : asked_)
     if (asked.question->id == outcome.question) return &asked;
   return nullptr;
 }
 
-const Outcome* Session::outcome_of(const Asked& asked) const {
-  for (const Outcome& outcome : outcomes_)
-    if (outcome.question == asked.question->id) return &outcome;
-  return nullptr;
-}
+const Outcome* Session::outcome_of(const Asked& asked) const { return outcome_of(asked.question->id); }
 
 bool Session::can_show_answer() const {
   const Outcome* told = outcome();
@@ -367,7 +408,7 @@ void Session::informed() {
   forget_grades();
   for (const Asked& asked : asked_)
     for (Outcome& outcome : outcomes_)
-      if (asked.step == Asked::kAnytime && outcome.question == asked.question->id)
+      if (asked.step == Asked::kAnytime && outcome.question == asked.question->id && outcome.on == instance())
         outcome = judge(asked, outcome.given, run(0));
   ++revision_;
 }

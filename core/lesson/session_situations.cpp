@@ -130,7 +130,11 @@ Done Session::set_sliders(std::vector<double> values) {
 std::vector<std::string> Session::situations_waiting() const {
   std::vector<std::string> waiting;
   for (const std::string_view name : situation_names(*lesson_)) {
-    const auto waits = [&](const Question& question) { return question.situation == name && is_open(question); };
+    const auto waits = [&](const Question& question) {
+      return question.situation == name && std::none_of(outcomes_.begin(), outcomes_.end(), [&](const Outcome& one) {
+               return one.question == question.id && !one.passed;  // on whatever points
+             });
+    };
     if (name != situation() && std::any_of(lesson_->questions.begin(), lesson_->questions.end(), waits))
       waiting.emplace_back(name);
   }

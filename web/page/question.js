@@ -201,7 +201,7 @@ export class QuestionCard {
   }
 
   /** The card at the lesson's end: each prediction leads back to its reason. */
-  #summary_card({ score, predictions, lesson, grade, tasksDone, waiting, situationsWaiting }) {
+  #summary_card({ score, predictions, lesson, grade, tasksDone, waiting, situationsWaiting, canPractise }) {
     // While questions wait, the main button leads to them, and not to the next lesson.
     const [first, ...others] = [...waiting.map((name) => [this.#title_of(name), () => this.#ask(name)]),
       ...situationsWaiting.map((name) => [this.#door.lesson().situations.find((one) => one.name === name).title, () => this.#act(() => this.#door.show_situation(name))])];
@@ -213,7 +213,7 @@ export class QuestionCard {
       element("div", { class: "head" }, kicker(this.#words.summary), quiet(this.#words.close, () => this.#do("close_summary"))),
       element("p", { class: "prompt" }, score), element("ol", { class: "lines-of" }, ...lines),
       ...(others.length > 0 ? [element("div", { class: "commit waiting" }, element("span", {}, this.#words.waiting), ...others.map(([title, go]) => button(title, go)))] : []),
-      row(quiet(this.#words.again, () => this.#do("predict_again")), element("span", { class: "gap" }),
+      row(quiet(this.#words.again, () => this.#do("predict_again")), ...(canPractise ? [quiet(this.#words.practise, () => this.#do("practise"))] : []), element("span", { class: "gap" }),
         ...(grade && this.#after.show_task ? [button(tasksDone ? `${kMarks.right} ${this.#words.task}` : this.#words.to_task, this.#after.show_task, { class: "button to-task" })] : []),
         ...(next ? [element("a", { class: first ? "button" : "button primary", href: `?lesson=${encodeURIComponent(next.id)}`, ...(first ? {} : { "data-first": true }), title: next.title,
           onclick: followed_here(() => this.#after.go(next.id)) }, this.#words.next_lesson)] : []),

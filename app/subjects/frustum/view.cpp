@@ -8,7 +8,8 @@
 namespace snug::app {
 namespace {
 
-constexpr double kAboutBox = 1.2;  // how much of the scene around a box is seen while one of its vertices is to be tapped
+constexpr double kAboutBox =
+    1.2;  // how much of the scene around a box is seen while one of its vertices is to be tapped
 
 class FrustumView final : public SubjectView {
  public:
