@@ -30,7 +30,7 @@ static void remember() { door().shared.remember(*session()); }
 
 bool command(const std::string& name) {
   if (!session() || !door().app->command(name)) return false;
-  if (name == "scatter" || name == "reset_points") remember();
+  if (name == "scatter" || name == "practise" || name == "reset_points") remember();
   return true;
 }
 

@@ -13,7 +13,7 @@ namespace snug::lesson {
 // Headings and buttons.
 inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answer", kSkipWord = "Skip",
                                   kPredictionWord = "Your prediction", kWatchWord = "Watch how",
-                                  kPredictAgainWord = "Predict again", kPractiseWord = "On other points",
+                                  kPredictAgainWord = "Predict again", kPractiseWord = "On another example",
                                   kTaskWord = "Your turn", kHintWord = "Hint", kDismissWord = "Dismiss",
                                   kAlgorithmWord = "Algorithm", kCompareWord = "Compare with", kNoneWord = "(none)",
                                   kComparedWord = "Final result, compared", kContinueWord = "Continue",

@@ -199,8 +199,8 @@ class Session {
   [[nodiscard]] std::uint64_t instance() const;
   /// Whether something is asked of this run that holds on any points.
   [[nodiscard]] bool can_practise() const;
-  /// Scatters to the next points that raise a question, and asks of them whatever was answered on others, from the
-  /// first step on. The answers given so far are kept. Returns false if none of the next hundred do.
+  /// Scatters to the next seed that raises a question, and asks there whatever was answered elsewhere, from the first
+  /// step on. The answers given so far are kept. Returns false if none of the next hundred does.
   bool practise();
   /// Every question of this run in the timeline's order, without those whose step the run does not have.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }

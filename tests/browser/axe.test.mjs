@@ -48,6 +48,10 @@ async function play(page, name, seen, look) {
   const phone = page.viewportSize().width < kWide.viewport.width;
   let questions = 0;
   let now = await state(page);
+  if (now.cover && !now.asked) { // it asks once measuring is wanted
+    await page.keyboard.press("m");
+    now = await until(page, (it) => it.asked);
+  }
   for (let presses = 0; presses < 400 && (now.asked || now.outcome || now.step < now.steps); ++presses) {
     const { asked } = now;
     await page.evaluate(() => document.activeElement.blur());

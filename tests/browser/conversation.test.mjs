@@ -255,3 +255,31 @@ test("once an edit is undone, the summary names the algorithms that have questio
   await others.first().waitFor();
   assert.equal(await others.count(), own.waiting.length + own.situationsWaiting.length);
 });
+
+test("on another example all is asked again, and the answers given before are kept, over a reload too", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  let now = await state(page);
+  for (let presses = 0; presses < 60 && !now.summary; ++presses) {
+    await page.evaluate(() => document.activeElement.blur());
+    if (now.outcome) await go_on(page);
+    else await page.keyboard.press(now.asked ? "s" : "End");
+    now = await moved(page, now);
+  }
+  const before = now.outcomes.length;
+  assert.ok(before > 2 && now.canPractise);
+  await page.getByRole("button", { name: "On another example" }).click();
+  const other = await until(page, (it) => !it.summary && it.step === 0);
+  assert.notEqual(other.seed, now.seed);
+  assert.equal(other.outcomes.length, before);
+  assert.equal(other.tally.open, other.questions);
+  await page.keyboard.press("End");
+  const { asked } = await until(page, (it) => it.asked);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("s");
+  const answered = await until(page, (it, count) => it.outcomes.length > count, before);
+  assert.deepEqual([answered.outcomes.at(-1).question, answered.outcomes.at(-1).on], [asked.id, other.seed]);
+  await page.waitForURL((url) => url.searchParams.get("seed") === String(other.seed)); // it is written a little later
+  await page.reload();
+  const again = await until(page, (it, seed) => it.seed === seed && it.outcomes.length > 0 && it.step > 0, other.seed);
+  assert.deepEqual([again.outcomes.length, again.tally.skipped, again.edited], [before + 1, 1, false]);
+});
