@@ -273,17 +273,6 @@ void StageGl::abandon() {
   point_count_ = 0;
 }
 
-void StageGl::destroy() {
-  for (const GLuint program : programs_)
-    if (program != 0) glDeleteProgram(program);
-  for (const Shape* shape : {&lines_, &sphere_, &mesh_, &points_, &marks_}) {
-    glDeleteVertexArrays(1, &shape->array);
-    glDeleteBuffers(1, &shape->vertices);
-    glDeleteBuffers(1, &shape->indices);
-  }
-  abandon();
-}
-
 void StageGl::make_shapes() {
   for (Shape* shape : {&lines_, &sphere_, &mesh_, &points_, &marks_}) {
     glGenVertexArrays(1, &shape->array);

@@ -68,7 +68,6 @@ class StageGl {
   bool create(const char* glsl_version);
   /// Forgets every object without freeing it, because the context is gone.
   void abandon();
-  void destroy();
   [[nodiscard]] bool ready() const { return programs_[0] != 0; }
   [[nodiscard]] const std::string& error() const { return error_; }
 

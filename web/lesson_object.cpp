@@ -99,7 +99,6 @@ val lesson_object(const lesson::Session& session) {
 
 val words_object() {
   val object = val::object();
-  object.set("predict", text(lesson::kPredictWord));
   object.set("answer", text(lesson::kAnswerWord));
   object.set("skip", text(lesson::kSkipWord));
   object.set("prediction", text(lesson::kPredictionWord));

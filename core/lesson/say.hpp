@@ -11,13 +11,13 @@
 namespace snug::lesson {
 
 // Headings and buttons.
-inline constexpr std::string_view kPredictWord = "Predict", kAnswerWord = "Answer", kSkipWord = "Skip",
-                                  kPredictionWord = "Your prediction", kWatchWord = "Watch how",
-                                  kPredictAgainWord = "Predict again", kPractiseWord = "On another example",
-                                  kTaskWord = "Your turn", kHintWord = "Hint", kDismissWord = "Dismiss",
-                                  kAlgorithmWord = "Algorithm", kCompareWord = "Compare with", kNoneWord = "(none)",
-                                  kComparedWord = "Final result, compared", kContinueWord = "Continue",
-                                  kShowMeWord = "Show me", kSummaryWord = "Your predictions", kGoOnWord = "Go on with",
+inline constexpr std::string_view kAnswerWord = "Answer", kSkipWord = "Skip", kPredictionWord = "Your prediction",
+                                  kWatchWord = "Watch how", kPredictAgainWord = "Predict again",
+                                  kPractiseWord = "On another example", kTaskWord = "Your turn", kHintWord = "Hint",
+                                  kDismissWord = "Dismiss", kAlgorithmWord = "Algorithm", kCompareWord = "Compare with",
+                                  kNoneWord = "(none)", kComparedWord = "Final result, compared",
+                                  kContinueWord = "Continue", kShowMeWord = "Show me",
+                                  kSummaryWord = "Your predictions", kGoOnWord = "Go on with",
                                   kWaitingWord = "More questions wait under", kNextLessonWord = "Next lesson",
                                   kToTaskWord = "To the task", kCloseWord = "Close";
 

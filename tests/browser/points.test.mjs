@@ -221,3 +221,19 @@ test("an address whose points would take minutes is refused with how many can be
   await page.getByText(/would take about .* for 99,999 such points; up to about [\d,]+ take less than ten seconds here/).waitFor();
   assert.ok((await state(page)).size < 1000);
 });
+
+test("many points are said to be worked on, over the page, before they are", async (t) => {
+  const page = await visit(t, "?lesson=sphere-ritter&step=0");
+  await to_points(page);
+  await page.evaluate(() => {
+    window.said = [];
+    const veil = document.getElementById("veil");
+    new MutationObserver(() => window.said.push(document.getElementById("veil-text").textContent)).observe(veil, { attributes: true, childList: true, subtree: true });
+  });
+  await page.getByRole("combobox", { name: "Set" }).selectOption({ label: "Cube" });
+  await page.getByRole("spinbutton", { name: "How many" }).fill("3000");
+  await page.getByRole("button", { name: "Scatter" }).click();
+  await until(page, (now) => now.source === "cube" && now.size === 3000);
+  assert.ok((await page.evaluate(() => window.said)).includes("Working on 3,000 points"));
+  await page.locator("#veil").waitFor({ state: "hidden" });
+});

@@ -13,7 +13,7 @@ import { Kept } from "./kept.js";
 import { listen_to_keys } from "./keys.js";
 import { name_layout } from "./layout.js";
 import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
-import { clear_notices, notice, notice_all, veil } from "./messages.js";
+import { at_work, clear_notices, notice, notice_all, veil } from "./messages.js";
 import { NumberTools } from "./numbers.js";
 import { PanelWords } from "./panel_words.js";
 import { Player } from "./player.js";
@@ -331,7 +331,10 @@ class Page {
   async #restore_source(from, seed) {
     const [name, count] = from.split(":");
     if (name === "task") return this.#restore_task(Number(count ?? 1));
-    if (count) return this.#door.set_generator(name, Number(count), seed);
+    if (count) {
+      await at_work(Number(count));
+      return this.#door.set_generator(name, Number(count), seed);
+    }
     if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
     return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” could not be loaded`);
   }

@@ -31,6 +31,20 @@ export const veil = {
   },
 };
 
+const kMany = 2_000; // points: fewer are at once on the stage
+
+/** Says over the page that so many points are worked on, which takes a while, and paints that before they are. Returns
+ *  whether it said so: then the veil is to be lifted. */
+export async function at_work(points) {
+  if (!(points >= kMany)) return false;
+  show_veil(`Working on ${points.toLocaleString("en")} points`);
+  await new Promise((painted) => {
+    requestAnimationFrame(() => setTimeout(painted));
+    setTimeout(painted, 100); // a page in the background paints nothing
+  });
+  return true;
+}
+
 function show_veil(text) {
   set_hidden(by_id("veil"), false);
   by_id("work").inert = by_id("bar").inert = true;

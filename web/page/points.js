@@ -1,7 +1,7 @@
 // The tools for points: choose a set, add, delete, scatter, reset, load a file, and a point's coordinates.
 import { button, by_id, capital, element, other_seed, set_text, when_changed } from "./dom.js";
 import { result_as_csv } from "./result.js";
-import { answer_edit, clear_notices, notice } from "./messages.js";
+import { answer_edit, at_work, clear_notices, notice, veil } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const kMostBytes = 64e6;
@@ -95,12 +95,11 @@ export class PointTools {
     if (kind === "") this.#command("reset_points");
   }
 
-  #scatter(seed) {
-    const [kind, name] = this.#set.value.split(":");
-    this.#act(() => {
-      const error = kind === "generate" ? this.#door.set_generator(name, Number(this.#count.value), seed) : this.#door.scatter(seed);
-      answer_edit(error);
-    });
+  async #scatter(seed) {
+    const [kind, name] = this.#set.value.split(":"), count = Number(this.#count.value);
+    const veiled = kind === "generate" && (await at_work(count));
+    this.#act(() => answer_edit(kind === "generate" ? this.#door.set_generator(name, count, seed) : this.#door.scatter(seed)));
+    if (veiled) veil.lift();
   }
 
   /** Selects the option of the points' source. The student's own file gets its own option. */

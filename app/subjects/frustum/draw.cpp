@@ -153,8 +153,7 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
   const Side face = side_of(pair, shown.plane_at);
   std::vector<ImVec2> outline;
   for (const Point3& corner : face.corners) outline.push_back(brush.at(corner));
-  const Point3 foot = clear_of(face, pair.boxes[0].center);
-  const Point3 normal = normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0]);
+  const auto [foot, normal] = normal_arrow(pair, shown);
   const ImVec2 middle = brush.at(foot), end = brush.at(foot + normal);
   // A normal that is nearly along the view is drawn longer, because students need its direction.
   const double longer =
@@ -228,6 +227,11 @@ void draw_corners(Brush& brush, const FrustumShown& shown) {
 }
 
 }  // namespace
+
+NormalArrow normal_arrow(const lesson::BoxPair& pair, const FrustumShown& shown) {
+  const Side face = side_of(pair, shown.plane_at);
+  return {clear_of(face, pair.boxes[0].center), normal_of(face, pair) * (kNormal * pair.boxes[1].half_extents[0])};
+}
 
 void draw_frustum(Brush& brush, const FrustumShown& shown) {
   const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());

@@ -15,6 +15,12 @@ void draw_body(Brush& brush, const lesson::BoxPair& pair, Color color);
 void draw_center_distance(Brush& brush, const query::PlaneTested<double, 3>& plane, const Point3& normal,
                           const lesson::BoxPair& pair);
 
+/// The normal of the step's plane: where it is drawn, and its vector.
+struct NormalArrow {
+  Point3 foot, normal;
+};
+[[nodiscard]] NormalArrow normal_arrow(const lesson::BoxPair& pair, const FrustumShown& shown);
+
 void draw_frustum(Brush& brush, const FrustumShown& shown);
 /// Marks the p- and the n-vertex with their letters.
 void mark_frustum(Brush& brush, const FrustumShown& shown);

@@ -8,9 +8,6 @@
 namespace snug::app {
 namespace {
 
-constexpr double kAboutBox =
-    1.2;  // how much of the scene around a box is seen while one of its vertices is to be tapped
-
 class FrustumView final : public SubjectView {
  public:
   void refresh(const lesson::Session& session, bool) override { shown_ = frustum_shown_at(session); }
@@ -23,11 +20,15 @@ class FrustumView final : public SubjectView {
   void name_marks(PointNames& names) const override { name_frustum(names, shown_); }
   [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override { return draw_from_camera(brush, shown_, at); }
 
+  /// While a vertex of the box is to be tapped, the box and the plane's normal; else all.
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
     const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
     const lesson::Asked* asked = session.asked();
-    if (asked != nullptr && asked->on_stage && session.dim() == 3) return {ball(0).center, kAboutBox * ball(0).radius};
+    if (asked != nullptr && asked->on_stage && session.dim() == 3 && shown_.plane_at >= 0) {
+      const auto [foot, normal] = normal_arrow(pair, shown_);
+      return ball_around(ball_around(ball(0), {foot, 0}), {foot + normal, 0});
+    }
     return ball_around(ball_around({lesson::camera_of(pair).position, 0}, ball(1)), ball(0));
   }
   /// A centre has its box's name and a knob its arc; the frustum's vertices need no names.

@@ -203,15 +203,16 @@ TEST_CASE("brute force says how many points it takes") {
 
 TEST_CASE("rivals and the optimum follow the points") {
   Session session = open_small();
+  const auto optimum = [&] { return as<CloudSubject>(session.subject())->optimum(session.view()); };
   REQUIRE(session.rivals().size() == 3);
   CHECK(session.rivals()[0].excess == doctest::Approx(2.25 / 2.05 - 1));
   CHECK(std::abs(*session.rivals()[1].excess) < 1e-12);
-  CHECK(ball_of(optimum_of(session)->result).radius == doctest::Approx(2.05));
+  CHECK(ball_of(optimum()->result).radius == doctest::Approx(2.05));
   REQUIRE(session.move(4, V(0, 0, 0)).has_value());
   CHECK(std::abs(*session.rivals()[0].excess) < 1e-12);
-  CHECK(ball_of(optimum_of(session)->result).radius == doctest::Approx(2));
+  CHECK(ball_of(optimum()->result).radius == doctest::Approx(2));
   REQUIRE(session.choose(0, "pivot").has_value());
-  CHECK(optimum_of(session) == recording_of(session, 0));
+  CHECK(optimum() == recording_of(session, 0));
 }
 
 TEST_CASE("a lesson that takes no points says just that, whatever stands on its stage") {

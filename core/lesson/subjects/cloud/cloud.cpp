@@ -328,9 +328,4 @@ const fit::Recording* recording_of(const Session& session, int slot) {
   return fits ? &fit_run(session.run(slot)).recording() : nullptr;
 }
 
-const fit::Recording* optimum_of(const Session& session) {
-  const auto* cloud = as<CloudSubject>(session.subject());
-  return cloud != nullptr ? cloud->optimum(session.view()) : nullptr;
-}
-
 }  // namespace snug::lesson

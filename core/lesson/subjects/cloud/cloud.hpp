@@ -101,8 +101,6 @@ class CloudSubject final : public PointSubject {
 
 /// A slot's recording, if the subject's methods fit volumes; null otherwise, or if the slot is empty.
 [[nodiscard]] const fit::Recording* recording_of(const Session& session, int slot);
-/// CloudSubject::optimum of a lesson about a cloud; null for other lessons.
-[[nodiscard]] const fit::Recording* optimum_of(const Session& session);
 
 /// The catalogue's algorithms of a volume, and the methods by hand.
 [[nodiscard]] std::span<const Method> fit_methods(std::string_view volume);

@@ -14,9 +14,6 @@
 
 namespace snug::lesson {
 
-/// Whether the pair is a box and a frustum.
-[[nodiscard]] inline bool has_frustum(const BoxPair& pair) { return pair.taper < 1; }
-
 /// The camera of the frustum. In 2-D the plane is seen from above: right is minus B's axis 1, and up is meaningless.
 /// In 3-D axis 1 is up and axis 2 right. pair: with a frustum; if the frustum is flat, the numbers need not be
 /// finite.

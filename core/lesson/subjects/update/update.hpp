@@ -57,7 +57,6 @@ class UpdateSubject final : public PointSubject {
   [[nodiscard]] std::int64_t operations(const Method& method) const override;
 
   [[nodiscard]] const Pose3& pose() const { return pose_; }
-  [[nodiscard]] const Pose3& pose_before() const { return was_; }
   /// The distance of the farthest point from the pivot; 1 if all points are there.
   [[nodiscard]] double reach() const { return reach_; }
   /// What a handle after the points does.
