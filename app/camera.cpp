@@ -57,7 +57,6 @@ void Camera::frame(const Sphere<double, 3>& ball, bool at_once) {
 }
 
 Sphere<double, 3> Camera::framing(const Outline& outline) const {
-  constexpr double kNearer = 1.06;  // in space, by how much what is nearer than the middle may look larger
   // What is needed before and after the outline. In a small room there is less of it than it wants.
   const auto free_of = [](double whole, double before, double after) {
     return std::max(whole - before - after, whole / 2);
@@ -69,7 +68,7 @@ Sphere<double, 3> Camera::framing(const Outline& outline) const {
   const double width = free_width(), height = free_height();
   const double free_x = free_of(width, outline.left, outline.right),
                free_y = free_of(height, outline.below, outline.above);
-  double unit = (dim_ == 3 ? kNearer : 1) *
+  double unit = (dim_ == 3 ? outline.nearer : 1) *
                 std::max(2 * outline.half_width / free_x, 2 * outline.half_height / free_y);  // to a pixel
   const double fit = std::min(1.0, width / height);
   // The camera stands farther away where the view is high: what is deep would have its near end look far too large.

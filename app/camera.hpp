@@ -23,6 +23,7 @@ struct Outline {
   Vector<double, 3> center = Vector<double, 3>::Zero();
   double half_width = 0, half_height = 0, half_depth = 0;
   float left = 0, right = 0, below = 0, above = 0;
+  double nearer = 1.06;  // in space, by how much what is nearer than the middle may look larger
 };
 
 /// The state of the camera, which easing interpolates. Scene units; angles in radians.

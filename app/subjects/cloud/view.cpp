@@ -26,6 +26,8 @@ namespace {
 // The tree of calls is in the stage's upper left corner: the points are framed with room for it there.
 constexpr double kRoomForTree = 1.4, kAsideOfTree = -0.38, kBelowTree = 0.12;  // times the radius around the points
 
+constexpr double kNearVertex = 1.12;  // by how much a box's nearest vertex looks larger than its middle
+
 std::string_view button_for(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
   const lesson::Method* than = cloud != nullptr ? cloud->compared_with() : nullptr;
@@ -108,9 +110,11 @@ class CloudView final : public SubjectView {
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     const std::vector<const fit::Volume3*> volumes = volumes_at_stake(session, shown_);
     if (volumes.empty() || shows_calls(session)) return std::nullopt;
-    return outline_within(camera, [&](const Point3& way) {
+    Outline seen = outline_within(camera, [&](const Point3& way) {
       return std::array{-reach_of_all(session, volumes, -way), reach_of_all(session, volumes, way)};
     });
+    seen.nearer = kNearVertex;
+    return seen;
   }
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override { return shows_handle(session, i); }
   [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {
