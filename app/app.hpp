@@ -122,7 +122,7 @@ class App {
   /// reset_view skip_question commit_answer select_next select_previous select_none move_left move_right move_up
   /// move_down move_nearer move_farther (for the selected point; with "_fine" added, by a tenth), zoom_in zoom_out
   /// orbit_left orbit_right orbit_up orbit_down toggle_optimum watch_outcome continue show_answer close_summary;
-  /// predict_again, which forgets the lesson's answers and starts it over; practise, which asks on other points;
+  /// predict_again, which forgets the lesson's answers and starts it over; practise, which asks on another example;
   /// review:QUESTION, which shows its outcome again; and turn:EFFECT, which does with an effect of the scene what
   /// Session::toggle does. push lets the selected body of a scene hop. At a question, next_mark and step announce that
   /// a second press skips it, because a clicker has no other key. At an outcome, they, play and commit_answer continue.

@@ -357,19 +357,13 @@ Standing standing_of(const Outcome* outcome) {
   return outcome->right ? Standing::kRight : Standing::kWrong;
 }
 
-Tally tally_of(std::span<const Asked> questions, std::span<const Outcome> outcomes) {
-  Tally tally;
-  for (const Asked& asked : questions) {
-    const auto own = std::find_if(outcomes.begin(), outcomes.end(),
-                                  [&](const Outcome& it) { return it.question == asked.question->id; });
-    switch (standing_of(own == outcomes.end() ? nullptr : &*own)) {
-      case Standing::kOpen: ++tally.open; break;
-      case Standing::kRight: ++tally.right, tally.second += own->tries > 1; break;
-      case Standing::kWrong: ++tally.wrong; break;
-      case Standing::kSkipped: ++tally.skipped; break;
-    }
+void add_to(Tally& tally, const Outcome* outcome) {
+  switch (standing_of(outcome)) {
+    case Standing::kOpen: ++tally.open; break;
+    case Standing::kRight: ++tally.right, tally.second += outcome->tries > 1; break;
+    case Standing::kWrong: ++tally.wrong; break;
+    case Standing::kSkipped: ++tally.skipped; break;
   }
-  return tally;
 }
 
 Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {

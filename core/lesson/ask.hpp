@@ -122,7 +122,8 @@ struct Tally {
   int open = 0;
   [[nodiscard]] int all() const { return right + wrong + skipped + open; }
 };
-[[nodiscard]] Tally tally_of(std::span<const Asked> questions, std::span<const Outcome> outcomes);
+/// Counts a question by its outcome; null for none.
+void add_to(Tally& tally, const Outcome* outcome);
 
 /// Sets the question's prompt and reason. own_run: uses prompt_here and because_here, if the question has them.
 void put_words(Asked& asked, bool own_run);

@@ -200,7 +200,7 @@ class Session {
   /// Whether something is asked of this run that holds on any points.
   [[nodiscard]] bool can_practise() const;
   /// Scatters to the next seed that raises a question, and asks there whatever was answered elsewhere, from the first
-  /// step on. The answers given so far are kept. Returns false if none of the next hundred does.
+  /// step on, as one entry of undo. The answers given so far are kept. Returns false if none of the next hundred does.
   bool practise();
   /// Every question of this run in the timeline's order, without those whose step the run does not have.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
@@ -372,6 +372,7 @@ class Session {
   [[nodiscard]] const Asked* standing() const;
   [[nodiscard]] const Asked* open_at(int step) const;
   [[nodiscard]] const Outcome* outcome_of(const std::string& question) const;
+  [[nodiscard]] Outcome judged(const Asked& asked, const Answer& answer) const;
   bool give(const Answer& answer, bool for_good);
   bool pick_one_more(const Asked& question, const Answer& chosen);
   bool pick_number(const Asked& question, std::string_view typed);

@@ -1,7 +1,6 @@
 // A session's questions and the given answers.
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <numeric>
 
 #include "io/text.hpp"
@@ -41,24 +40,34 @@ bool Session::can_practise() const {
 
 bool Session::practise() {
   constexpr std::uint64_t kMostTried = 100;
-  const std::uint64_t first = seed() + 1;
-  for (std::uint64_t next = first; can_practise() && next < first + kMostTried; ++next) {
-    scatter(next);
-    if (asked_.empty() || seed() != next) continue;
+  if (!can_practise()) return false;
+  const std::uint64_t practised = practice_, from = seed();
+  for (std::uint64_t next = from + 1; next <= from + kMostTried; ++next) {
     practice_ = next;
-    summary_closed_ = false;
-    stand(0);
-    run_changed(false);
-    return true;
+    scatter(next);
+    if (seed() != next) break;
+    if (!asked_.empty()) {
+      summary_closed_ = false;
+      stand(0);
+      return true;
+    }
+    undo();
   }
+  practice_ = practised;
   return false;
 }
 
 Tally Session::tally() const {
-  std::vector<Outcome> here;
-  std::copy_if(outcomes_.begin(), outcomes_.end(), std::back_inserter(here),
-               [on = instance()](const Outcome& one) { return one.on == on; });
-  return tally_of(asked_, here);
+  Tally tally;
+  for (const Asked& asked : asked_) add_to(tally, outcome_of(asked));
+  return tally;
+}
+
+/// The outcome of an answer, with what it was asked on.
+Outcome Session::judged(const Asked& asked, const Answer& answer) const {
+  Outcome outcome = judge(asked, answer, run(0));
+  outcome.on = instance();
+  return outcome;
 }
 
 const Asked* Session::asked() const { return deciding_ || outcome() != nullptr ? nullptr : standing(); }
@@ -292,10 +301,9 @@ bool Session::answer(const Answer& answer) { return give(answer, true); }
 bool Session::give(const Answer& answer, bool for_good) {
   const Asked* question = asked();
   if (question == nullptr || !answers(*question, answer)) return false;
-  Outcome judged = judge(*question, answer, run(0));
-  judged.on = instance();
+  Outcome outcome_now = judged(*question, answer);
   const bool second = tried() != nullptr;
-  if (standing_of(&judged) == Standing::kWrong && !for_good && !second && has_second_try(*question)) {
+  if (standing_of(&outcome_now) == Standing::kWrong && !for_good && !second && has_second_try(*question)) {
     tried_ = Tried{question->question->id, answer};
     unpick();
     answer_says_ = question->ordered ? kTryOrderAgain : question->many ? kTryThoseAgain : kTryAgain;
@@ -305,10 +313,10 @@ bool Session::give(const Answer& answer, bool for_good) {
       answer_says_ += " " + plain_now(meaning, figures);
     return true;
   }
-  if (second && !judged.skipped) judged.tries = 2;
+  if (second && !outcome_now.skipped) outcome_now.tries = 2;
   tried_.reset();
   Outcome& outcome = outcome_for(question->question->id);
-  outcome = std::move(judged);
+  outcome = std::move(outcome_now);
   unpick();
   summary_closed_ = false;
   if (question->step == Asked::kAnytime) return ++revision_, true;
@@ -408,8 +416,8 @@ void Session::informed() {
   forget_grades();
   for (const Asked& asked : asked_)
     for (Outcome& outcome : outcomes_)
-      if (asked.step == Asked::kAnytime && outcome.question == asked.question->id && outcome.on == instance())
-        outcome = judge(asked, outcome.given, run(0));
+      if (asked.step == Asked::kAnytime && outcome.question == asked.question->id)
+        outcome = judged(asked, outcome.given);
   ++revision_;
 }
 

@@ -54,6 +54,8 @@ TEST_CASE("on other points each question is open again, and no answer is lost") 
   CHECK(again.instance() == session.seed());  // it is known from the answers
   CHECK(again.tally().open == 0);
 
+  session.undo();  // all of it is one entry
+  CHECK(session.seed() == session.own().origin().seed);
   session.reset();
   CHECK(session.instance() == 0);
   CHECK(session.tally().open == 0);
