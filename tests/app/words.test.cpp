@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,7 +11,7 @@
 
 #include "app/look.hpp"
 #include "bench.hpp"
-#include "io/point_file.hpp"
+#include "course_lessons.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
@@ -51,39 +49,6 @@ const std::vector<Screen>& screens() {
        Theme::kProjector},
   };
   return all;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// None of no name.
-std::optional<io::PointFile> mesh_of(const std::string& mesh) {
-  if (mesh.empty()) return std::nullopt;
-  const std::string name = mesh + ".ply";
-  auto read = io::read_points(bytes_of(assets_folder() + "meshes/" + name), name);
-  REQUIRE(read.has_value());
-  return *std::move(read);
-}
-
-std::vector<lesson::Lesson> all_lessons() {
-  std::vector<lesson::Lesson> lessons;
-  for (const auto& entry : std::filesystem::directory_iterator(lessons_folder())) {
-    if (entry.path().extension() != ".toml" || entry.path().filename() == "course.toml") continue;
-    auto lesson =
-        lesson::read_lesson(bytes_of(entry.path()), entry.path().filename().string(), lesson::Checked::kAsWritten);
-    REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
-    lessons.push_back(*std::move(lesson));
-  }
-  return lessons;
-}
-
-std::vector<lesson::Lesson> without_questions() {
-  std::vector<lesson::Lesson> lessons = all_lessons();
-  for (lesson::Lesson& lesson : lessons) lesson.questions.clear();
-  return lessons;
 }
 
 /// A halo and its words are one, and so are letters and their shadow.
@@ -227,7 +192,7 @@ const Screen& screen_named(std::string_view name) {
 
 TEST_CASE("no words stand over others, run off or are cut, at the steps of every lesson") {
   Faults faults;
-  for (const lesson::Lesson& lesson : without_questions())
+  for (const lesson::Lesson& lesson : all_lessons(false))
     for (const Screen& screen : screens()) Watched(lesson, screen, faults).walk_all(lesson.algorithms, lesson.id);
   INFO(faults.text());
   CHECK(faults.text().empty());
@@ -237,7 +202,7 @@ TEST_CASE("no words stand over others, run off or are cut, at the steps of every
 TEST_CASE("nor in any situation of a lesson") {
   Faults faults;
   std::size_t number = 0;
-  for (const lesson::Lesson& lesson : without_questions())
+  for (const lesson::Lesson& lesson : all_lessons(false))
     for (const lesson::Situation& situation : lesson.situations)
       for (const Screen* screen : some_screens(number++)) {
         Watched watched(lesson, *screen, faults);
@@ -252,7 +217,7 @@ TEST_CASE("nor in any situation of a lesson") {
 TEST_CASE("nor beside a second algorithm") {
   Faults faults;
   std::size_t number = 0;
-  for (const lesson::Lesson& lesson : without_questions())
+  for (const lesson::Lesson& lesson : all_lessons(false))
     for (std::size_t i = 1; i < lesson.algorithms.size(); ++i)
       for (const Screen* screen : some_screens(number++)) {
         Watched watched(lesson, *screen, faults);
@@ -282,7 +247,7 @@ TEST_CASE("nor on k-DOPs, in close-ups or about a pile of bodies") {
 TEST_CASE("nor among the points of a mesh, or of any scatter") {
   Faults faults;
   std::size_t number = 0;
-  for (const lesson::Lesson& lesson : without_questions())
+  for (const lesson::Lesson& lesson : all_lessons(false))
     for (int seed = 1; seed <= 6; ++seed)
       for (const Screen* screen : some_screens(number++)) {
         Watched watched(lesson, *screen, faults);
