@@ -22,7 +22,7 @@ constexpr float kLowStage = 300, kLowMargin = 20;  // the tools of a low one sta
 constexpr double kFootSeconds = 0.06;  // the time in which the remaining way falls to 1/e, as for the camera
 constexpr float kFootMargin = 16;
 // Fractions of the free room at which an automatic view is framed again: too tight, or too roomy.
-constexpr double kTight = 1.06, kRoomy = 0.55, kRoomyOutlined = 0.85;
+constexpr double kTight = 1.06, kRoomy = 0.7, kRoomyOutlined = 0.85;
 
 float radius_for(Index points, bool has_surface) {
   if (has_surface) return 1.7f;
@@ -173,8 +173,8 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
       camera_.frame(framed_ball_, true);
     }
   }
-  keep_framed(session);
   const bool elsewhere = std::exchange(situation_, session.situation()) != session.situation();
+  keep_framed(session, elsewhere);
   const bool gone =
       hands_.selected >= session.size() || (hands_.selected != kNoIndex && !view_->draws(session, hands_.selected));
   if (elsewhere || gone) select(kNoIndex);  // another handle would have its number
@@ -195,15 +195,17 @@ void Stage::upload_points(const lesson::Session& session) {
   ++scene_.points_version;
 }
 
-/// An automatic view follows the points when they outgrow it or shrink, but never during a drag.
-void Stage::keep_framed(const lesson::Session& session) {
+/// An automatic view follows the points when they outgrow it or shrink, but never during a drag. anew: others stand
+/// there now, whose size has nothing to do with that of those before.
+void Stage::keep_framed(const lesson::Session& session, bool anew) {
   if (hands_.dragging) return;
   const fit::Sphere3 all = view_->extent(session);
   if (camera_.framed()) {
     const fit::Sphere3 aim = aimed_at(session);
     const double share = camera_.share_of_room(aim);
     const bool elsewhere = (aim.center - framed_ball_.center).norm() > 0.25 * framed_ball_.radius;
-    if (share > kTight || share < (is_outlined() ? kRoomyOutlined : kRoomy) || (elsewhere && !camera_.moving())) {
+    const bool misfits = share > kTight || share < (is_outlined() ? kRoomyOutlined : kRoomy);
+    if (anew || misfits || (elsewhere && !camera_.moving())) {
       framed_ball_ = aim;
       camera_.frame(aim, false);
     }

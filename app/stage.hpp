@@ -54,7 +54,7 @@ class Stage {
  private:
   // stage.cpp
   void sync(const lesson::Session& session, const Settings& settings);
-  void keep_framed(const lesson::Session& session);
+  void keep_framed(const lesson::Session& session, bool anew);
   void keep_outline_framed(const lesson::Session& session);
   [[nodiscard]] fit::Sphere3 aimed_at(const lesson::Session& session) const;
   struct Taken {

@@ -169,7 +169,7 @@ class VolumesView final : public SubjectView {
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     const lesson::VolumePair& pair = pair_of(session);
     const std::string_view test = session.method(0)->name;
-    if ((pair.any && !above_) || test == "separating_axes") return std::nullopt;
+    if (test == "separating_axes") return std::nullopt;
     const auto range = [&](const Point3& way) {
       const auto reach = [&](const Point3& along) {
         double most = std::max(lesson::reach_along(pair.held[0], along), lesson::reach_along(pair.held[1], along));

@@ -42,7 +42,16 @@ class SceneView final : public SubjectView {
     const float graph = graph_room(look, session, stage);
     return graph > 0 ? graph : sweep_room(look, session, stage);
   }
-  [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override;
+  [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override { return whole(session).ball; }
+  /// Of a body of points, whose volumes students look at; other scenes would have their empty corners in view.
+  [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
+    if (!shows_points(session)) return std::nullopt;
+    const Aabb<double, 3>& box = whole(session).box;
+    return outline_within(camera, [&](const Point3& way) {
+      const double middle = way.dot(box.min / 2 + box.max / 2), half = way.cwiseAbs().dot(box.max / 2 - box.min / 2);
+      return std::array{middle - half, middle + half};
+    });
+  }
   /// No: volumes jump with the bodies that they enclose.
   [[nodiscard]] bool glides() const override { return false; }
   [[nodiscard]] int axis_in_use(const lesson::Session& session) const override {
@@ -80,16 +89,19 @@ class SceneView final : public SubjectView {
   }
 
  private:
-  [[nodiscard]] fit::Sphere3 whole_run(const lesson::Session& session) const;
+  /// What the view has to show of all frames.
   struct Extent {
     std::uint64_t trace;
     const lesson::Method* beside;
+    Aabb<double, 3> box;
     fit::Sphere3 ball;
   };
+  [[nodiscard]] const Extent& whole(const lesson::Session& session) const;
+  [[nodiscard]] Aabb<double, 3> box_around_run(const lesson::Session& session) const;
 
   Shown shown_;
-  mutable bool graph_on_stage_ = true;  // in the last frame; else it is in the panel
-  std::optional<Extent> extent_;        // computed once for each run, over all bodies and frames
+  mutable bool graph_on_stage_ = true;    // in the last frame; else it is in the panel
+  mutable std::optional<Extent> extent_;  // computed once for each run, over all bodies and frames
 };
 
 /// The point moves with the body that it belongs to, or with the body at it.
@@ -103,14 +115,6 @@ Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
   return owner.at_points ? frame.bodies[owner.body + i].position : session.point(i);
 }
 
-fit::Sphere3 SceneView::extent(const lesson::Session& session) {
-  if (extent_ && session.view().in_hand) return extent_->ball;  // that of all frames, which wait until the hand rests
-  const std::uint64_t trace = session.trace_hash();
-  const lesson::Method* beside = session.method(1);
-  if (!extent_ || extent_->trace != trace || extent_->beside != beside) extent_ = {trace, beside, whole_run(session)};
-  return extent_->ball;
-}
-
 /// How deep the view reaches: below the lowest fixed body half as far as the scene rises above it. A body that misses
 /// the floor falls for as long as there are frames, and a view of all of its way would show the others as dots.
 double depth_shown(const lesson::Session& session, double least, double greatest) {
@@ -122,18 +126,26 @@ double depth_shown(const lesson::Session& session, double least, double greatest
   return floor <= greatest ? std::max(least, floor - (greatest - floor) / 2) : least;
 }
 
-/// A ball around the scene in all of its frames.
-fit::Sphere3 SceneView::whole_run(const lesson::Session& session) const {
+/// Around the scene in all of its frames.
+Aabb<double, 3> SceneView::box_around_run(const lesson::Session& session) const {
   auto [least, greatest] = lesson::recorded_scene(session, 0)->bodies;
   least.y() = depth_shown(session, least.y(), greatest.y());
-  if (shows_points(session)) {  // the volumes are what students look at
-    for (const int slot : {0, 1})
-      if (const auto* run = lesson::recorded_scene(session, slot))
-        least = least.cwiseMin(run->volumes.min), greatest = greatest.cwiseMax(run->volumes.max);
-    return {least / 2 + greatest / 2, 0.5 * (greatest - least).norm()};
-  }
-  // Not the ball around the box, whose corners are empty in nearly every frame.
-  return {least / 2 + greatest / 2, 0.5 * (greatest - least).maxCoeff()};
+  for (const int slot : {0, 1})
+    if (const auto* run = lesson::recorded_scene(session, slot); run != nullptr && shows_points(session))
+      least = least.cwiseMin(run->volumes.min), greatest = greatest.cwiseMax(run->volumes.max);
+  return {least, greatest};
+}
+
+const SceneView::Extent& SceneView::whole(const lesson::Session& session) const {
+  if (extent_ && session.view().in_hand) return *extent_;  // that of all frames, which wait until the hand rests
+  const std::uint64_t trace = session.trace_hash();
+  const lesson::Method* beside = session.method(1);
+  if (extent_ && extent_->trace == trace && extent_->beside == beside) return *extent_;
+  const Aabb<double, 3> box = box_around_run(session);
+  const Point3 size = box.max - box.min;
+  // Of bodies not the ball around the box, whose corners are empty in nearly every frame.
+  const double radius = 0.5 * (shows_points(session) ? size.norm() : size.maxCoeff());
+  return extent_.emplace(Extent{trace, beside, box, {box.min / 2 + box.max / 2, radius}});
 }
 
 }  // namespace
