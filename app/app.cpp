@@ -492,6 +492,7 @@ void App::invite(int followed) {
 }
 int App::invitations_followed() const { return state_->invitations.followed(); }
 const std::optional<Invitation>& App::invitation() const { return state_->invitation; }
+float App::free_height() const { return static_cast<float>(state_->stage.camera().room()[1]); }
 float App::figures_height() const { return state_->figures_height; }
 bool App::figures_fill() const { return state_->session && state_->view->fills_column(*state_->session); }
 bool App::playing() const { return state_->playing; }

@@ -152,6 +152,8 @@ class App {
   [[nodiscard]] int invitations_followed() const;
   /// The one that is due, as of the last frame.
   [[nodiscard]] const std::optional<Invitation>& invitation() const;
+  /// The height of the stage that its buttons, its sentence and a card left free in the last frame, pixels.
+  [[nodiscard]] float free_height() const;
   /// The height of the step's own figures and panels in the last frame, in pixels; 0 if they were not drawn.
   [[nodiscard]] float figures_height() const;
   /// Whether they may need the inspector's whole column.

@@ -127,15 +127,15 @@ bool Stage::is_wide(const Rect& rect) { return rect.width >= kWideStage; }
 void Stage::set_room(const Rect& rect, const Settings& settings) {
   const bool wide = is_wide(rect), low = is_low(rect);
   const float words = settings.text_scale * palette_of(settings.theme).text;
-  // The sentence is at the foot; on a page's narrow stage it stands below.
-  const float sentence = wide || settings.prose_in_canvas ? 92.0f * words : low ? kLowMargin : 28;
+  // The sentence is at the foot, in two lines with a rim; on a page's narrow stage it stands below.
+  const float sentence = wide || settings.prose_in_canvas ? 48 + 44 * words : low ? kLowMargin : 28;
   const float below = foot_ > 0 ? std::max(low ? 0 : sentence, foot_ + kFootMargin) : sentence;
   // Buttons are at the top; on a narrow stage they take most of its width, on a low one both sides.
   const float narrow = has_close_up_ ? room_above(words) : kToolsHeight;
   if (low)
     return camera_.set_stage(rect, (taken_.wide_tools ? kToolsHeight : kLowMargin) + taken_.above, kToolsWidth, below,
                              std::max(0.0f, taken_.inset_right - kToolsWidth));
-  camera_.set_stage(rect, (wide ? 52.0f * words : narrow) + taken_.above, wide ? 56.0f : 28, below);
+  camera_.set_stage(rect, (wide ? 20 + 32 * words : narrow) + taken_.above, wide ? 56.0f : 28, below);
 }
 
 /// Moves the picture out of the way when a card comes or goes.

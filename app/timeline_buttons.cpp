@@ -23,6 +23,8 @@ RowSizes row_sizes(const Look& look, float width, bool low) {
 
 float timeline_height(const Look& look) { return look.fingers ? 110 + look.px(48) : 60 + look.px(76); }
 
+float low_timeline_height(const Look& look) { return 56 + look.px(36); }
+
 TimelineButtons timeline_buttons(const Look& look, const Rect& rect) {
   TimelineButtons buttons;
   const float margin = look.fingers ? kFingerMargin : kMargin;

@@ -14,7 +14,7 @@ struct TimelineButtons {
   float left = 0, width = 0;   // of the track
   float track = 0;             // its middle
   float words = 0;             // the middle of the line of words under it
-  bool low = false;            // a phone on its side has no such line
+  bool low = false;            // a phone on its side and a lecture on a low screen have no such line
   bool speed_among_words = false;
 };
 
@@ -23,5 +23,7 @@ struct TimelineButtons {
 
 /// The height that the timeline needs.
 [[nodiscard]] float timeline_height(const Look& look);
+/// And the least that buttons for a mouse need, without the line of words.
+[[nodiscard]] float low_timeline_height(const Look& look);
 
 }  // namespace snug::app

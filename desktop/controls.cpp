@@ -12,10 +12,11 @@ namespace {
 
 using app::Face;
 
-constexpr float kAside = 16, kRowGap = 8, kApart = 24;
+constexpr float kAside = 16, kApart = 24;
 constexpr float kLeastSlider = 250;  // pixels that a slider takes with its title and its value
 
-float row_height(const app::Look& look) { return look.px(34); }
+float row_height(const Shell& shell, const app::Look& look) { return look.px(shell.low ? 28 : 34); }
+float row_gap(const Shell& shell) { return shell.low ? 4 : 8; }
 
 std::vector<std::string> titles_of(const lesson::Lesson& lesson) {
   std::vector<std::string> titles;
@@ -30,12 +31,13 @@ float button_width(const app::Look& look, const std::string& title) {
 }
 
 /// Where things of these widths stand, from left to right in rows.
-std::vector<app::Rect> laid_out(const app::Look& look, const std::vector<float>& widths, float width, float gap) {
+std::vector<app::Rect> laid_out(const Shell& shell, const app::Look& look, const std::vector<float>& widths,
+                                float width, float gap) {
   std::vector<app::Rect> places;
   float x = 0, y = 0;
   for (const float own : widths) {
-    if (x > 0 && x + own > width + 0.5f) x = 0, y += row_height(look) + kRowGap;
-    places.push_back({x, y, std::min(own, width), row_height(look)});
+    if (x > 0 && x + own > width + 0.5f) x = 0, y += row_height(shell, look) + row_gap(shell);
+    places.push_back({x, y, std::min(own, width), row_height(shell, look)});
     x += own + gap;
   }
   return places;
@@ -51,22 +53,22 @@ Places places_of(Shell& shell, const app::Look& look, float width) {
   const float inside = width - 2 * kAside;
   std::vector<float> widths;
   for (const std::string& title : titles_of(shell.session().lesson())) widths.push_back(button_width(look, title));
-  places.buttons = laid_out(look, widths, inside, 4);
+  places.buttons = laid_out(shell, look, widths, inside, 4);
   const float end = places.buttons.empty() ? 0 : places.buttons.back().x + places.buttons.back().width + kApart;
   float top = places.buttons.empty() ? 0 : places.buttons.back().y;
   const auto sliders = static_cast<float>(shell.session().sliders().size());
   const bool beside = end + sliders * look.px(kLeastSlider) <= inside;  // in one row with the situations
-  if (!beside && !places.buttons.empty() && sliders > 0) top += row_height(look) + kRowGap;
+  if (!beside && !places.buttons.empty() && sliders > 0) top += row_height(shell, look) + row_gap(shell);
   const float from = beside ? end : 0, room = inside - from;
   const float across =
       std::clamp(std::floor((room + kApart) / (look.px(kLeastSlider) + kApart)), 1.0f, std::max(sliders, 1.0f));
   const float own = (room + kApart) / across - kApart;
-  places.sliders = laid_out(look, std::vector<float>(static_cast<std::size_t>(sliders), own), room, kApart);
+  places.sliders = laid_out(shell, look, std::vector<float>(static_cast<std::size_t>(sliders), own), room, kApart);
   for (app::Rect& slider : places.sliders) slider.x += from, slider.y += top;
   const app::Rect* last = !places.sliders.empty()   ? &places.sliders.back()
                           : !places.buttons.empty() ? &places.buttons.back()
                                                     : nullptr;
-  if (last != nullptr) places.height = last->y + last->height + 2 * kRowGap;
+  if (last != nullptr) places.height = last->y + last->height + 2 * row_gap(shell);
   return places;
 }
 
@@ -130,7 +132,7 @@ void draw_controls(Shell& shell, const app::Rect& rect) {
   const std::vector<std::string> titles = titles_of(session.lesson());
   const std::vector<std::string_view> names = lesson::situation_names(session.lesson());
   const auto there = [&](app::Rect place) {
-    place.x += rect.x + kAside, place.y += rect.y + table + kRowGap;
+    place.x += rect.x + kAside, place.y += rect.y + table + row_gap(shell);
     return place;
   };
   std::string_view chosen;

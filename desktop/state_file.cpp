@@ -121,6 +121,7 @@ Json lesson_state(Shell& shell, float scale) {
   state["text_scale"] = shell.app().settings().text_scale;
   state["theme"] = lesson::kThemeWords[static_cast<std::size_t>(shell.app().settings().theme)];
   state["presenting"] = shell.presenting;
+  state["freeHeight"] = app.free_height();
   state["textShown"] = shell.presenting ? shell.text_shown : true;
   const auto& invitation = app.invitation();
   state["invitation"] = invitation ? Json(invitation->words) : Json();
@@ -142,6 +143,7 @@ Json lesson_state(Shell& shell, float scale) {
 void StateFile::write(Shell& shell, const Extent& extent) {
   if (path_.empty() || (!shell.course_shown && shell.app().session() == nullptr)) return;
   Json state = shell.course_shown ? course_state(shell) : lesson_state(shell, extent.window_per_page);
+  state["height"] = extent.height;
   state["mistakes"] = mistakes_of(shell);
   std::string text = state.dump();
   if (text == written_) return;

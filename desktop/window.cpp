@@ -105,7 +105,10 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float header = bar + strip;
   const float column = lecture && !shell.text_shown ? 0 : side_width(extent.width, 0.29f, 300, 380, 0.22f, 432, scale);
   const float inspector = side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
-  const float timeline = cover && shell.app().cover()->shown() ? 0 : app::timeline_height(look);  // it is the stage's
+  constexpr float kLowScreen = 900;
+  shell.low = lecture && extent.height < kLowScreen;
+  const bool no_timeline = cover && shell.app().cover()->shown();  // it is the stage's
+  const float timeline = no_timeline ? 0 : shell.low ? app::low_timeline_height(look) : app::timeline_height(look);
   const float height = extent.height - header, right = extent.width - inspector;
   Parts parts;
   parts.window = {0, 0, extent.width, extent.height};

@@ -40,20 +40,13 @@ const std::string kToCome = "the camera stands still while volumes come that are
                   kWords = "the words at the axis and its ends need room beside the boxes",
                   kMotion = "the way of what moves stays in view";
 const std::map<std::string_view, Smaller> kSmaller{
-    {"box-claims", {0.46f, kToCome}},
-    {"bvh-build", {0.43f, kToCome}},
-    {"kdop-space", {0.59f, kToCome}},
-    {"kdop-update", {0.58f, kToCome}},
-    {"obb-fitting", {0.57f, kToCome}},
-    {"rounding-sphere", {0.51f, kToCome}},
-    {"scene-updates", {0.21f, kToCome}},
-    {"sphere-brute-force", {0.49f, kToCome}},
-    {"swept-fit", {0.42f, kToCome}},
-    {"epsilons", {0.59f, kWords}},
-    {"obb-axes", {0.53f, kWords, 0.57f}},
-    {"vanishing-axes", {0.57f, kWords}},
-    {"scene-effects", {0.42f, kMotion}},
-    {"welzl-recursion", {0.52f, "the tree of calls stands beside the points"}},
+    {"box-claims", {0.46f, kToCome}},     {"bvh-build", {0.43f, kToCome}},
+    {"kdop-space", {0.59f, kToCome}},     {"kdop-update", {0.58f, kToCome}},
+    {"obb-fitting", {0.57f, kToCome}},    {"rounding-sphere", {0.51f, kToCome}},
+    {"scene-updates", {0.21f, kToCome}},  {"sphere-brute-force", {0.49f, kToCome}},
+    {"swept-fit", {0.42f, kToCome}},      {"epsilons", {0.59f, kWords}},
+    {"obb-axes", {0.53f, kWords, 0.57f}}, {"vanishing-axes", {0.57f, kWords}},
+    {"scene-effects", {0.42f, kMotion}},  {"welzl-recursion", {0.52f, "the tree of calls stands beside the points"}},
 };
 
 /// The bodies of a scene that move: its floor is large anyway.

@@ -15,9 +15,10 @@ namespace snug::app {
 /// The smaller side of what a stage leaves free beside its buttons, its sentence or a question's card, and a second
 /// picture. scale: of words.
 inline float free_side(ImVec2 stage, float card = 0, float second = 0, float scale = 1) {
-  constexpr float kTools = 52, kAround = 28, kSentence = 92;
-  const float below = stage.x >= 560 ? kSentence * scale : kAround;  // a narrow page has its sentence elsewhere
-  return std::min(stage.x - 2 * kAround, stage.y - kTools * scale - std::max(below, card) - second);
+  constexpr float kAround = 28;
+  const float tools = 20 + 32 * scale;                             // a button
+  const float below = stage.x >= 560 ? 48 + 44 * scale : kAround;  // two lines; a narrow page has them elsewhere
+  return std::min(stage.x - 2 * kAround, stage.y - tools - std::max(below, card) - second);
 }
 
 /// The box around places on the screen.
