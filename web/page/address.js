@@ -1,62 +1,73 @@
-// The address says what is on the page: lesson, situation, step, seed, algorithms, where the sliders stand, and what was
-// edited, in rows of numbers, and in a scene's file: as it runs, and as it was typed after that.
+// The address says what is on the page: lesson, situation, step, seed, algorithms, where the sliders stand, and what
+// was edited, in rows of numbers, and in a scene's file: as it runs, and as it was typed after that.
 import { change_of } from "./text_change.js";
 
-/** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`. */
+/** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`.
+ *  @param {string} search */
 export function read_address(search) {
   const given = new URLSearchParams(search);
-  const problems = [];
-  const asked = { lesson: given.get("lesson"), embed: given.get("embed") === "1", situation: given.get("situation"), a: given.get("a"), b: given.get("b"), problems };
+  const problems = /** @type {string[]} */ ([]);
 
-  const whole = (name) => {
+  const whole = (/** @type {string} */ name) => {
     const text = given.get(name);
     if (text === null) return null;
     if (/^\d+$/.test(text) && Number.isSafeInteger(Number(text))) return Number(text);
     problems.push(`The address has ${name} “${text.slice(0, 40)}”, which is not a whole number.`);
     return null;
   };
-  asked.step = whole("step");
-  asked.seed = whole("seed");
-
-  asked.scalar = given.get("scalar");
-  if (asked.scalar !== null && !["float", "double"].includes(asked.scalar)) {
+  const scalar = () => {
+    const text = given.get("scalar");
+    if (text === null || text === "float" || text === "double") return text;
     problems.push("The address has a scalar that is neither float nor double.");
-    asked.scalar = null;
-  }
-
-  const from = given.get("from");
-  asked.from = from === null ? "" : from;
-  if (!/^([a-z]+|[a-z]+:[1-9]\d{0,4})?$/.test(asked.from)) {
+    return null;
+  };
+  const from = () => {
+    const text = given.get("from") ?? "";
+    if (/^([a-z]+|[a-z]+:[1-9]\d{0,4})?$/.test(text)) return text;
     problems.push("The address moves points that do not exist.");
-    asked.from = "";
-  }
-
-  const rows = (...names) => {
+    return "";
+  };
+  const number = (/** @type {string} */ text) => (text.trim() === "" ? NaN : Number(text));
+  const rows = (/** @type {string[]} */ ...names) => {
     const name = names.find((one) => given.get(one));
     if (!name) return null;
-    const read = given.get(name).split(";").map((row) => row.split(",").map((field) => (field.trim() === "" ? NaN : Number(field))));
+    const read = (given.get(name) ?? "").split(";").map((row) => row.split(",").map(number));
     if (read.every((row) => row.every(Number.isFinite))) return read;
     problems.push(`The numbers that the address gives as ${name} cannot be read.`);
     return null;
   };
-  asked.rows = rows("rows", "points", "boxes"); // the last two in links of old
-  asked.moved = rows("moved");
-  asked.slide = rows("slide")?.[0] ?? null;
-  asked.file = given.get("file");
-  asked.draft = given.get("draft");
-  return asked;
+  return {
+    lesson: given.get("lesson"),
+    embed: given.get("embed") === "1",
+    situation: given.get("situation"),
+    step: whole("step"),
+    seed: whole("seed"),
+    scalar: scalar(),
+    from: from(),
+    rows: rows("rows", "points", "boxes"), // the last two in links of old
+    moved: rows("moved"),
+    slide: rows("slide")?.[0] ?? null,
+    file: given.get("file"),
+    draft: given.get("draft"),
+    a: given.get("a"),
+    b: given.get("b"),
+    problems,
+  };
 }
 
-/** The scalar that the lesson's file gives to the situation that is shown. */
+/** The scalar that the lesson's file gives to the situation that is shown.
+ *  @param {View} view @param {Lesson} lesson */
 const own_scalar = (view, lesson) => (lesson.situations.find(({ name }) => name === view.situation) ?? lesson).scalar;
 
-/** The address of what is on the page. shared: as web/deeds.hpp's shared_rows says it. */
+/** The address of what is on the page. shared: as web/deeds.hpp's shared_rows says it.
+ *  @param {View} view @param {Lesson} lesson @param {SharedRows} shared @param {boolean} embed */
 export function write_address(view, lesson, shared, embed) {
-  const rows = (list) => list.map((row) => row.join(",")).join(";");
+  const rows = (/** @type {Rows} */ list) => list.map((row) => row.join(",")).join(";");
   const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
   if (!view.previewing) parts.push(`step=${view.step}`); // the preview is not a step that anyone chose
   parts.push(`seed=${view.seed}`);
-  if (view.situation !== null && view.situation !== lesson.situations[0].name) parts.push(`situation=${encodeURIComponent(view.situation)}`);
+  if (view.situation !== null && view.situation !== lesson.situations[0].name)
+    parts.push(`situation=${encodeURIComponent(view.situation)}`);
   if (view.algorithm !== lesson.algorithms[0]?.name) parts.push(`a=${view.algorithm}`);
   if ((view.beside ?? "") !== lesson.compare) parts.push(`b=${view.beside ?? "none"}`);
   if (view.scalar !== null && view.scalar !== own_scalar(view, lesson)) parts.push(`scalar=${view.scalar}`);
@@ -65,8 +76,12 @@ export function write_address(view, lesson, shared, embed) {
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
   if (shared.rows) parts.push(`rows=${rows(shared.rows)}`);
   if (view.file) {
-    const changes = { file: change_of(view.file.own, view.file.runs), draft: change_of(view.file.runs, view.file.typed) };
-    for (const [name, change] of Object.entries(changes)) if (change) parts.push(`${name}=${encodeURIComponent(change)}`);
+    const changes = {
+      file: change_of(view.file.own, view.file.runs),
+      draft: change_of(view.file.runs, view.file.typed),
+    };
+    for (const [name, change] of Object.entries(changes))
+      if (change) parts.push(`${name}=${encodeURIComponent(change)}`);
   }
   if (embed) parts.push("embed=1");
   return `?${parts.join("&")}`;

@@ -1,10 +1,12 @@
-// Runs before anything else has loaded. It is a separate, classic script, because the page's policy forbids inline ones.
+// Runs before anything else has loaded. It is a separate, classic script, because the page's policy forbids inline
+// ones.
 
-// The course is shown at once; a lesson stays under the veil until the program is loaded. Its largest files are asked for
-// here, before the page's modules have arrived.
+// The course is shown at once; a lesson stays under the veil until the program is loaded. Its largest files are asked
+// for here, before the page's modules have arrived.
 const to_lesson = new URLSearchParams(location.search).get("lesson");
 document.documentElement.dataset.view = to_lesson === null ? "course" : "lesson";
 
+/** @param {string} href @param {string} rel @param {string} as */
 function ask_for(href, rel, as) {
   document.head.append(Object.assign(document.createElement("link"), { rel, as, href, crossOrigin: "anonymous" }));
 }
@@ -16,16 +18,24 @@ if (to_lesson !== null) {
 }
 
 // Scripts and tests can use this at once; main.js fills it in.
-window.snug = { ready: new Promise((resolve) => addEventListener("snug-ready", resolve, { once: true })), state: () => null, handles: () => [], frameTimes: () => [] };
+window.snug = {
+  ready: new Promise((resolve) => addEventListener("snug-ready", resolve, { once: true })),
+  restart: () => window.snug.ready,
+  state: () => null,
+  handles: () => [],
+  frameTimes: () => [],
+};
 
-// If the page's own files do not arrive, it must still say so. A script's load error does not bubble, so it is captured.
+// If the page's own files do not arrive, it must still say so. A script's load error does not bubble, so it is
+// captured.
 addEventListener("error", ({ target }) => {
   if (!(target instanceof HTMLScriptElement)) return;
   document.documentElement.dataset.view = "lesson";
-  document.getElementById("veil-text").textContent =
-    "Some of the page’s own files could not be loaded. Check the connection, then try again.";
-  document.getElementById("veil-bar").hidden = true;
-  const again = document.getElementById("veil-retry");
+  const [text, bar, again] = /** @type {HTMLElement[]} */ (
+    ["veil-text", "veil-bar", "veil-retry"].map((id) => document.getElementById(id))
+  );
+  text.textContent = "Some of the page’s own files could not be loaded. Check the connection, then try again.";
+  bar.hidden = true;
   again.hidden = false;
   again.onclick = () => location.reload();
 }, { capture: true });

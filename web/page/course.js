@@ -2,36 +2,57 @@
 // does not need the program, so it is shown before that has loaded.
 import { by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
 import { way_into } from "./lesson_menu.js";
+/** @import { Kept } from "./kept.js" */
 
-/** The lessons of course.json in order, each with its number and its chapter's title. */
+/** The lessons of course.json in order, each with its number and its chapter's title.
+ *  @param {CourseFile} course @returns {CourseLesson[]} */
 export function lessons_of(course) {
   const all = course.chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
   return all.map((lesson, i) => ({ ...lesson, number: i + 1 }));
 }
 
-const plain = (text) => text.toLowerCase().normalize("NFKD").replace(/[\u0300-\u036f]/g, "").replace(/[’']/g, "");
+const plain = (/** @type {string} */ text) =>
+  text.toLowerCase().normalize("NFKD").replace(/[\u0300-\u036f]/g, "").replace(/[’']/g, "");
 
-/** The student's progress, as a mark and a word. */
+/** The student's progress, as a mark and a word.
+ *  @param {CourseLesson} lesson @param {KeptLesson | null} entry */
 function progress_of(lesson, entry) {
   if (!entry) return { kind: "open", words: "Not begun" };
-  const count = `${entry.answered} of ${lesson.questions} predictions`;
-  const words = entry.done ? `Done${entry.task ? ", task too" : ""}` : entry.answered > 0 ? count : `At step ${entry.step} of ${entry.steps}`;
-  return { kind: entry.done ? "done" : "begun", words };
+  if (entry.done) return { kind: "done", words: entry.task ? "Done, task too" : "Done" };
+  if (entry.answered > 0) return { kind: "begun", words: `${entry.answered} of ${lesson.questions} predictions` };
+  return { kind: "begun", words: `At step ${entry.step} of ${entry.steps}` };
 }
 
-/** A lesson that is being written has none: an empty stage is in its place. */
-const picture = (lesson, how = {}) => lesson.picture === false ? element("div", { class: "picture blank" }) : element("img", { class: "picture", alt: "", width: 480, height: 300, decoding: "async", "data-picture": lesson.id,
-  onerror: ({ target }) => target.removeAttribute("src"), ...how }); // a card without its picture still says everything
+/** A lesson that is being written has none: an empty stage is in its place. A card whose picture does not arrive still
+ *  says everything.
+ *  @param {CourseLesson} lesson */
+function picture(lesson, how = {}) {
+  if (lesson.picture === false) return element("div", { class: "picture blank" });
+  const own = { "data-picture": lesson.id, alt: "", width: 480, height: 300, decoding: "async" };
+  const image = element("img", { class: "picture", ...own, ...how });
+  image.addEventListener("error", () => image.removeAttribute("src"));
+  return image;
+}
+
+/** What the search found.
+ *  @param {number} count @param {string} asked */
+function found_words(count, asked) {
+  if (count === 0) return `No lesson has “${asked.trim().slice(0, 40)}”.`;
+  return count === 1 ? "1 lesson" : `${count} lessons`;
+}
 
 export class Course {
   #lessons;
   #chapters;
   #kept;
   #choose;
+  /** @type {Map<string, { item: HTMLElement, link: HTMLElement, says: HTMLElement, text: string }>} */
   #cards = new Map(); // by id
+  #sections = /** @type {HTMLElement[]} */ ([]);
   #laid_out = false;
 
-  /** choose(id): called in place of loading the page anew. */
+  /** choose(id): called in place of loading the page anew.
+   *  @param {CourseFile} course @param {Kept} kept @param {GoTo} choose */
   constructor(course, kept, choose) {
     this.#chapters = course.chapters;
     this.playground = course.playground ?? "";
@@ -51,7 +72,8 @@ export class Course {
     return this.#lessons;
   }
 
-  /** Takes another course in its place, which show lays out. */
+  /** Takes another course in its place, which show lays out.
+   *  @param {CourseFile} course */
   replace(course) {
     this.#chapters = course.chapters;
     this.#lessons.splice(0, this.#lessons.length, ...lessons_of(course));
@@ -60,7 +82,13 @@ export class Course {
 
   /** The course's part of window.snug.state(). */
   state() {
-    return this.#lessons.map(({ id, number, title, chapter }) => ({ id, number, title, chapter, done: Boolean(this.#kept.lesson(id)?.done) }));
+    return this.#lessons.map(({ id, number, title, chapter }) => ({
+      id,
+      number,
+      title,
+      chapter,
+      done: Boolean(this.#kept.lesson(id)?.done),
+    }));
   }
 
   show() {
@@ -70,8 +98,8 @@ export class Course {
   }
 
   /** Shows the pictures that belong to the theme. */
-  show_theme(dark) {
-    for (const image of document.querySelectorAll("[data-picture]")) {
+  show_theme(/** @type {boolean} */ dark) {
+    for (const image of /** @type {NodeListOf<HTMLImageElement>} */ (document.querySelectorAll("[data-picture]"))) {
       const source = `course/${image.dataset.picture}${dark ? "-dark" : ""}.png`;
       if (image.getAttribute("src") !== source) image.src = source;
     }
@@ -79,8 +107,10 @@ export class Course {
 
   // ---- laid out once ------------------------------------------------------------------------------------------
 
+  /** @param {Record<string, string>} properties @param {string} id @param {...(Node | string)} children */
   #link(properties, id, ...children) {
-    return element("a", { ...properties, href: way_into(id, this.#kept), onclick: followed_here(() => this.#choose(id)) }, ...children);
+    const to = { href: way_into(id, this.#kept), onclick: followed_here(() => this.#choose(id)) };
+    return element("a", { ...properties, ...to }, ...children);
   }
 
   #lay_out() {
@@ -88,25 +118,43 @@ export class Course {
     const first = this.#lessons[0];
     if (first) by_id("course-picture").replaceChildren(picture(first));
     this.#cards.clear();
-    by_id("chapters").replaceChildren(...this.#chapters.map((chapter, i) => this.#chapter(chapter, i)));
+    this.#sections = this.#chapters.map((chapter, i) => this.#chapter(chapter, i));
+    by_id("chapters").replaceChildren(...this.#sections);
     this.#filter();
   }
 
+  /** @param {ChapterOf<LessonEntry>} chapter @param {number} i */
   #chapter({ title, lessons }, i) {
+    const ids = lessons.map(({ id }) => id);
     return element("section", { class: "chapter", "aria-labelledby": `chapter-${i}` },
-      element("div", { class: "chapter-head" }, element("h2", { id: `chapter-${i}` }, title), element("p", { class: "label" })),
-      element("ul", { class: "cards" }, ...lessons.map(({ id }) => this.#card(this.#lessons.find((lesson) => lesson.id === id)))));
+      element("div", { class: "chapter-head" },
+        element("h2", { id: `chapter-${i}` }, title),
+        element("p", { class: "label", id: `chapter-${i}-says` }),
+      ),
+      element("ul", { class: "cards" },
+        ...this.#lessons.filter(({ id }) => ids.includes(id)).map((lesson) => this.#card(lesson)),
+      ),
+    );
   }
 
-  #card(lesson) {
+  #card(/** @type {CourseLesson} */ lesson) {
     const says = element("span", { class: "progress" });
     const link = this.#link({ class: "lesson-card" }, lesson.id,
       picture(lesson, { loading: "lazy" }),
       element("span", { class: "card-body" },
-        element("span", { class: "card-title" }, element("span", { class: "number" }, String(lesson.number)), element("b", {}, whole_names(lesson.title))),
-        element("span", { class: "card-foot" }, element("span", {}, lesson.minutes > 0 ? `${lesson.minutes} min` : "Draft"), says)));
+        element("span", { class: "card-title" },
+          element("span", { class: "number" }, String(lesson.number)),
+          element("b", {}, whole_names(lesson.title)),
+        ),
+        element("span", { class: "card-foot" },
+          element("span", {}, lesson.minutes > 0 ? `${lesson.minutes} min` : "Draft"),
+          says,
+        ),
+      ),
+    );
     const item = element("li", {}, link);
-    this.#cards.set(lesson.id, { item, link, says, text: plain(`${lesson.number} ${lesson.title} ${lesson.summary} ${lesson.chapter} ${lesson.words}`) });
+    const text = plain(`${lesson.number} ${lesson.title} ${lesson.summary} ${lesson.chapter} ${lesson.words}`);
+    this.#cards.set(lesson.id, { item, link, says, text });
     return item;
   }
 
@@ -114,15 +162,20 @@ export class Course {
 
   #show_progress() {
     for (const lesson of this.#lessons) {
-      const { link, says } = this.#cards.get(lesson.id);
+      const card = this.#cards.get(lesson.id);
+      if (!card) continue;
+      const { link, says } = card;
       const { kind, words } = progress_of(lesson, this.#kept.lesson(lesson.id));
       link.setAttribute("href", way_into(lesson.id, this.#kept));
       says.className = `progress ${kind}`;
-      says.replaceChildren(element("span", { class: "mark", "aria-hidden": "true" }, kind === "done" ? "✓" : ""), words);
+      says.replaceChildren(
+        element("span", { class: "mark", "aria-hidden": "true" }, kind === "done" ? "✓" : ""),
+        words,
+      );
     }
     for (const [i, { lessons }] of this.#chapters.entries()) {
       const done = lessons.filter(({ id }) => this.#kept.lesson(id)?.done).length;
-      set_text(by_id(`chapter-${i}`).nextElementSibling, `${done} of ${lessons.length} done`);
+      set_text(by_id(`chapter-${i}-says`), `${done} of ${lessons.length} done`);
     }
     this.#show_start();
     set_hidden(by_id("course-forgets"), this.#kept.works);
@@ -134,13 +187,18 @@ export class Course {
     const first = this.#lessons[0];
     if (!first) return;
     const last = this.#lessons.find(({ id }) => id === this.#kept.last && this.#kept.lesson(id));
-    const next = last && this.#kept.lesson(last.id).done ? this.#lessons.find(({ id, number }) => number > last.number && !this.#kept.lesson(id)?.done) : null;
-    const lead = next ?? last;
-    const start = this.#link({ class: "button primary", id: "start" }, (lead ?? first).id, lead ? (next ? "Next lesson" : "Continue") : "Start here");
-    const to = element("p", { class: "start-to" }, `${(lead ?? first).number} · ${(lead ?? first).title}`);
-    const entry = lead && this.#kept.lesson(lead.id);
-    if (entry && !entry.done) to.append(element("span", { class: "label" }, ` at step ${entry.step} of ${entry.steps}`));
-    by_id("course-start").replaceChildren(start, to);
+    const done = (/** @type {string} */ id) => Boolean(this.#kept.lesson(id)?.done);
+    const next = last && done(last.id) && this.#lessons.find(({ id, number }) => number > last.number && !done(id));
+    const lead = next || last || first;
+    const words = next ? "Next lesson" : last ? "Continue" : "Start here";
+    const entry = last && this.#kept.lesson(lead.id);
+    by_id("course-start").replaceChildren(
+      this.#link({ class: "button primary", id: "start" }, lead.id, words),
+      element("p", { class: "start-to" },
+        `${lead.number} · ${lead.title}`,
+        entry && !entry.done && element("span", { class: "label" }, ` at step ${entry.step} of ${entry.steps}`),
+      ),
+    );
   }
 
   // ---- the search ---------------------------------------------------------------------------------------------
@@ -156,11 +214,11 @@ export class Course {
     for (const { item, text } of this.#cards.values()) {
       const fits = asked.every((word) => text.includes(word));
       set_hidden(item, !fits);
-      shown += fits;
+      if (fits) shown += 1;
     }
-    for (const chapter of by_id("chapters").children) set_hidden(chapter, !chapter.querySelector("li:not([hidden])"));
+    for (const chapter of this.#sections) set_hidden(chapter, !chapter.querySelector("li:not([hidden])"));
     by_id("course").classList.toggle("searching", asked.length > 0);
-    set_text(by_id("search-says"), asked.length === 0 ? "" : shown === 0 ? `No lesson has “${by_id("search").value.trim().slice(0, 40)}”.` : shown === 1 ? "1 lesson" : `${shown} lessons`);
+    set_text(by_id("search-says"), asked.length === 0 ? "" : found_words(shown, by_id("search").value));
     set_hidden(by_id("search-found"), asked.length === 0);
   }
 }

@@ -1,11 +1,16 @@
-// What can stand in the stage's place: what to show in it, its work in slices between the frames, its table in words, its files.
+// What can stand in the stage's place: what to show in it, its work in slices between the frames, its table in words,
+// its files.
 import { CoverTable } from "./cover_table.js";
 import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
+/** @import { Stage } from "./stage.js" */
 
 const kSlice = 4; // milliseconds: beside a frame's own work
 const kLongestSlice = 50; // where frames are slow
-const kTypes = { csv: "text/csv", json: "application/json", svg: "image/svg+xml" };
+/** @type {Record<CoverFormat, string>} */
+const kTypes = { csv: "text/csv", json: "application/json", svg: "image/svg+xml", png: "image/png" };
+/** @type {[number, number, number]} */
 const kPicture = [1280, 800, 2]; // of a PNG: width, height, and device pixels for each
+const kPercent = { role: "progressbar", "aria-valuemin": 0, "aria-valuemax": 100 };
 
 export class CoverTools {
   #door;
@@ -13,21 +18,27 @@ export class CoverTools {
   #stage;
   #timer = 0;
   #says = element("p", { class: "label", role: "status" });
-  #bar = element("div", { class: "veil-bar cover-bar", role: "progressbar", "aria-label": "Measured", "aria-valuemin": 0, "aria-valuemax": 100 }, element("div", {}));
-  #work = ["button primary", "button"].map((kind) => button("", () => this.#press(kind), { class: kind }));
-  #other = button("", () => this.#command(this.#now.button));
+  #measured = element("div", {});
+  #bar = element("div", { class: "veil-bar cover-bar", ...kPercent, "aria-label": "Measured" }, this.#measured);
+  #work = ["button primary", "button"].map((kind, i) =>
+    button("", () => this.#command(this.#now?.work[i]), { class: kind }),
+  );
+  #other = button("", () => this.#command(this.#now?.button));
   #files = element("span", { class: "row" });
   #head = element("tr", {});
   #body = element("tbody", {});
   #choices = element("fieldset", { class: "segments" });
+  #fields = /** @type {HTMLInputElement[]} */ ([]); // in these
+  #saves = /** @type {HTMLButtonElement[]} */ ([]);
   #told = element("div", { class: "unseen" }, element("table", {}, element("caption", {}, "What was measured"),
     element("thead", {}, this.#head), this.#body));
   #seen = new CoverTable((command) => this.#command({ command }));
-  #now = null;
+  #now = /** @type {Cover | null} */ (null);
   #sliced_at = Infinity; // milliseconds
   #section;
 
-  /** stage: function that gives the stage, which draws frames and pictures. */
+  /** stage: function that gives the stage, which draws frames and pictures.
+   *  @param {Door} door @param {Act} act @param {() => Stage} stage */
   constructor(door, act, stage) {
     this.#door = door;
     this.#act = act;
@@ -38,17 +49,13 @@ export class CoverTools {
     by_id("told").before(this.#section);
   }
 
-  #press(kind) {
-    this.#command(this.#now.work[kind === "button" ? 1 : 0]);
+  #command(/** @type {{ command: string } | undefined} */ pressed) {
+    if (pressed) this.#act(() => this.#door.command(pressed.command));
   }
 
-  #command({ command }) {
-    this.#act(() => this.#door.command(command));
-  }
-
-  /** A slice between two frames, short enough that none is late; the stage is drawn only where what it shows has changed.
-   *  Where frames are slow anyway, as without a graphics card, a slice takes a quarter of a frame: at 4 ms a frame,
-   *  measuring would take minutes. */
+  /** A slice between two frames, short enough that none is late; the stage is drawn only where what it shows has
+   *  changed. Where frames are slow anyway, as without a graphics card, a slice takes a quarter of a frame: at 4 ms a
+   *  frame, measuring would take minutes. */
   #slice() {
     this.#timer = 0;
     this.#door.measure(Math.min(Math.max(kSlice, (performance.now() - this.#sliced_at) / 4), kLongestSlice));
@@ -61,10 +68,10 @@ export class CoverTools {
   }
 
   #slice_after_frame() {
-    this.#timer ||= requestAnimationFrame(() => setTimeout(() => this.#slice(), 0));
+    if (this.#timer === 0) this.#timer = requestAnimationFrame(() => setTimeout(() => this.#slice(), 0));
   }
 
-  async #save(format) {
+  async #save(/** @type {CoverFormat} */ format) {
     const { name, text } = this.#door.cover_file(format);
     const blob = format === "png"
       ? await this.#stage().picture(...kPicture, (...size) => this.#door.draw_cover(...size))
@@ -75,12 +82,12 @@ export class CoverTools {
     setTimeout(() => URL.revokeObjectURL(url), 1000);
   }
 
-  #show_progress = when_changed((progress) => {
+  #show_progress = when_changed((/** @type {number} */ progress) => {
     this.#bar.setAttribute("aria-valuenow", Math.round(100 * progress));
-    this.#bar.firstElementChild.style.transform = `scaleX(${progress})`;
+    this.#measured.style.transform = `scaleX(${progress})`;
   });
 
-  update({ cover }) {
+  update(/** @type {View} */ { cover }) {
     document.documentElement.classList.toggle("covered", Boolean(cover?.shown)); // the timeline is the stage's
     set_hidden(this.#section, !cover);
     this.#seen.update(cover?.table);
@@ -91,34 +98,51 @@ export class CoverTools {
   }
 
   /** Radio buttons and files, laid out once a kind of cover: what is pressed keeps the focus. */
-  #lay_out = when_changed((choices, formats) => {
-    this.#choices.replaceChildren(element("legend", { class: "unseen" }, "Chart"), ...choices.map(([command, words]) => element("label", {},
-      element("input", { type: "radio", name: "cover", value: command, onchange: () => this.#command({ command }) }), words)));
-    this.#files.replaceChildren(...formats.map((format) => button(format.toUpperCase(), () => this.#save(format), { class: "quiet", "aria-label": `Save as ${format.toUpperCase()}` })));
+  #lay_out = when_changed((/** @type {[string, string][]} */ choices, /** @type {CoverFormat[]} */ formats) => {
+    this.#fields = choices.map(([command]) => {
+      const onchange = () => this.#command({ command });
+      return element("input", { type: "radio", name: "cover", value: command, onchange });
+    });
+    this.#choices.replaceChildren(
+      element("legend", { class: "unseen" }, "Chart"),
+      ...choices.map(([, words], i) => element("label", {}, this.#fields[i], words)),
+    );
+    this.#saves = formats.map((format) => {
+      const name = format.toUpperCase();
+      return button(name, () => this.#save(format), { class: "quiet", "aria-label": `Save as ${name}` });
+    });
+    this.#files.replaceChildren(...this.#saves);
   });
 
-  #show = when_changed((cover) => {
-    const { choices, work, formats, any, running, progress, says, table } = this.#now = cover;
+  #show = when_changed((/** @type {Cover} */ cover) => {
+    this.#now = cover;
+    const { choices, work, formats, any, running, progress, says, table } = cover;
     this.#lay_out(choices.map(({ command, words }) => [command, words]), formats);
     for (const [i, { chosen, enabled }] of choices.entries()) {
-      const label = this.#choices.querySelectorAll("label")[i], field = label.querySelector("input");
+      const field = this.#fields[i];
       field.checked = chosen;
       field.disabled = !enabled;
-      label.title = enabled ? "" : says;
+      for (const label of field.labels ?? []) label.title = enabled ? "" : says;
     }
-    const held = this.#work.indexOf(document.activeElement); // what is disabled loses the focus
+    const held = this.#work.findIndex((each) => each === document.activeElement); // what is disabled loses the focus
     for (const [i, { words, enabled }] of work.entries()) {
       set_text(this.#work[i], words);
       this.#work[i].disabled = !enabled;
     }
     if (held >= 0 && this.#work[held].disabled) this.#work[1 - held].focus();
-    for (const file of this.#files.children) file.disabled = !any;
+    for (const save of this.#saves) save.disabled = !any;
     set_text(this.#other, cover.button.words);
     set_hidden(this.#bar, !running);
     this.#show_progress(progress);
     set_text(this.#says, says);
     this.#head.replaceChildren(...table.head.map((words) => element("th", { scope: "col" }, words)));
-    this.#body.replaceChildren(...table.rows.map((row) => element("tr", {}, ...row.map((words, i) =>
-      (i === 0 ? element("th", { scope: "row" }, words) : element("td", {}, words))))));
+    this.#body.replaceChildren(
+      ...table.rows.map(([name, ...cells]) =>
+        element("tr", {},
+          element("th", { scope: "row" }, name),
+          ...cells.map((words) => element("td", {}, words)),
+        ),
+      ),
+    );
   });
 }

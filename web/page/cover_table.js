@@ -6,51 +6,54 @@ export class CoverTable {
   #head = element("tr", {});
   #body = element("tbody", {});
   #node = element("table", { class: "cover-table", hidden: true }, element("thead", {}, this.#head), this.#body);
-  #now = null;
+  #heads = /** @type {HTMLElement[]} */ ([]); // the buttons
+  #rows = /** @type {{ row: HTMLElement, name: HTMLElement, cells: HTMLElement[] }[]} */ ([]);
+  #now = /** @type {CoverTableNow | null} */ (null);
 
-  constructor(command) {
+  constructor(/** @type {(command: string) => void} */ command) {
     this.#command = command;
     by_id("controls").prepend(this.#node);
   }
 
   /** Laid out once for a kind of table: what is pressed keeps the focus, and the figures change in place. */
-  #lay_out = when_changed((head, count) => {
-    this.#head.replaceChildren(...head.map((_, i) => element("th", { scope: "col" }, button("", () => this.#command(this.#now.sorts[i])))));
-    this.#body.replaceChildren(...Array.from({ length: count }, (_, row) => element("tr", {},
-      element("th", { scope: "row" }, button("", () => this.#command(this.#now.picks[row]))), ...head.slice(1).map(() => element("td", {})))));
+  #lay_out = when_changed((/** @type {string[]} */ head, /** @type {number} */ count) => {
+    this.#heads = head.map((_, i) => button("", () => this.#command(this.#now?.sorts[i] ?? "")));
+    this.#head.replaceChildren(...this.#heads.map((name) => element("th", { scope: "col" }, name)));
+    this.#rows = Array.from({ length: count }, (_, i) => {
+      const name = button("", () => this.#command(this.#now?.picks[i] ?? ""));
+      const cells = head.slice(1).map(() => element("td", {}));
+      return { row: element("tr", {}, element("th", { scope: "row" }, name), ...cells), name, cells };
+    });
+    this.#body.replaceChildren(...this.#rows.map(({ row }) => row));
   });
 
-  #show_head(head, sorted) {
-    for (const [i, cell] of [...this.#head.children].entries()) {
-      set_text(cell.firstElementChild, head[i]);
-      if (i === sorted) cell.setAttribute("aria-sort", "ascending");
+  #show = when_changed((/** @type {CoverTableNow} */ table) => {
+    this.#now = table;
+    this.#lay_out(table.head, table.rows.length);
+    this.#node.setAttribute("aria-label", table.title);
+    for (const [i, button_of] of this.#heads.entries()) {
+      set_text(button_of, table.head[i]);
+      const cell = this.#head.cells[i];
+      if (i === table.sorted) cell.setAttribute("aria-sort", "ascending");
       else cell.removeAttribute("aria-sort");
     }
-  }
+    for (const i of this.#rows.keys()) this.#show_row(table, i);
+  });
 
-  #show_row(row, words, best, picked) {
-    row.classList.toggle("picked", picked);
-    const [name, ...cells] = row.children;
-    set_text(name.firstElementChild, words[0]);
-    name.firstElementChild.setAttribute("aria-pressed", picked);
-    for (const [i, cell] of cells.entries()) {
-      set_text(cell, words[i + 1]);
-      cell.classList.toggle("best", best[i + 1]);
+  #show_row(/** @type {CoverTableNow} */ { rows, best, picked }, /** @type {number} */ i) {
+    const { row, name, cells } = this.#rows[i];
+    row.classList.toggle("picked", i === picked);
+    name.setAttribute("aria-pressed", i === picked);
+    set_text(name, rows[i][0]);
+    for (const [k, cell] of cells.entries()) {
+      set_text(cell, rows[i][k + 1]);
+      cell.classList.toggle("best", best[i][k + 1]);
     }
   }
 
-  #show = when_changed((table) => {
-    const { title, head, rows, best, sorted, picked } = this.#now = table;
-    this.#lay_out(head, rows.length);
-    this.#node.setAttribute("aria-label", title);
-    this.#show_head(head, sorted);
-    for (const [i, words] of rows.entries()) this.#show_row(this.#body.children[i], words, best[i], i === picked);
-  });
-
   /** table: undefined where nothing can stand in the stage's place. */
-  update(table) {
-    const seen = Boolean(table?.sorts.length);
-    set_hidden(this.#node, !seen);
-    if (seen) this.#show(table);
+  update(/** @type {CoverTableNow | undefined} */ table) {
+    set_hidden(this.#node, !table?.sorts.length);
+    if (table?.sorts.length) this.#show(table);
   }
 }

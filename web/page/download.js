@@ -2,13 +2,14 @@
 // headers of a compressed transfer lack.
 
 export class Downloads {
-  #sizes = null;
-  #expected = new Map();
-  #arrived = new Map();
+  /** @type {Promise<Record<string, number>>} */
+  #sizes;
+  #expected = /** @type {Map<string, number>} */ (new Map());
+  #arrived = /** @type {Map<string, number>} */ (new Map());
   #show;
-  #kept = new Map(); // promises by path, so that no file is fetched twice
+  #kept = /** @type {Map<string, Promise<any>>} */ (new Map()); // by path, so that no file is fetched twice
 
-  constructor(show) {
+  constructor(/** @type {(share: number) => void} */ show) {
     this.#show = show;
     this.#sizes = fetch("sizes.json").then((answer) => (answer.ok ? answer.json() : {}), () => ({}));
   }
@@ -23,15 +24,16 @@ export class Downloads {
     if (expected > 0) this.#show(arrived / expected);
   }
 
-  /** The file as a Response that reports progress while it arrives. Throws if it does not arrive. */
+  /** The file as a Response that reports progress while it arrives. Throws if it does not arrive.
+   *  @param {string} path @param {string} type */
   async answer(path, type) {
     const [sizes, answer] = await Promise.all([this.#sizes, fetch(path)]);
-    if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
+    if (!answer.ok || !answer.body) throw new Error(`${path}: ${answer.status}`);
     this.#expected.set(path, sizes[path] ?? 0);
     this.#arrived.set(path, 0);
     const count = new TransformStream({
       transform: (chunk, to) => {
-        this.#arrived.set(path, this.#arrived.get(path) + chunk.byteLength);
+        this.#arrived.set(path, (this.#arrived.get(path) ?? 0) + chunk.byteLength);
         this.#report();
         to.enqueue(chunk);
       },
@@ -39,22 +41,26 @@ export class Downloads {
     return new Response(answer.body.pipeThrough(count), { headers: { "Content-Type": type } });
   }
 
-  bytes(path) {
-    return this.#once(path, async () => new Uint8Array(await (await this.answer(path, "application/octet-stream")).arrayBuffer()));
+  bytes(/** @type {string} */ path) {
+    return this.#once(path, async () => {
+      const answer = await this.answer(path, "application/octet-stream");
+      return new Uint8Array(await answer.arrayBuffer());
+    });
   }
 
-  text(path) {
+  text(/** @type {string} */ path) {
     return this.#once(path, async () => (await this.answer(path, "text/plain; charset=utf-8")).text());
   }
 
   /** The file is fetched again when it is next asked for. */
-  forget(path) {
+  forget(/** @type {string} */ path) {
     this.#kept.delete(path);
   }
 
+  /** @template What @param {string} path @param {() => Promise<What>} bring @returns {Promise<What>} */
   #once(path, bring) {
-    if (!this.#kept.has(path)) this.#kept.set(path, bring());
-    const coming = this.#kept.get(path);
+    const coming = this.#kept.get(path) ?? bring();
+    this.#kept.set(path, coming);
     coming.catch(() => this.#kept.delete(path)); // so that it can be tried again
     return coming;
   }

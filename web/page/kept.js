@@ -6,22 +6,41 @@ const kAside = "snug-course-damaged"; // what could not be understood, as it was
 const kVersion = 1;
 const kLongest = 200_000; // characters for one lesson: an address and its answers
 
-const is_text = (value) => typeof value === "string" && value.length <= kLongest;
-const is_count = (value) => Number.isSafeInteger(value) && value >= 0;
+const is_text = (/** @type {any} */ value) => typeof value === "string" && value.length <= kLongest;
+const is_count = (/** @type {any} */ value) => Number.isSafeInteger(value) && value >= 0;
 
 /** Whether it is a valid entry of a lesson; a lesson without one counts as not begun. */
-const is_entry = (entry) => Boolean(entry) && is_text(entry.address) && is_text(entry.answers) && is_count(entry.answered) && is_count(entry.step)
-  && is_count(entry.steps) && typeof entry.done === "boolean" && typeof entry.task === "boolean";
+const is_entry = (/** @type {any} */ entry) =>
+  Boolean(entry) &&
+  is_text(entry.address) &&
+  is_text(entry.answers) &&
+  is_count(entry.answered) &&
+  is_count(entry.step) &&
+  is_count(entry.steps) &&
+  typeof entry.done === "boolean" &&
+  typeof entry.task === "boolean";
 
-const is_try = (tried) => Boolean(tried) && is_text(tried.question) && (tried.handle === null || is_text(tried.handle)) && Array.isArray(tried.choices) && tried.choices.every(is_count);
+const is_try = (/** @type {any} */ tried) =>
+  Boolean(tried) &&
+  is_text(tried.question) &&
+  (tried.handle === null || is_text(tried.handle)) &&
+  Array.isArray(tried.choices) &&
+  tried.choices.every(is_count);
 
-/** Where one was within a question came later: entries without it are entries. */
-const whole = (entry) => ({ ...entry, told: is_text(entry.told) ? entry.told : null, tried: is_try(entry.tried) ? entry.tried : null });
+/** Where one was within a question came later: entries without it are entries.
+ *  @returns {KeptLesson} */
+const whole = (/** @type {any} */ entry) => ({
+  ...entry,
+  told: is_text(entry.told) ? entry.told : null,
+  tried: is_try(entry.tried) ? entry.tried : null,
+});
 
+/** @returns {KeptData} */
 const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {} });
 
 /** The stored data, without entries that cannot be understood; null if it is a later version's. If nothing of it is any
- *  version's, it is set aside, and everything starts anew. */
+ *  version's, it is set aside, and everything starts anew.
+ *  @param {string | null} text @returns {KeptData | null} */
 function understood(text) {
   let data = null;
   try {
@@ -34,8 +53,15 @@ function understood(text) {
     if (text) localStorage.setItem(kAside, text);
     return nothing();
   }
-  const lessons = Object.entries(Object(data.lessons)).filter(([, entry]) => is_entry(entry)).map(([id, entry]) => [id, whole(entry)]);
-  return { version: kVersion, last: is_text(data.last) ? data.last : null, invited: is_count(data.invited) ? data.invited : 0, lessons: Object.fromEntries(lessons) };
+  const lessons = Object.entries(Object(data.lessons))
+    .filter(([, entry]) => is_entry(entry))
+    .map(([id, entry]) => [id, whole(entry)]);
+  return {
+    version: kVersion,
+    last: is_text(data.last) ? data.last : null,
+    invited: is_count(data.invited) ? data.invited : 0,
+    lessons: Object.fromEntries(lessons),
+  };
 }
 
 export class Kept {
@@ -71,12 +97,14 @@ export class Kept {
     return this.#data.invited;
   }
 
-  /** {address, answers, answered, step, steps, done, task, told, tried}, or null where the lesson was not begun. told: the
-   *  question whose outcome stood there; tried: {question, choices, handle}, a first answer to it that was wrong. */
+  /** Null where the lesson was not begun. told: the question whose outcome stood there; tried: a first answer to it
+   *  that was wrong.
+   *  @param {string} id @returns {KeptLesson | null} */
   lesson(id) {
     return Object.hasOwn(this.#data.lessons, id) ? this.#data.lessons[id] : null;
   }
 
+  /** @param {string} id @param {KeptLesson} entry */
   keep_lesson(id, entry) {
     this.#change((data) => {
       data.lessons[id] = entry;
@@ -84,7 +112,7 @@ export class Kept {
     });
   }
 
-  keep_invited(count) {
+  keep_invited(/** @type {number} */ count) {
     this.#change((data) => (data.invited = Math.max(data.invited, count)));
   }
 
@@ -109,7 +137,7 @@ export class Kept {
     }
   }
 
-  #change(change) {
+  #change(/** @type {(data: KeptData) => void} */ change) {
     if (this.#works) this.#read();
     change(this.#data);
     const text = JSON.stringify(this.#data);

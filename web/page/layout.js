@@ -7,7 +7,8 @@ const kBeside = 30; // the width, in a window that is wider than high
 const kCoarse = matchMedia("(pointer: coarse)");
 const kParts = ["stage", "timeline", "numbers"];
 
-/** Keeps data-layout ("wide", "beside" or "phone") on the root, and calls changed when anything has moved. */
+/** Keeps data-layout ("wide", "beside" or "phone") on the root, and calls changed when anything has moved.
+ *  @param {() => void} changed */
 export function watch_layout(changed) {
   const name = () => {
     name_layout();
@@ -17,7 +18,8 @@ export function watch_layout(changed) {
   const moved = new ResizeObserver(changed);
   for (const id of ["work", "column", "ask", ...kParts]) moved.observe(by_id(id));
   addEventListener("resize", name);
-  new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style", "class"] }); // text size, presentation
+  // Text size and presentation change these.
+  new MutationObserver(name).observe(document.documentElement, { attributeFilter: ["style", "class"] });
   name();
 }
 
@@ -37,21 +39,20 @@ function fitting() {
 
 const has_fingers = () => kCoarse.matches || document.documentElement.dataset.layout === "phone";
 
-/** The parts' rectangles in #work, in its pixels; a hidden part's is empty. */
-function measured() {
+/** A part's rectangle in #work, in its pixels; a hidden part's is empty.
+ *  @param {string} id */
+function measured(id) {
   const work = by_id("work").getBoundingClientRect();
-  const rectangles = kParts.map((id) => {
-    const { left, top, width, height } = by_id(id).getBoundingClientRect();
-    return { x: left - work.left, y: top - work.top, width, height };
-  });
-  return Object.fromEntries(kParts.map((id, i) => [id, rectangles[i]]));
+  const { left, top, width, height } = by_id(id).getBoundingClientRect();
+  return { x: left - work.left, y: top - work.top, width, height };
 }
 
 /** How far the page's own buttons reach into the stage from its left edge. */
 function tools_reach() {
-  const reaches = [...document.querySelectorAll(".stage-tools > :not([hidden])")].map((tool) => tool.getBoundingClientRect());
-  const shown = reaches.filter(({ width }) => width > 0);
-  return shown.length > 0 ? Math.max(...shown.map(({ right }) => right)) - by_id("stage").getBoundingClientRect().left : 0;
+  const tools = [...document.querySelectorAll(".stage-tools > :not([hidden])")];
+  const shown = tools.map((tool) => tool.getBoundingClientRect()).filter(({ width }) => width > 0);
+  if (shown.length === 0) return 0;
+  return Math.max(...shown.map(({ right }) => right)) - by_id("stage").getBoundingClientRect().left;
 }
 
 /** How much of the bottom of the stage the question covers; 0 if there is room for it elsewhere. */
@@ -61,28 +62,30 @@ function foot() {
   return beside ? 0 : Math.max(0, Math.min(stage.bottom, stage.bottom - card.top));
 }
 
-let last = null;
+let last = /** @type {StageLayout | null} */ (null);
 
-/** Puts the canvas under its parts. Returns the arguments of web/main.cpp's set_layout. */
+/** Puts the canvas under its parts. Returns the arguments of web/main.cpp's set_layout.
+ *  @param {HTMLCanvasElement} canvas */
 export function arrange(canvas) {
-  const parts = measured();
-  const shown = Object.values(parts).filter((part) => part.width > 0 && part.height > 0);
+  const [stage, timeline, inspector] = kParts.map(measured);
+  const shown = [stage, timeline, inspector].filter((part) => part.width > 0 && part.height > 0);
   if (shown.length === 0 && last) return last; // the course is shown instead of the lesson
   const left = Math.floor(Math.min(...shown.map((part) => part.x)));
   const top = Math.floor(Math.min(...shown.map((part) => part.y)));
   const width = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.x + part.width))) - left);
   const height = Math.max(1, Math.ceil(Math.max(...shown.map((part) => part.y + part.height))) - top);
   Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
-  const within = ({ x, y, width, height }) => ({ x: x - left, y: y - top, width, height });
-  return last = {
+  const within = (/** @type {Rectangle} */ part) => ({ ...part, x: part.x - left, y: part.y - top });
+  last = {
     width,
     height,
     scale: devicePixelRatio,
     fingers: has_fingers(),
     tools: tools_reach(),
     foot: foot(),
-    stage: within(parts.stage),
-    timeline: within(parts.timeline),
-    inspector: within(parts.numbers),
+    stage: within(stage),
+    timeline: within(timeline),
+    inspector: within(inspector),
   };
+  return last;
 }

@@ -31,13 +31,17 @@ import { Stored } from "./stored.js";
 import { Tabs } from "./tabs.js";
 import { changed } from "./text_change.js";
 import { Words } from "./words.js";
+/** @import { Preview } from "./preview.js"
+ *  @typedef {ReturnType<typeof read_address>} Address */
 
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
 const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
-const kPanelsDelay = 250; // milliseconds between updates of the HTML during a drag: one in every frame would cost a layout each
+const kNotLoaded = "could not be loaded. Check the connection, then try again.";
+// Milliseconds between updates of the HTML during a drag: one in every frame would cost a layout each.
+const kPanelsDelay = 250;
 
 class Page {
-  written = null; // the address that the page wrote for the open lesson
+  written = /** @type {string | null} */ (null); // the address that the page wrote for the open lesson
   #door;
   #downloads;
   #lessons;
@@ -49,24 +53,35 @@ class Page {
   #question;
   #reading;
   #tabs;
+  /** @type {PagePanel[]} */
   #panels;
-  #lesson = null;
-  #view = null;
+  /** The lesson that is open, and its state when something has changed last.
+   *  @type {Lesson} */
+  #lesson;
+  /** @type {View} */
+  #view;
   #embed;
   #go_to;
   #opens = 0; // counts the calls of open and rest; each cancels the earlier ones
   #opening = true; // whether the page does not show yet what the address asks for
   #kept;
-  #erased_at = null; // the address at which the answers were erased
+  #erased_at = /** @type {string | null} */ (null); // the address at which the answers were erased
   #reveal = () => {};
   #address_timer = 0;
   #panels_timer = 0;
   #preview;
-  #draft; // as #read gave it
-  #wanted = null; // what could not be opened, because of its file
+  /** The lesson's file as #read gave it.
+   *  @type {LessonFile} */
+  #draft;
+  /** What could not be opened, because of its file.
+   *  @type {{ asked: Address, reveal: () => void } | null} */
+  #wanted = null;
   #playground;
 
-  /** go_to(id): to another lesson. preview: where the lessons are being written, else null. */
+  /** preview: where the lessons are being written, else null.
+   *  @param {{ door: Door, downloads: Downloads, lessons: CourseLesson[], playground: string, gallery: Gallery | null,
+   *    formulas: Record<string, string>, settings: Settings, kept: Kept, embed: boolean, preview: Preview | null,
+   *    go_to: GoTo }} of */
   constructor({ door, downloads, lessons, playground, gallery, formulas, settings, kept, embed, preview, go_to }) {
     this.#door = door;
     this.#downloads = downloads;
@@ -76,36 +91,76 @@ class Page {
     this.#kept = kept;
     this.#embed = embed;
     this.#preview = preview;
+    /** @type {Act} */
     const act = (what) => this.act(what);
-    const next = (id) => (this.#is_of_course(id) ? lessons[lessons.findIndex((lesson) => lesson.id === id) + 1] : undefined);
+    const next = (/** @type {string} */ id) =>
+      this.#is_of_course(id) ? lessons[lessons.findIndex((lesson) => lesson.id === id) + 1] : undefined;
     const texts = new Words(formulas);
-    const question = this.#question = new QuestionCard(door, act, texts, { next: embed ? () => undefined : next, go: go_to, show_task: embed ? null : () => this.#show_task() });
+    const question = new QuestionCard(door, act, texts, {
+      next: embed ? () => undefined : next,
+      go: go_to,
+      show_task: embed ? null : () => this.#show_task(),
+    });
+    this.#question = question;
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
-    this.#reading = new Reading(door.words(), { texts, start_task: (task) => this.#start_task(task), follow: (link) => this.#follow(link), light: (mark) => act(() => door.light(mark)) });
+    this.#reading = new Reading(door.words(), {
+      texts,
+      start_task: (task) => this.#start_task(task),
+      follow: (link) => this.#follow(link),
+      light: (mark) => act(() => door.light(mark)),
+    });
     this.#playground = new Playground(door, embed ? "" : playground, lessons, go_to);
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());
-    this.#panels = [texts, this.#reading, question, this.#playground, new PanelWords((command) => act(() => door.command(command))), new Code(door, act), new Stored((mark) => act(() => door.light(mark))), this.#points, new NumberTools(door, act), new ScalarSwitch(door, act), new SceneFile(door, act), new SituationTools(door, act), new CoverTools(door, act, () => this.#stage), new Player(door, act), this.#tabs, new Side(door), new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()), new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place))];
+    this.#panels = [
+      texts,
+      this.#reading,
+      question,
+      this.#playground,
+      new PanelWords((command) => act(() => door.command(command))),
+      new Code(door, act),
+      new Stored((mark) => act(() => door.light(mark))),
+      this.#points,
+      new NumberTools(door, act),
+      new ScalarSwitch(door, act),
+      new SceneFile(door, act),
+      new SituationTools(door, act),
+      new CoverTools(door, act, () => this.#stage),
+      new Player(door, act),
+      this.#tabs,
+      new Side(door),
+      new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()),
+      new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place)),
+    ];
     this.#menu = new LessonMenu(lessons, go_to);
     this.#stage = new Stage(door, () => this.#show());
     settings.on_change(() => this.#apply_settings());
-    listen_to_keys(door, act, (digit) => question.choose(digit), () => this.#leave_presentation());
-    for (const command of ["undo", "redo"]) by_id(command).addEventListener("click", () => act(() => door.command(command)));
-    by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show()); // its locked button "Answer"
+    listen_to_keys(
+      door,
+      act,
+      (digit) => question.choose(digit),
+      () => this.#leave_presentation(),
+    );
+    for (const command of ["undo", "redo"])
+      by_id(command).addEventListener("click", () => act(() => door.command(command)));
+    // The timeline has a locked button "Answer" on the canvas.
+    by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show());
     by_id("share").addEventListener("click", () => this.#share());
     addEventListener("pagehide", () => this.leave());
     this.#go_to = go_to;
   }
 
   /** Follows a link in the prose. */
-  #follow({ kind, target }) {
+  #follow(/** @type {Link} */ { kind, target }) {
     if (kind === "lesson") return this.#go_to(target);
     if (kind === "mesh") return this.#points.bring(target);
     const { step } = this.#view;
     this.act(() => {
-      const error = kind === "algorithm" ? this.#door.choose(0, target) : kind === "situation" ? this.#door.show_situation(target) : this.#door.go(Number(target));
+      if (kind === "step") return this.#door.go(Number(target));
+      const error = kind === "algorithm" ? this.#door.choose(0, target) : this.#door.show_situation(target);
       if (error) notice(`${error}.`);
     });
-    if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show(); // the question stops the player here
+    // The question stops the player here.
+    if (kind === "step" && this.#view.asked && this.#view.step === step) this.#question.show();
   }
 
   /** Wherever one was: the task is at the end of the lesson's text. */
@@ -115,13 +170,13 @@ class Page {
   }
 
   /** Starts the task, and on a phone scrolls to the stage, which is far above the task. */
-  #start_task(task) {
+  #start_task(/** @type {number} */ task) {
     this.act(() => this.#door.start_task(task));
     by_id("stage").scrollIntoView({ block: "nearest" });
   }
 
   /** Does what the user asks for, then shows the result. */
-  act(what) {
+  act(/** @type {() => void} */ what) {
     what();
     this.#show();
     this.#stage.request();
@@ -138,7 +193,7 @@ class Page {
     return true;
   }
 
-  #mesh(name) {
+  #mesh(/** @type {string} */ name) {
     return this.#downloads.bytes(`meshes/${name}.ply`);
   }
 
@@ -170,12 +225,13 @@ class Page {
     this.#erased_at = this.#address();
   }
 
-  #is_of_course(id) {
+  #is_of_course(/** @type {string} */ id) {
     return this.#lessons.some((lesson) => lesson.id === id);
   }
 
   /** Opens what an address asks for, or says why it cannot. A later call cancels one that waits for its files.
-   *  reveal: shows the page once it has something new. */
+   *  reveal: shows the page once it has something new.
+   *  @param {Address} asked */
   async open(asked, reveal = () => {}) {
     const turn = (this.#opens += 1);
     this.#reveal = reveal;
@@ -185,18 +241,26 @@ class Page {
     this.#erased_at = null;
     this.written = null;
     this.#wanted = { asked, reveal };
-    const id = asked.lesson;
+    const id = asked.lesson ?? "";
     const known = this.#is_of_course(id) || (await this.#gallery?.has(id));
     if (turn !== this.#opens) return;
-    if (!known) return reveal(), this.#offer_lessons(asked.lesson);
-    const read = await this.#read(id, turn).catch((failed) => (console.warn(failed), null));
+    if (!known) {
+      reveal();
+      return this.#offer_lessons(id);
+    }
+    const read = await this.#read(id, turn).catch((failed) => console.warn(failed));
     if (turn !== this.#opens) return;
     reveal();
-    if (!read) return veil.failed("The lesson could not be loaded. Check the connection, then try again.", () => this.open(asked, reveal));
+    if (!read)
+      return veil.failed(`The lesson ${kNotLoaded}`, () => this.open(asked, reveal));
     const kept = this.#embed ? null : this.#kept.lesson(id);
     if (kept && read.opens) this.#door.keep_answers(id, kept.answers);
     const error = read.opens ? this.#door.open_lesson(read.bytes, false) : read.error;
-    if (error && this.#preview) return veil.choose("This lesson cannot be drawn yet: it opens once its file is mended. These are the lessons:", lesson_links(this.#lessons, null, this.#go_to));
+    if (error && this.#preview)
+      return veil.choose(
+        "This lesson cannot be drawn yet: it opens once its file is mended. These are the lessons:",
+        lesson_links(this.#lessons, null, this.#go_to),
+      );
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#wanted = null;
     this.#show_lesson();
@@ -215,11 +279,11 @@ class Page {
 
   /** Shows what is constant in the lesson that was just opened. */
   #show_lesson() {
-    this.#lesson = this.#door.lesson();
+    this.#lesson = /** @type {Lesson} */ (this.#door.lesson());
     this.#menu.show(this.#lesson);
     document.title = `${this.#lesson.title} · Snug`;
     by_id("canvas").setAttribute("aria-label", `Stage: ${this.#lesson.stageSays}`);
-    set_text(by_id("figures").closest("table").caption, `Numbers at this ${this.#lesson.stepWord}`);
+    set_text(by_id("figures-caption"), `Numbers at this ${this.#lesson.stepWord}`);
     for (const panel of this.#panels) panel.open?.(this.#lesson);
     make_anew(); // a lesson that is read anew may say the same of other elements
   }
@@ -240,13 +304,16 @@ class Page {
   }
 
   /** Once the lesson is seen: playing it may take longer than a frame. */
-  #check_draft(id, read, turn) {
+  #check_draft(/** @type {string} */ id, /** @type {LessonFile} */ read, /** @type {number} */ turn) {
     this.#draft = read;
-    if (this.#preview) setTimeout(() => turn === this.#opens && this.#preview.check(this.#door, id, read, this.#lessons));
+    const check = () => turn === this.#opens && this.#preview?.check(this.#door, id, read, this.#lessons);
+    if (this.#preview) setTimeout(check, 0);
   }
 
-  /** Reads a lesson's file for open_lesson: {toml, opens, error, bytes}, the bytes those of its mesh. One that is being written
-   *  opens in spite of its mistakes, as far as it can be drawn. Throws if a file does not arrive. */
+  /** Reads a lesson's file for open_lesson: {toml, opens, error, bytes}, the bytes those of its mesh. One that is being
+   *  written opens in spite of its mistakes, as far as it can be drawn. Throws if a file does not arrive.
+   *  Null if something else is opened meanwhile.
+   *  @param {string} id @param {number} turn @returns {Promise<LessonFile | null>} */
   async #read(id, turn) {
     const slow = setTimeout(() => (this.#reveal(), veil.loading()), kFilesDelay);
     try {
@@ -263,30 +330,40 @@ class Page {
 
   /** Files of lessons that are being written have changed: opens what could not be opened, and the lesson that stands
    *  here anew, at the same place. What cannot be drawn now leaves it as it was. names: the files'. */
-  async files_changed(names) {
+  async files_changed(/** @type {string[]} */ names) {
     for (const name of names) this.#downloads.forget(`lessons/${name}`);
     if (this.#wanted) return this.open(this.#wanted.asked, this.#wanted.reveal);
     const id = this.#lesson?.id;
     if (this.#opening) return;
     if (!names.includes(`${id}.toml`)) return this.#check_draft(id, this.#draft, this.#opens); // its links
-    if (!this.#preview.has(`${id}.toml`)) return this.#preview.lesson_says({ heading: `${id}.toml is gone.`, lines: [{ text: "The lesson is shown as it was.", warning: false }] });
+    if (!this.#preview?.has(`${id}.toml`))
+      return this.#preview?.lesson_says({
+        heading: `${id}.toml is gone.`,
+        lines: [{ text: "The lesson is shown as it was.", warning: false }],
+      });
     const turn = (this.#opens += 1);
     const read = await this.#read(id, turn);
-    if (turn !== this.#opens || !read.opens) return;
+    if (turn !== this.#opens || !read?.opens) return;
     if (this.#door.open_lesson(read.bytes, true)) return;
     this.#show_anew();
     this.#check_draft(id, read, turn);
   }
 
-  #offer_lessons(id) {
+  #offer_lessons(/** @type {string} */ id) {
     const links = lesson_links(this.#lessons, null, this.#go_to);
-    veil.choose(this.#lessons.length === 0 ? "There are no lessons here." : `There is no lesson “${id.slice(0, 60)}”. These are the lessons:`, links);
+    veil.choose(
+      this.#lessons.length === 0
+        ? "There are no lessons here."
+        : `There is no lesson “${id.slice(0, 60)}”. These are the lessons:`,
+      links,
+    );
   }
 
   /** Restores what the address says, as far as possible. */
-  async #restore(asked) {
+  async #restore(/** @type {Address} */ asked) {
     const door = this.#door;
-    const tell = (error) => error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
+    const tell = (/** @type {Refusal} */ error) =>
+      error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
     if (asked.situation) tell(door.show_situation(asked.situation));
     if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
     if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
@@ -294,40 +371,51 @@ class Page {
     if (asked.slide) tell(door.set_sliders(asked.slide));
     if (asked.rows) tell(door.set_rows(asked.rows));
     if (asked.moved) tell(door.change_rows(asked.moved));
-    for (const [change, of] of [[asked.file, "own"], [asked.draft, "runs"]]) if (change) tell(this.#restore_file(change, of));
+    if (asked.file) tell(this.#restore_file(asked.file, "own"));
+    if (asked.draft) tell(this.#restore_file(asked.draft, "runs"));
     if (asked.a) tell(door.choose(0, asked.a));
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
-      const { steps } = door.view();
-      if (asked.step > steps) asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
+      const { steps } = this.#now();
+      if (asked.step > steps)
+        asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
       door.jump(Math.min(asked.step, steps));
-      const { cover } = door.view();
+      const { cover } = this.#now();
       if (asked.step > 0 && cover?.shown) door.command(cover.button.command); // a step is of the stage
     }
   }
 
   /** The conversation goes on where it stood: at an outcome that was not read to its end, or before the second try. */
-  #resume({ told, tried }) {
-    if (told) return this.#door.command(`review:${told}`);
-    if (tried && !this.#door.view().asked) this.#door.command("measure"); // which asks for the predictions first
-    if (!tried || tried.question !== this.#door.view().asked?.id) return;
+  #resume(/** @type {KeptLesson} */ { told, tried }) {
+    if (told) this.#door.command(`review:${told}`);
+    if (told || !tried) return;
+    if (!this.#now().asked) this.#door.command("measure"); // which asks for the predictions first
+    if (tried.question !== this.#now().asked?.id) return;
     if (tried.handle === null) tried.choices.forEach((choice) => this.#door.pick_choice(choice));
     else this.#door.pick_name(tried.handle);
     this.#door.command("commit_answer");
   }
 
-  /** of: which text of the file has changed: "own" or "runs". */
+  /** of: which text of the file has changed.
+   *  @param {string} change @param {"own" | "runs"} of @returns {Refusal} */
   #restore_file(change, of) {
-    const { file } = this.#door.view();
+    const { file } = this.#now();
     const text = file && changed(file[of], change);
-    return text === null ? "it changes a file that this lesson does not have" : this.#door.set_file(text) || this.#door.end_typing() || "";
+    if (text === null) return "it changes a file that this lesson does not have";
+    const error = this.#door.set_file(text);
+    if (!error) this.#door.end_typing();
+    return error;
   }
 
-  /** number: counted from 1. */
+  /** number: counted from 1.
+   *  @param {number} number @returns {Refusal} */
   #restore_task(number) {
-    return number <= this.#lesson.tasks.length ? this.#door.start_task(number - 1) : `this lesson has no task ${number}`;
+    if (number > this.#lesson.tasks.length) return `this lesson has no task ${number}`;
+    this.#door.start_task(number - 1);
+    return "";
   }
 
+  /** @param {string} from @param {number} seed @returns {Promise<Refusal>} */
   async #restore_source(from, seed) {
     const [name, count] = from.split(":");
     if (name === "task") return this.#restore_task(Number(count ?? 1));
@@ -336,15 +424,25 @@ class Page {
       return this.#door.set_generator(name, Number(count), seed);
     }
     if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
-    return this.#mesh(name).then((bytes) => this.#door.load_file(bytes, name), () => `the mesh “${name}” could not be loaded`);
+    return this.#mesh(name).then(
+      (bytes) => this.#door.load_file(bytes, name),
+      () => `the mesh “${name}” could not be loaded`,
+    );
   }
 
   // ---- what is shown ------------------------------------------------------------------------------------------
 
-  #say_selected = when_changed((name) => set_text(by_id("selected-says"), name ? `${name}, selected` : ""));
+  #say_selected = when_changed((/** @type {string | null} */ name) =>
+    set_text(by_id("selected-says"), name ? `${name}, selected` : ""),
+  );
+
+  /** What stands there, once a lesson is open. */
+  #now() {
+    return /** @type {View} */ (this.#door.view());
+  }
 
   #show() {
-    this.#view = this.#door.view();
+    this.#view = this.#now();
     if (!this.#view) return;
     this.#say_selected(this.#view.selectedName);
     set_text(by_id("caption"), this.#view.caption);
@@ -363,9 +461,12 @@ class Page {
     this.#show_figures(this.#view.figures);
   }
 
-  #show_figures = when_changed((figures) => {
-    by_id("figures").replaceChildren(...figures.map(({ name, text }) =>
-      element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, text))));
+  #show_figures = when_changed((/** @type {ShownFigure[]} */ figures) => {
+    by_id("figures").replaceChildren(
+      ...figures.map(({ name, text }) =>
+        element("tr", {}, element("th", { scope: "row" }, name), element("td", {}, text)),
+      ),
+    );
   });
 
   // ---- the address --------------------------------------------------------------------------------------------
@@ -386,7 +487,7 @@ class Page {
   }
 
   /** Keeps the student's place and answers, once the student has done something here. */
-  #keep(address) {
+  #keep(/** @type {string} */ address) {
     if (!this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
     const { outcomes, step, steps, tasksDone, asked, outcome, deciding, progress } = this.#view;
     if (address === this.#erased_at && outcomes.length === 0) return;
@@ -398,29 +499,35 @@ class Page {
       // Once done, a lesson stays done when it is looked at again.
       done: Boolean(before?.done) || progress.done,
       task: Boolean(before?.task) || tasksDone,
-      told: (outcome ?? deciding)?.question ?? null, tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
+      told: (outcome ?? deciding)?.question ?? null,
+      tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
     });
   }
 
   async #share() {
     this.#write_address();
     const whole = Object.keys(this.#door.shared_rows()).length > 0;
-    const leads = whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for an address.";
+    const leads = whole
+      ? "It opens what you see."
+      : "It opens this lesson without these points, which are too many for an address.";
     try {
       await navigator.clipboard.writeText(location.href);
       notice(`The address is copied. ${leads}`, "told");
     } catch {
-      notice(`The browser does not allow the page to copy: take the address from the address bar. ${leads}`
-, "told");
+      notice(`The browser does not allow the page to copy: take the address from the address bar. ${leads}`, "told");
     }
   }
 
   // ---- for scripts and tests ----------------------------------------------------------------------------------
 
+  /** @returns {PageState | null} */
   state() {
     const view = this.#door.view();
-    if (view?.asked) view.asked.targets = this.#door.targets();
-    return view && { ...view, trace: this.#door.trace(), mistakes: (this.#preview?.says ?? []).flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]) };
+    if (!view) return null;
+    const asked = view.asked && { ...view.asked, targets: this.#door.targets() };
+    const says = this.#preview?.says ?? [];
+    const mistakes = says.flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]);
+    return { ...view, asked, trace: this.#door.trace(), mistakes };
   }
 
   forget_answers() {
@@ -428,7 +535,7 @@ class Page {
   }
 
   handles() {
-    return this.#door.handles().map((handle) => this.#stage.on_page(handle));
+    return this.#door.handles().map(({ id, ...at }) => ({ id, ...this.#stage.on_page(at) }));
   }
 
   frame_times() {
@@ -437,19 +544,21 @@ class Page {
 }
 
 /** Whether an address names a lesson but no place in it. */
-const is_bare = ({ step, seed, situation, scalar, from, slide, rows, moved, file, draft, a, b }) => step === null && seed === null && !situation && !scalar && !from && !slide && !rows && !moved && !file && !draft && !a && !b;
+const is_bare = (/** @type {Address} */ { lesson, embed, problems, step, seed, ...place }) =>
+  step === null && seed === null && !Object.values(place).some(Boolean);
 
 /** Shows the course or, if the address names a lesson, the page with the program. */
 class Site {
   #downloads = new Downloads((share) => veil.progress(share));
   #settings = new Settings();
   #kept = new Kept();
-  #course = null;
-  #gallery = null;
-  #preview = null;
-  #typeset = {}; // the formulas
-  #page = null;
-  #shown = null; // the address that is shown
+  /** @type {Course} */
+  #course;
+  #gallery = /** @type {Gallery | null} */ (null);
+  #preview = /** @type {Preview | null} */ (null);
+  #typeset = /** @type {Record<string, string>} */ ({}); // the formulas
+  #page = /** @type {Page | null} */ (null);
+  #shown = ""; // the address that is shown
   #scrolled = 0; // how far the course was scrolled
   #warm = false; // whether the program was asked for ahead of the first lesson
 
@@ -459,7 +568,8 @@ class Site {
     this.#settings.on_erase(() => this.#erase());
     addEventListener("popstate", () => {
       const stands = document.documentElement.dataset.view === "lesson" && location.search === this.#page?.written;
-      if (location.search !== this.#shown && !stands) this.show({ back: true }); // the link to the stage, #canvas, changes nothing
+      // The link to the stage, #canvas, changes nothing.
+      if (location.search !== this.#shown && !stands) this.show({ back: true });
     });
     by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
   }
@@ -471,24 +581,25 @@ class Site {
     document.documentElement.classList.toggle("embed", asked.embed);
     const at_lesson = asked.lesson !== null;
     try {
-      const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null; // beside the course and the lesson
+      // The program arrives beside the course and the lesson.
+      const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null;
       door?.catch(() => {});
       this.#course ??= await this.#bring_course();
       if (!at_lesson) return this.#show_course(back);
-      if (door) this.#bring_ahead(asked.lesson);
+      if (door) this.#bring_ahead(asked.lesson ?? "");
       if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil shows the program's progress
-      this.#page ??= await this.#bring_page(asked.embed, door);
+      if (door) this.#page ??= await this.#bring_page(asked.embed, door);
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";
-      return veil.failed("Part of Snug could not be loaded. Check the connection, then try again.", () => this.show({ attempt: attempt + 1 }));
+      return veil.failed(`Part of Snug ${kNotLoaded}`, () => this.show({ attempt: attempt + 1 }));
     }
     if (location.search !== this.#shown) return;
-    await this.#page.open(asked, () => (document.documentElement.dataset.view = "lesson"));
+    await this.#page?.open(asked, () => (document.documentElement.dataset.view = "lesson"));
     dispatchEvent(new Event("snug-ready"));
   }
 
-  go_to(search) {
+  go_to(/** @type {string} */ search) {
     this.#page?.leave();
     if (document.documentElement.dataset.view === "course") this.#scrolled = scrollY;
     history.pushState(null, "", search || location.pathname);
@@ -497,13 +608,14 @@ class Site {
   }
 
   /** What was pressed may be gone with what stood before: then the stage has the keys. */
-  async #go_into(id) {
+  async #go_into(/** @type {string} */ id) {
     this.#page?.leave();
     await this.go_to(way_into(id, this.#kept));
     if (document.activeElement === document.body) by_id("canvas").focus({ preventScroll: true });
   }
 
   async #bring_course() {
+    /** @type {CourseFile} */
     const made = JSON.parse(await this.#downloads.text("course.json"));
     const course = new Course(made, this.#kept, (id) => this.#go_into(id));
     if (made.preview) await this.#follow(made.preview);
@@ -513,17 +625,18 @@ class Site {
   }
 
   /** Where the lessons are being written, the page follows their files. */
-  async #follow(of) {
+  async #follow(/** @type {PreviewOf} */ of) {
     const { Preview } = await import("./preview.js");
     this.#preview = new Preview(of);
     this.#preview.follow((names) => this.#files_changed(names));
   }
 
-  async #files_changed(names) {
+  async #files_changed(/** @type {string[]} */ names) {
     for (const path of ["course.json", "formulas.json"]) this.#downloads.forget(path);
+    /** @type {CourseFile} */
     const made = JSON.parse(await this.#downloads.text("course.json"));
     this.#course.replace(made);
-    this.#preview.course_says(made.preview);
+    if (made.preview) this.#preview?.course_says(made.preview);
     if (document.documentElement.dataset.view === "course") this.#course.show();
     await this.#page?.files_changed(names);
     if (this.#page) await this.#typeset_anew();
@@ -533,33 +646,45 @@ class Site {
     const formulas = await this.#formulas();
     const more = Object.keys(formulas).some((tex) => !Object.hasOwn(this.#typeset, tex));
     Object.assign(this.#typeset, formulas);
-    if (more) this.#page.formulas_changed();
+    if (more) this.#page?.formulas_changed();
   }
 
-  /** The typeset formulas; without them, formulas are shown on one line. */
+  /** The typeset formulas; without them, formulas are shown on one line.
+   *  @returns {Promise<Record<string, string>>} */
   async #formulas() {
     return JSON.parse(await this.#downloads.text("formulas.json").catch(() => "{}"));
   }
 
   /** Asks for a lesson's file and mesh, which open reads later, while the program still arrives. */
-  #bring_ahead(id) {
+  #bring_ahead(/** @type {string} */ id) {
     if (!this.#course.lessons.some((lesson) => lesson.id === id)) return;
-    const mesh_of = (toml) => /^mesh = "([a-z]+)"/m.exec(toml)?.[1];
+    const mesh_of = (/** @type {string} */ toml) => /^mesh = "([a-z]+)"/m.exec(toml)?.[1];
     const mesh = this.#downloads.text(`lessons/${id}.toml`).then(mesh_of);
-    mesh.then((name) => name && this.#downloads.bytes(`meshes/${name}.ply`)).catch(() => {});
+    mesh.then((name) => (name ? this.#downloads.bytes(`meshes/${name}.ply`) : null)).catch(() => {});
   }
 
-  /** opened: what open_door promises. */
+  /** opened: what open_door promises.
+   *  @param {boolean} embed @param {Promise<Door>} opened */
   async #bring_page(embed, opened) {
     veil.loading();
     const [door, formulas] = await Promise.all([opened, this.#formulas()]);
     Object.assign(this.#typeset, formulas);
-    const page = new Page({ door, downloads: this.#downloads, lessons: this.#course.lessons, playground: this.#course.playground, gallery: this.#gallery, formulas: this.#typeset, settings: this.#settings,
-      kept: this.#kept, embed, preview: this.#preview, go_to: (id) => this.#go_into(id) });
-    return page;
+    return new Page({
+      door,
+      downloads: this.#downloads,
+      lessons: this.#course.lessons,
+      playground: this.#course.playground,
+      gallery: this.#gallery,
+      formulas: this.#typeset,
+      settings: this.#settings,
+      kept: this.#kept,
+      embed,
+      preview: this.#preview,
+      go_to: (id) => this.#go_into(id),
+    });
   }
 
-  #show_course(back) {
+  #show_course(/** @type {boolean} */ back) {
     this.#page?.rest();
     this.#settings.present(false);
     clear_notices();
@@ -583,12 +708,12 @@ class Site {
   // ---- for scripts and tests ----------------------------------------------------------------------------------
 
   state() {
-    if (document.documentElement.dataset.view === "course") return this.#course && { lesson: null, course: this.#course.state() };
-    return this.#page?.state() ?? null;
+    if (document.documentElement.dataset.view === "lesson") return this.#page?.state() ?? null;
+    return this.#course ? { lesson: null, course: this.#course.state() } : null;
   }
 
   /** Opens what an address asks for as if nothing had been answered, without loading the page again. */
-  restart(search) {
+  restart(/** @type {string} */ search) {
     this.#kept.erase();
     this.#page?.forget_answers();
     history.pushState(null, "", search || location.pathname);
@@ -605,5 +730,10 @@ class Site {
 }
 
 const site = new Site();
-Object.assign(window.snug, { state: () => site.state(), restart: (search) => site.restart(search), handles: () => site.handles(), frameTimes: () => site.frame_times() });
+Object.assign(window.snug, {
+  state: () => site.state(),
+  restart: (/** @type {string} */ search) => site.restart(search),
+  handles: () => site.handles(),
+  frameTimes: () => site.frame_times(),
+});
 site.show();

@@ -1,11 +1,15 @@
 // The timeline's buttons, and a scene's effects, as HTML too, for those who cannot see the canvas, and for all if there
 // is none. They are hidden until they have the keyboard's focus.
-import { by_id, element, set_text, when_changed } from "./dom.js";
+import { button, by_id, element, set_text, when_changed } from "./dom.js";
 
 const kButtons = [["first"], ["back"], ["step"], ["next_mark", "Next mark"], ["play", "Play"], ["last"],
   ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
 
-/** The names of the player's buttons, if the timeline counts steps and if it counts frames. */
+/** @typedef {Lesson["stepWord"]} StepWord
+ *  @typedef {Pick<View, "step" | "steps" | "previewing"> & { word: StepWord }} Standing */
+
+/** The names of the player's buttons, if the timeline counts steps and if it counts frames.
+ *  @type {Record<StepWord, Record<string, string>>} */
 const kWords = { step: { first: "First step", back: "Step back", step: "Step", last: "Last step" },
   frame: { first: "First frame", back: "Previous frame", step: "Next frame", last: "Last frame" } };
 
@@ -15,52 +19,66 @@ export class Player {
   #place = element("p", { class: "label" });
   #play;
   #step;
-  #word = "step";
+  #word = /** @type {StepWord} */ ("step");
   #effects = element("span", { class: "row" });
-  #switches = [];
-  #says = [];
-  #names = [];
+  #switches = /** @type {HTMLInputElement[]} */ ([]);
+  #says = /** @type {HTMLElement[]} */ ([]);
+  #names = /** @type {string[]} */ ([]);
   #door;
   #act;
 
+  /** @param {Door} door @param {Act} act */
   constructor(door, act) {
     this.#door = door;
     this.#act = act;
     this.#slider = element("input", { type: "range", min: 0, step: 1,
       oninput: () => act(() => door.go(Number(this.#slider.value))) });
     this.#buttons = kButtons.map(([command, words]) =>
-      element("button", { type: "button", class: command === "reset_view" ? "button of-stage" : "button", onclick: () => act(() => door.command(command)) }, words));
-    const button_of = (wanted) => this.#buttons[kButtons.findIndex(([command]) => command === wanted)];
-    this.#play = button_of("play"), this.#step = button_of("step");
+      button(words ?? "", () => act(() => door.command(command)), {
+        class: command === "reset_view" ? "button of-stage" : "button",
+      }),
+    );
+    const button_of = (/** @type {string} */ wanted) =>
+      this.#buttons[kButtons.findIndex(([command]) => command === wanted)];
+    this.#play = button_of("play");
+    this.#step = button_of("step");
     by_id("player").append(...this.#buttons, this.#effects, this.#place, this.#slider);
   }
 
-  open({ stepWord: word }) {
+  open(/** @type {Lesson} */ { stepWord: word }) {
     this.#word = word;
-    for (const [i, [command]] of kButtons.entries()) if (kWords[word][command]) set_text(this.#buttons[i], kWords[word][command]);
+    for (const [i, [command]] of kButtons.entries())
+      if (kWords[word][command]) set_text(this.#buttons[i], kWords[word][command]);
     this.#slider.setAttribute("aria-label", word === "frame" ? "Frame" : "Step");
   }
 
-  #list_effects = when_changed((...names) => {
-    const held = this.#names[this.#switches.indexOf(document.activeElement)];
-    this.#switches = names.map((name) => element("input", { type: "checkbox", onchange: () => this.#act(() => this.#door.command(`turn:${name}`)) }));
+  #list_effects = when_changed((/** @type {string[]} */ ...names) => {
+    const held = this.#names.find((_, i) => this.#switches[i] === document.activeElement);
+    this.#switches = names.map((name) =>
+      element("input", { type: "checkbox", onchange: () => this.#act(() => this.#door.command(`turn:${name}`)) }),
+    );
     this.#names = names;
     this.#says = names.map(() => element("span", {}));
-    this.#effects.replaceChildren(...names.map((name, i) => element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`, this.#says[i])));
-    this.#switches[names.indexOf(held)]?.focus(); // an element each, in whatever order
+    this.#effects.replaceChildren(
+      ...names.map((name, i) =>
+        element("label", {}, this.#switches[i], ` ${name.replaceAll("_", " ")}`, this.#says[i]),
+      ),
+    );
+    this.#switches[names.findIndex((name) => name === held)]?.focus(); // an element each, in whatever order
   });
 
-  #show_step = when_changed((step, steps, word, previewing) => {
+  #show_step = when_changed((/** @type {Standing} */ { step, steps, previewing, word }) => {
     set_text(this.#step, previewing ? "From the start" : kWords[word].step);
-    this.#slider.max = steps;
-    this.#slider.value = step;
+    this.#slider.max = String(steps);
+    this.#slider.value = String(step);
     const place = `${word} ${step} of ${steps}`;
     this.#slider.setAttribute("aria-valuetext", place);
     set_text(this.#place, place);
   });
 
-  update(view) {
-    this.#show_step(view.step, view.steps, this.#word, view.previewing);
+  update(/** @type {View} */ view) {
+    const { step, steps, previewing } = view;
+    this.#show_step({ step, steps, previewing, word: this.#word });
     const effects = view.effects ?? [];
     this.#list_effects(...effects.map(({ effect }) => effect));
     for (const [i, { on, called, says }] of effects.entries()) {

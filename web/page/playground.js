@@ -7,13 +7,14 @@ export class Playground {
   #id;
   #lessons;
   #go_to;
-  #open = null; // the lesson that is open
-  #from = null; // the one that the points came from
+  #open = ""; // the lesson that is open
+  #from = /** @type {CourseLesson | null} */ (null); // the one that the points came from
   #carries = false;
   #button = button("", () => this.#go(), { class: "button" });
   #node = element("p", { class: "playground" }, this.#button);
 
-  /** id: of the lesson that takes the points of all others; "" for none. lessons: the course's. go_to(id): opens one. */
+  /** id: of the lesson that takes the points of all others; "" for none. lessons: the course's.
+   *  @param {Door} door @param {string} id @param {CourseLesson[]} lessons @param {GoTo} go_to */
   constructor(door, id, lessons, go_to) {
     this.#door = door;
     this.#id = id;
@@ -23,14 +24,14 @@ export class Playground {
   }
 
   #go() {
-    if (this.#open === this.#id) return this.#go_to(this.#from.id);
+    if (this.#open === this.#id) return this.#from && this.#go_to(this.#from.id);
     this.#from = this.#lessons.find(({ id }) => id === this.#open) ?? null;
     this.#door.carry_points();
     this.#carries = true;
     this.#go_to(this.#id);
   }
 
-  open({ id }) {
+  open(/** @type {Lesson} */ { id }) {
     this.#open = id;
   }
 
@@ -46,6 +47,7 @@ export class Playground {
   update() {
     const there = this.#open === this.#id;
     set_hidden(this.#node, !this.#id || (there && !this.#from));
-    set_text(this.#button, this.#node.hidden ? "" : there ? `Back to ${this.#from.title}` : this.#door.playground_says());
+    if (this.#node.hidden) set_text(this.#button, "");
+    else set_text(this.#button, there ? `Back to ${this.#from?.title}` : this.#door.playground_says());
   }
 }

@@ -7,17 +7,25 @@ const kAxes = ["x", "y", "z"];
 const kMostBytes = 64e6;
 const kMostMeasured = 256e6; // bytes: two million points, written out
 
+/** @param {string} words @param {HTMLElement} field */
 const label = (words, field) => element("label", {}, element("span", {}, words), field);
 /** A coordinate, with as many digits as fit in its field. */
-const short = (value) => Number(value.toPrecision(6));
+const short = (/** @type {number} */ value) => Number(value.toPrecision(6));
+
+/** The whole numbers of a field. */
+const kWhole = { type: "number", min: 0, step: 1, inputmode: "numeric" };
+
+/** @typedef {Pick<View, "source" | "size" | "lesson" | "situation">} SourceNow */
 
 export class PointTools {
   #door;
   #act;
   #bring_mesh;
-  #view = null;
-  #lesson = null;
-  #sets_of; // the situation whose sets are offered
+  /** @type {View} */
+  #view;
+  /** @type {Lesson} */
+  #lesson;
+  #sets_of = /** @type {string | null | undefined} */ (undefined); // the situation whose sets are offered
   #own = "own"; // the source of its own points
   #names = ["point", "points"]; // singular and plural
   #section;
@@ -25,41 +33,71 @@ export class PointTools {
   #point_words = element("span", {});
   #says = element("p", { class: "label", id: "points-heading" });
   #set = element("select", { onchange: () => this.#choose_set() });
-  #count = element("input", { type: "number", min: 1, max: 5000, step: 1, value: 26, inputmode: "numeric" });
-  #seed = element("input", { type: "number", min: 0, max: Number.MAX_SAFE_INTEGER, step: 1, inputmode: "numeric" });
-  #point = element("input", { type: "number", min: 0, step: 1, inputmode: "numeric", placeholder: "none", "aria-label": "Selected point" });
-  #axes = kAxes.map((axis) => element("input", { type: "number", step: "any", inputmode: "decimal", "aria-label": `${axis} of the selected point` }));
-  #file = element("input", { type: "file", class: "unseen", tabindex: "-1", "aria-hidden": "true", accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.off,.json" });
+  #count = element("input", { ...kWhole, min: 1, max: 5000, value: 26 });
+  #seed = element("input", { ...kWhole, max: Number.MAX_SAFE_INTEGER });
+  #point = element("input", { ...kWhole, placeholder: "none", "aria-label": "Selected point" });
+  #axes = kAxes.map((axis) =>
+    element("input", {
+      type: "number",
+      step: "any",
+      inputmode: "decimal",
+      "aria-label": `${axis} of the selected point`,
+    }),
+  );
+  #file = element("input", {
+    type: "file",
+    class: "unseen",
+    tabindex: "-1",
+    "aria-hidden": "true",
+    accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.off,.json",
+  });
   #delete = button("Delete", () => this.#command("delete_point"));
   #count_label = label("How many", this.#count);
+  #axis_labels = kAxes.map((axis, i) => label(axis, this.#axes[i]));
 
-  /** bring_mesh(name): the mesh's bytes. */
+  /** bring_mesh(name): the mesh's bytes.
+   *  @param {Door} door @param {Act} act @param {(name: string) => Promise<Bytes>} bring_mesh */
   constructor(door, act, bring_mesh) {
     this.#door = door;
     this.#act = act;
     this.#bring_mesh = bring_mesh;
-    const scatter = (event) => {
+    const scatter = (/** @type {Event} */ event) => {
       event.preventDefault();
       this.#scatter(other_seed(this.#seed, this.#view.seed));
     };
     this.#section = element("div", {},
-      this.#title, this.#says,
-      element("form", { class: "fields", onsubmit: scatter }, label("Set", this.#set), this.#count_label,
-        label("Seed", this.#seed), element("button", { type: "submit", class: "button" }, "Scatter")),
-      element("div", { class: "row" }, button("Add", () => this.#command("add_point")), this.#delete,
-        button("Reset", () => this.#command("reset_points")), button("Open file…", () => this.#file.click()), this.#file),
-      element("div", { class: "coordinates" }, element("label", {}, this.#point_words, this.#point), ...kAxes.map((axis, i) => label(axis, this.#axes[i]))));
+      this.#title,
+      this.#says,
+      element("form", { class: "fields", onsubmit: scatter },
+        label("Set", this.#set),
+        this.#count_label,
+        label("Seed", this.#seed),
+        element("button", { type: "submit", class: "button" }, "Scatter"),
+      ),
+      element("div", { class: "row" },
+        button("Add", () => this.#command("add_point")),
+        this.#delete,
+        button("Reset", () => this.#command("reset_points")),
+        button("Open file…", () => this.#file.click()),
+        this.#file,
+      ),
+      element("div", { class: "coordinates" },
+        element("label", {}, this.#point_words, this.#point),
+        ...this.#axis_labels,
+      ),
+    );
     by_id("points").append(this.#section);
     this.#point.addEventListener("change", () => this.#select());
     for (const field of this.#axes) field.addEventListener("change", () => this.#move());
     this.#file.addEventListener("change", () => {
-      if (this.#file.files[0]) this.load(this.#file.files[0]);
+      const [file] = this.#file.files ?? [];
+      if (file) this.load(file);
       this.#file.value = "";
     });
     this.#accept_drops();
   }
 
-  open(lesson) {
+  open(/** @type {Lesson} */ lesson) {
     this.#section.hidden = !lesson.tools.points;
     this.#names = lesson.handleWords;
     this.#title.textContent = capital(this.#names[1]);
@@ -69,22 +107,28 @@ export class PointTools {
   }
 
   /** The sets to choose from. The situation's own is the first. */
-  #show_sets(situation) {
+  #show_sets(/** @type {string | null} */ situation) {
     if (this.#sets_of === situation) return;
     this.#sets_of = situation;
     const { situations, generators, meshes } = this.#lesson;
     const { mesh, generate, count } = situations.find(({ name }) => name === situation) ?? this.#lesson;
     const own = mesh ? capital(mesh) : generate ? capital(generate) : "The lesson’s";
-    const others = (names, kind, own_name) => names.filter((name) => name !== own_name)
-      .map((name) => element("option", { value: `${kind}:${name}` }, capital(name)));
-    this.#set.replaceChildren(element("option", { value: "" }, own), ...others(generators, "generate", generate), ...others(meshes, "mesh", mesh));
-    this.#count.value = count || 26;
+    const others = [
+      ...generators.filter((name) => name !== generate).map((name) => ({ name, value: `generate:${name}` })),
+      ...meshes.filter((name) => name !== mesh).map((name) => ({ name, value: `mesh:${name}` })),
+    ];
+    this.#set.replaceChildren(
+      element("option", { value: "" }, own),
+      ...others.map(({ name, value }) => element("option", { value }, capital(name))),
+    );
+    this.#count.value = String(count || 26);
     this.#count_label.hidden = true;
     this.#own = mesh || generate || "own";
   }
 
-  #command(name) {
-    this.#act(() => this.#door.command(name) || notice(`That cannot be done now${name === "delete_point" ? ": select a point first; the last one cannot be deleted" : ""}.`));
+  #command(/** @type {string} */ name) {
+    const why = name === "delete_point" ? ": select a point first; the last one cannot be deleted" : "";
+    this.#act(() => this.#door.command(name) || notice(`That cannot be done now${why}.`));
   }
 
   #choose_set() {
@@ -95,28 +139,34 @@ export class PointTools {
     if (kind === "") this.#command("reset_points");
   }
 
-  async #scatter(seed) {
-    const [kind, name] = this.#set.value.split(":"), count = Number(this.#count.value);
+  async #scatter(/** @type {number} */ seed) {
+    const [kind, name] = this.#set.value.split(":");
+    const count = Number(this.#count.value);
     const veiled = kind === "generate" && (await at_work(count));
-    this.#act(() => answer_edit(kind === "generate" ? this.#door.set_generator(name, count, seed) : this.#door.scatter(seed)));
+    this.#act(() => {
+      if (kind === "generate") return answer_edit(this.#door.set_generator(name, count, seed));
+      this.#door.scatter(seed);
+      clear_notices();
+    });
     if (veiled) veil.lift();
   }
 
   /** Selects the option of the points' source. The student's own file gets its own option. */
-  #show_source = when_changed((source, size) => {
-    const value = source === this.#own ? "" : (["generate", "mesh"].map((kind) => `${kind}:${source}`).find((kind) => this.#option(kind)) ?? `other:${source}`);
+  #show_source = when_changed((/** @type {SourceNow} */ { source, size }) => {
+    const listed = [`generate:${source}`, `mesh:${source}`].find((value) => this.#option(value));
+    const value = source === this.#own ? "" : (listed ?? `other:${source}`);
     this.#set.querySelector("option[value^='other:']")?.remove();
     if (!this.#option(value)) this.#set.append(element("option", { value }, source === "task" ? "The task’s" : source));
     this.#set.value = value;
     this.#count_label.hidden = !value.startsWith("generate:");
-    if (!this.#count_label.hidden) this.#count.value = size;
+    if (!this.#count_label.hidden) this.#count.value = String(size);
   });
-  #option(value) {
+  #option(/** @type {string} */ value) {
     return [...this.#set.options].find((option) => option.value === value);
   }
 
   /** Loads a mesh by its name. */
-  async bring(name) {
+  async bring(/** @type {string} */ name) {
     try {
       const bytes = await this.#bring_mesh(name);
       this.#use(bytes, name);
@@ -126,12 +176,16 @@ export class PointTools {
   }
 
   /** Returns whether the file was taken; a notice says why not. */
-  async load(file) {
+  async load(/** @type {File} */ file) {
     const most = this.#view.cover ? kMostMeasured : kMostBytes;
-    if (file.size > most) return void notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
+    if (file.size > most) {
+      notice(`${file.name} is larger than ${most / 1e6} MB, which is more than a page should hold.`);
+      return false;
+    }
     return this.#use(new Uint8Array(await file.arrayBuffer()), file.name);
   }
 
+  /** @param {Bytes} bytes @param {string} name */
   #use(bytes, name) {
     let error = "";
     this.#act(() => {
@@ -142,10 +196,11 @@ export class PointTools {
     return !error;
   }
 
-  /** Uses a file: points, or a result to draw over the chart. */
+  /** Uses a file: points, or a result to draw over the chart.
+   *  @param {Bytes} bytes @param {string} name */
   #take(bytes, name) {
     try {
-      const result = result_as_csv(bytes);
+      const result = typeof bytes === "string" ? null : result_as_csv(bytes);
       return this.#door.load_file(result ?? bytes, name);
     } catch {
       return `${name} is not a complete result`;
@@ -162,17 +217,18 @@ export class PointTools {
   }
 
   #move() {
-    if (this.#view.selected === null) return;
-    const fields = this.#axes.slice(0, this.#view.coordinates.length);
+    const { selected, coordinates } = this.#view;
+    if (selected === null || coordinates === null) return;
+    const fields = this.#axes.slice(0, coordinates.length);
     // An emptied field has no number: the point stays, and its coordinates are shown again.
-    if (fields.some((field) => !Number.isFinite(field.valueAsNumber))) return this.#show_place(this.#view.selected, this.#view.coordinates);
+    if (fields.some((field) => !Number.isFinite(field.valueAsNumber))) return this.#show_place(selected, coordinates);
     // A coordinate that was not edited keeps the digits that its field has no room for.
-    const to = this.#axes.map((field, i) => {
-      const at = this.#view.coordinates[i] ?? 0;
+    const [x, y, z] = this.#axes.map((field, i) => {
+      const at = coordinates[i] ?? 0;
       return i < fields.length && field.valueAsNumber !== short(at) ? field.valueAsNumber : at;
     });
     this.#act(() => {
-      const error = this.#door.move_point(this.#view.selected, ...to);
+      const error = this.#door.move_point(selected, x, y, z);
       if (error) notice(/too large/.test(error) ? "That number is too large for the stage." : `${capital(error)}.`);
       else clear_notices();
     });
@@ -180,8 +236,8 @@ export class PointTools {
   }
 
   #accept_drops() {
-    const carries_file = (event) => [...(event.dataTransfer?.types ?? [])].includes("Files");
-    const show = (on) => (by_id("drop").hidden = !on);
+    const carries_file = (/** @type {DragEvent} */ { dataTransfer }) => Boolean(dataTransfer?.types.includes("Files"));
+    const show = (/** @type {boolean} */ on) => (by_id("drop").hidden = !on);
     addEventListener("dragover", (event) => {
       if (!carries_file(event)) return;
       event.preventDefault();
@@ -192,40 +248,49 @@ export class PointTools {
       if (!carries_file(event)) return;
       event.preventDefault();
       show(false);
-      this.#take_dropped([...event.dataTransfer.files]);
+      this.#take_dropped([...(event.dataTransfer?.files ?? [])]);
     });
   }
 
   /** Takes the first of several files, and says what became of each. */
-  async #take_dropped([first, ...others]) {
+  async #take_dropped(/** @type {File[]} */ [first, ...others]) {
     if (!first) return;
     const taken = await this.load(first);
     if (taken) notice(`${first.name} is open.`, "told");
-    if (others.length > 0) notice(`One file is taken at a time; not opened: ${others.map(({ name }) => name).join(", ")}.`);
+    if (others.length > 0)
+      notice(`One file is taken at a time; not opened: ${others.map(({ name }) => name).join(", ")}.`);
   }
 
+  /** @param {number | null} selected @param {number[] | null} coordinates */
   #show_place(selected, coordinates) {
-    const none = selected === null;
-    this.#point.value = none ? "" : selected;
+    this.#point.value = selected === null ? "" : String(selected);
     this.#axes.forEach((field, i) => {
-      field.disabled = none || i >= coordinates.length;
-      field.value = field.disabled ? "" : short(coordinates[i]);
+      const at = coordinates?.[i];
+      field.disabled = at === undefined;
+      field.value = at === undefined ? "" : String(short(at));
     });
-    this.#axes[2].parentElement.hidden = this.#view?.dim !== 3;
-    this.#delete.disabled = none;
+    this.#axis_labels[2].hidden = this.#view.dim !== 3;
+    this.#delete.disabled = selected === null;
   }
 
-  #show_seed = when_changed((_lesson, seed) => (this.#seed.value = seed));
-  #show_selected = when_changed((_lesson, selected, coordinates) => this.#show_place(selected, coordinates));
+  #show_seed = when_changed((/** @type {Pick<View, "lesson" | "seed">} */ { seed }) => {
+    this.#seed.value = String(seed);
+  });
+  #show_selected = when_changed((/** @type {Pick<View, "lesson" | "selected" | "coordinates">} */ now) =>
+    this.#show_place(now.selected, now.coordinates),
+  );
 
-  update(view) {
+  update(/** @type {View} */ view) {
     this.#view = view;
-    set_text(this.#says, `${view.size.toLocaleString("en")} ${this.#names[view.size === 1 ? 0 : 1]}${view.edited ? ", changed" : ""}${view.scalar === "float" ? ", rounded to float" : ""}`);
-    this.#point.max = view.size - 1;
-    this.#show_seed(view.lesson, view.seed);
-    this.#show_sets(view.situation);
-    this.#show_source(view.source, view.size, view.lesson, view.situation);
-    this.#show_selected(view.lesson, view.selected, view.coordinates);
+    const { lesson, size, seed, source, situation, selected, coordinates } = view;
+    const changed = view.edited ? ", changed" : "";
+    const rounded = view.scalar === "float" ? ", rounded to float" : "";
+    set_text(this.#says, `${size.toLocaleString("en")} ${this.#names[size === 1 ? 0 : 1]}${changed}${rounded}`);
+    this.#point.max = String(size - 1);
+    this.#show_seed({ lesson, seed });
+    this.#show_sets(situation);
+    this.#show_source({ source, size, lesson, situation });
+    this.#show_selected({ lesson, selected, coordinates });
     by_id("undo").disabled = !view.canUndo;
     by_id("redo").disabled = !view.canRedo;
   }

@@ -1,5 +1,6 @@
 // Presentation mode: keys and buttons lead from lesson to lesson, and the lesson's text is shown only on request.
-import { by_id } from "./dom.js";
+import { by_id, is_within } from "./dom.js";
+/** @import { Settings } from "./settings.js" */
 
 const kWrites = "input, select, textarea, [contenteditable]";
 
@@ -10,7 +11,8 @@ export class Presentation {
   #shows;
   #here = 0; // the index of the open lesson
 
-  /** go_to(id): to another lesson. shows(): called when the text is shown. */
+  /** shows(): called when the text is shown.
+   *  @param {Settings} settings @param {CourseLesson[]} lessons @param {GoTo} go_to @param {() => void} shows */
   constructor(settings, lessons, go_to, shows) {
     this.#settings = settings;
     this.#lessons = lessons;
@@ -23,13 +25,14 @@ export class Presentation {
     settings.on_change(() => settings.presenting || this.#show_text(false));
   }
 
-  open(lesson) {
+  open(/** @type {Lesson} */ lesson) {
     this.#here = this.#lessons.findIndex(({ id }) => id === lesson.id);
     by_id("previous-lesson").disabled = !this.#lessons[this.#here - 1];
-    by_id("next-lesson").disabled = this.#here < 0 || !this.#lessons[this.#here + 1]; // a case of the gallery stands in no order
+    // A case of the gallery stands in no order.
+    by_id("next-lesson").disabled = this.#here < 0 || !this.#lessons[this.#here + 1];
   }
 
-  #move(by) {
+  #move(/** @type {number} */ by) {
     const to = this.#lessons[this.#here + by];
     if (to && this.#here >= 0) this.#go_to(to.id);
   }
@@ -40,8 +43,9 @@ export class Presentation {
     if (shown) this.#shows();
   }
 
-  #key(event) {
-    if (!this.#settings.presenting || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.(kWrites)) return;
+  #key(/** @type {KeyboardEvent} */ event) {
+    if (!this.#settings.presenting || event.defaultPrevented) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || is_within(event.target, kWrites)) return;
     const key = event.key.toLowerCase();
     if (key === "n") this.#move(1);
     else if (key === "p") this.#move(-1);

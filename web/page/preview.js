@@ -5,31 +5,39 @@ import { by_id, element, set_hidden, set_text, when_changed } from "./dom.js";
 const kLook = 250; // milliseconds between looks at the files
 const kAgain = 2000; // the same after a look that failed: the server may be gone for a while
 
+/** @type {DraftSays} */
 const nothing = { heading: "", lines: [] };
-const lost = { heading: "The lessons cannot be reached.", lines: [{ text: "Their folder, or the program that serves it, is gone. The lesson is shown as it was.", warning: false }] };
+const lost = {
+  heading: "The lessons cannot be reached.",
+  lines: [
+    { text: "Their folder, or the program that serves it, is gone. The lesson is shown as it was.", warning: false },
+  ],
+};
 
 export class Preview {
   #stamps; // by the files' names
   #lesson = nothing;
   #course = nothing;
   #files = nothing;
-  #ideas;
+  #ideas = /** @type {string[]} */ ([]);
 
   /** of: the course's "preview": the files' stamps as the course was made, the ids of the ideas that it lists, and what
-   *  is wrong with its own file. */
+   *  is wrong with its own file.
+   *  @param {PreviewOf} of */
   constructor(of) {
     this.#stamps = of.files;
     this.course_says(of);
   }
 
-  /** Calls changed(names) whenever files have changed, and waits for it. */
+  /** Calls changed(names) whenever files have changed, and waits for it.
+   *  @param {(names: string[]) => Promise<void>} changed */
   async follow(changed) {
     for (;;) {
       await new Promise((go_on) => setTimeout(go_on, kLook));
       const names = await this.#look().catch(() => null);
       this.#files = names ? nothing : lost;
       this.#show(this.says);
-      if (names?.length > 0) await changed(names).catch((failed) => console.warn(failed));
+      if (names && names.length > 0) await changed(names).catch((failed) => console.warn(failed));
       if (names === null) await new Promise((go_on) => setTimeout(go_on, kAgain));
     }
   }
@@ -43,25 +51,31 @@ export class Preview {
   }
 
   /** Whether there was a file of that name at the last look. */
-  has(name) {
+  has(/** @type {string} */ name) {
     return Object.hasOwn(this.#stamps, name);
   }
 
-  /** says: {heading, lines: [{text, warning}]} of the lesson that is shown; null for none. */
+  /** says: of the lesson that is shown; null for none.
+   *  @param {DraftSays | null} says */
   lesson_says(says) {
     this.#lesson = says ?? nothing;
     this.#show(this.says);
   }
 
-  /** Says what is wrong with the lesson that is shown, after playing it too. read: as Door's read of it. */
+  /** Says what is wrong with the lesson that is shown, after playing it too. read: what main.js has read of it.
+   *  @param {Door} door @param {string} id @param {LessonFile} read @param {CourseLesson[]} lessons */
   check(door, id, { toml, bytes }, lessons) {
-    this.lesson_says(door.check_draft(toml, `${id}.toml`, lessons.map((lesson) => lesson.id), this.#ideas, bytes));
+    const ids = lessons.map((lesson) => lesson.id);
+    this.lesson_says(door.check_draft(toml, `${id}.toml`, ids, this.#ideas, bytes));
   }
 
-  /** of: the course's "preview". */
+  /** of: the course's "preview".
+   *  @param {PreviewOf} of */
   course_says({ mistake, ideas }) {
     this.#ideas = ideas;
-    this.#course = mistake ? { heading: "course.toml: 1 mistake", lines: [{ text: mistake, warning: false }] } : nothing;
+    this.#course = mistake
+      ? { heading: "course.toml: 1 mistake", lines: [{ text: mistake, warning: false }] }
+      : nothing;
     this.#show(this.says);
   }
 
@@ -70,12 +84,24 @@ export class Preview {
     return [this.#files, this.#lesson, this.#course].filter(({ lines }) => lines.length > 0);
   }
 
-  #show = when_changed((parts) => {
+  #show = when_changed((/** @type {DraftSays[]} */ parts) => {
     const strip = by_id("strip");
     set_hidden(strip, parts.length === 0);
-    strip.classList.toggle("wrong", parts.some(({ lines }) => lines.some(({ warning }) => !warning)));
-    strip.replaceChildren(...parts.flatMap(({ heading, lines }) => [element("h2", {}, heading),
-      element("ul", {}, ...lines.map(({ text, warning }) => element("li", { class: warning ? null : "wrong" }, text)))]));
-    set_text(by_id("strip-told"), parts.map(({ heading }) => heading).join(" ") || "Nothing is wrong with the lesson’s file.");
+    strip.classList.toggle(
+      "wrong",
+      parts.some(({ lines }) => lines.some(({ warning }) => !warning)),
+    );
+    strip.replaceChildren(
+      ...parts.flatMap(({ heading, lines }) => [
+        element("h2", {}, heading),
+        element("ul", {},
+          ...lines.map(({ text, warning }) => element("li", { class: warning ? null : "wrong" }, text)),
+        ),
+      ]),
+    );
+    set_text(
+      by_id("strip-told"),
+      parts.map(({ heading }) => heading).join(" ") || "Nothing is wrong with the lesson’s file.",
+    );
   });
 }

@@ -1,14 +1,17 @@
 // The text: the title, the prose, whose links light up marks on the stage, and the task with its current grade.
-import { button, by_id, element, followed_here, set_hidden, set_text, when_changed, whole_names } from "./dom.js";
+import { button, by_id, element, followed_here, lights, set_text, when_changed, whole_names } from "./dom.js";
 import { link_of } from "./lesson_menu.js";
 import { notice } from "./messages.js";
+/** @import { Words } from "./words.js" */
 
-const kReads = 6000; // milliseconds for which a student counts as reading after scrolling the prose or pressing a key in it
+// Milliseconds for which a student counts as reading after scrolling the prose or pressing a key in it.
+const kReads = 6000;
 
 const on_phone = () => document.documentElement.dataset.layout === "phone";
 const behavior = () => (matchMedia("(prefers-reduced-motion: reduce)").matches ? "auto" : "smooth");
 
-/** Scrolls the column so that a part of it that is not in view comes there. */
+/** Scrolls the column so that a part of it that is not in view comes there.
+ *  @param {HTMLElement} part @param {HTMLElement} column */
 function bring(part, column) {
   const [box, place] = [column.getBoundingClientRect(), part.getBoundingClientRect()];
   if (place.top >= box.top && place.bottom <= box.bottom) return;
@@ -16,7 +19,7 @@ function bring(part, column) {
 }
 
 /** On a phone the whole page scrolls, and the tabs stay at its top. */
-function bring_on_page(part) {
+function bring_on_page(/** @type {HTMLElement} */ part) {
   const { top, bottom } = part.getBoundingClientRect();
   const under = by_id("tabs").offsetHeight;
   if (top < under || bottom > innerHeight) scrollBy({ top: top - under - 8, behavior: behavior() });
@@ -25,21 +28,29 @@ function bring_on_page(part) {
 export class Reading {
   #words;
   #start_task;
-  #grade_says = []; // a line for each task
+  #cards = /** @type {HTMLElement[]} */ ([]); // one for each task
+  #grade_says = /** @type {HTMLElement[]} */ ([]); // and its line
   #texts;
   #follow;
   #light;
-  #sections = [];
-  #section = null; // the one at hand
-  #shows = []; // {name, node}: the buttons of sections that are about a situation
-  #words_of = []; // {mark, node}: the words that light up when their handle on the stage is pointed at
+  #sections = /** @type {HTMLElement[]} */ ([]);
+  #section = /** @type {HTMLElement | null} */ (null); // the one at hand
+  /** The buttons of sections that are about a situation.
+   *  @type {{ name: string, node: HTMLElement }[]} */
+  #shows = [];
+  /** The words that light up when their handle on the stage is pointed at.
+   *  @type {{ mark: string, node: HTMLElement }[]} */
+  #words_of = [];
   #read_at = -Infinity;
   #pointed = false; // whether the mouse is over the prose
   #opened = false; // whether the lesson is not shown yet
   #was_open = false; // whether the task was not done when it was last graded in this lesson
 
-  /** start_task: lays out the points that the task begins with. texts: what makes HTML of them (words.js).
-   *  follow({kind, target}): follows a link. light(mark): lights it up on the stage; "" for none. */
+  /** start_task: lays out the points that the task begins with. texts: what makes HTML of them. light(mark): lights it
+   *  up on the stage; "" for none.
+   *  @param {SharedWords} words
+   *  @param {{ start_task: (task: number) => void, texts: Words, follow: (link: Link) => void,
+   *    light: (mark: string) => void }} does */
   constructor(words, { start_task, texts, follow, light }) {
     this.#words = words;
     this.#start_task = start_task;
@@ -48,69 +59,93 @@ export class Reading {
     this.#light = light;
     const read = by_id("read");
     for (const sign of ["pointermove", "pointerleave", "wheel", "touchmove", "keydown"])
-      read.addEventListener(sign, ({ type, pointerType }) => {
+      read.addEventListener(sign, (event) => {
         this.#read_at = performance.now();
-        this.#pointed = pointerType === "mouse" ? type === "pointermove" : this.#pointed;
+        if (event instanceof PointerEvent && event.pointerType === "mouse") this.#pointed = sign === "pointermove";
       }, { passive: true });
   }
 
-  open(lesson) {
+  open(/** @type {Lesson} */ lesson) {
     for (const id of ["heading", "title"]) set_text(by_id(id), lesson.title);
     this.#words_of = [];
     this.#shows = [];
-    this.#sections = lesson.sections.map(({ title, situation, blocks }) => element("section", {}, element("h2", {}, title),
-      ...(situation ? [this.#show_button(lesson, situation)] : []), ...blocks.map((block) => this.#texts.block(block, (text, link) => this.#link(text, link)))));
+    this.#sections = lesson.sections.map(({ title, situation, blocks }) =>
+      element("section", {},
+        element("h2", {}, title),
+        situation && this.#show_button(lesson, situation),
+        ...blocks.map((block) => this.#texts.block(block, (text, link) => this.#link(text, link))),
+      ),
+    );
     by_id("prose").replaceChildren(...this.#sections);
     by_id("read").scrollTop = 0;
     this.#read_at = -Infinity;
     this.#opened = true;
     this.#was_open = false;
     const box = by_id("task");
-    set_hidden(box, lesson.tasks.length === 0);
+    box.hidden = lesson.tasks.length === 0;
     this.#grade_says = lesson.tasks.map(() => element("p", { class: "grade", role: "status" }));
-    box.replaceChildren(...lesson.tasks.map((task, i) => element("section", { class: "card task" }, element("h2", { class: "kicker" }, task.heading),
-      element("p", {}, ...this.#texts.of(task.prompt)), element("p", {}, button(task.start, () => this.#start_task(i))), this.#grade_says[i],
-      ...(task.hint.length > 0 ? [element("details", {}, element("summary", {}, this.#words.hint), element("p", {}, ...this.#texts.of(task.hint)))] : []))));
+    this.#cards = lesson.tasks.map((task, i) => this.#task_card(task, i));
+    box.replaceChildren(...this.#cards);
   }
 
-  /** Brings the situation that a section is about to the stage; pressed while it is there. */
+  /** @param {Lesson["tasks"][0]} task @param {number} i */
+  #task_card({ heading, prompt, start, hint }, i) {
+    const hinted = [element("summary", {}, this.#words.hint), element("p", {}, ...this.#texts.of(hint))];
+    const begin = button(start, () => this.#start_task(i));
+    return element("section", { class: "card task" },
+      element("h2", { class: "kicker" }, heading),
+      element("p", {}, ...this.#texts.of(prompt)),
+      element("p", {}, begin),
+      this.#grade_says[i],
+      hint.length > 0 && element("details", {}, ...hinted),
+    );
+  }
+
+  /** Brings the situation that a section is about to the stage; pressed while it is there.
+   *  @param {Lesson} lesson @param {string} name */
   #show_button({ situations }, name) {
-    const { title } = situations.find((one) => one.name === name);
-    const node = button(`Show: ${title}`, () => this.#follow({ kind: "situation", target: name }), { class: "button shows" });
+    const title = situations.find((one) => one.name === name)?.title ?? name;
+    const node = button(`Show: ${title}`, () => this.#follow({ kind: "situation", target: name }));
+    node.classList.add("shows");
     this.#shows.push({ name, node });
     return element("p", {}, node);
   }
 
+  /** @param {string} text @param {Link} link */
   #link(text, link) {
     const { kind, target } = link;
     const follow = () => this.#follow(link);
-    if (kind === "lesson") return element("a", { href: link_of(target), onclick: followed_here(follow) }, whole_names(text));
-    if (kind !== "mark") return element("button", { type: "button", class: "does", onclick: follow }, whole_names(text));
-    const on = () => this.#light(target), off = () => this.#light("");
-    const node = element("button", { type: "button", class: "speaks", onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off,
-      oncontextmenu: (event) => event.preventDefault(), // which a long press would open
-      onclick: () => by_id("stage").scrollIntoView({ block: "nearest" }) }, whole_names(text));
+    if (kind === "lesson")
+      return element("a", { href: link_of(target), onclick: followed_here(follow) }, whole_names(text));
+    if (kind !== "mark")
+      return element("button", { type: "button", class: "does", onclick: follow }, whole_names(text));
+    const listens = lights(() => this.#light(target), () => this.#light(""));
+    const onclick = () => by_id("stage").scrollIntoView({ block: "nearest" });
+    const node = element("button", { type: "button", class: "speaks", ...listens, onclick }, whole_names(text));
     this.#words_of.push({ mark: target, node });
     return node;
   }
 
-  update(view) {
-    this.#show_grades(view.lesson, view.tasks, view.task);
-    this.#show_section(view.lesson, view.section);
-    if (this.#opened && (view.step === 0 || view.previewing)) by_id("read").scrollTop = 0; // who begins a lesson reads it from its top
+  update(/** @type {View} */ view) {
+    const { lesson, tasks, task } = view;
+    this.#show_grades({ lesson, tasks, task });
+    this.#show_section(lesson, view.section);
+    // Who begins a lesson reads it from its top.
+    if (this.#opened && (view.step === 0 || view.previewing)) by_id("read").scrollTop = 0;
     this.#opened = false;
-    this.#show_lit(view.lesson, view.lit);
+    this.#show_lit(lesson, view.lit);
     for (const { name, node } of this.#shows) node.setAttribute("aria-pressed", name === view.situation);
   }
 
   /** Scrolls to the section about the step or the question, unless the student is reading. */
-  #show_section = when_changed((_lesson, now) => {
+  #show_section = when_changed((/** @type {string} */ _lesson, /** @type {number | null} */ now) => {
     for (const [i, section] of this.#sections.entries()) {
       if (i === now) section.setAttribute("aria-current", "true");
       else section.removeAttribute("aria-current");
     }
-    this.#section = this.#sections[now] ?? null;
-    const read = by_id("read"), section = this.#section;
+    const read = by_id("read");
+    const section = now === null ? null : (this.#sections[now] ?? null);
+    this.#section = section;
     const reads = this.#pointed || performance.now() - this.#read_at < kReads || read.contains(document.activeElement);
     if (!section || reads || read.scrollHeight <= read.clientHeight) return; // on a phone the whole page scrolls
     bring(section, read);
@@ -128,17 +163,18 @@ export class Reading {
     const box = by_id("task");
     if (on_phone()) bring_on_page(box);
     else box.scrollIntoView({ block: "nearest" });
-    box.querySelector("button").focus({ preventScroll: true });
+    box.querySelector("button")?.focus({ preventScroll: true });
   }
 
-  #show_lit = when_changed((_lesson, lit) => {
-    for (const { mark, node } of this.#words_of) node.classList.toggle("lit", mark === lit.mark || lit.words.includes(mark));
+  #show_lit = when_changed((/** @type {string} */ _lesson, /** @type {View["lit"]} */ lit) => {
+    for (const { mark, node } of this.#words_of)
+      node.classList.toggle("lit", mark === lit.mark || lit.words.includes(mark));
   });
 
-  #show_grades = when_changed((_lesson, tasks, now) => {
+  #show_grades = when_changed((/** @type {Pick<View, "lesson" | "tasks" | "task">} */ { tasks, task: now }) => {
     if (tasks.length === 0) return;
     for (const [i, { was, done, says }] of tasks.entries()) {
-      this.#grade_says[i].parentElement.classList.toggle("done", was);
+      this.#cards[i].classList.toggle("done", was);
       this.#grade_says[i].classList.toggle("unsolved", was && !done);
       set_text(this.#grade_says[i], `${was ? "✓ " : ""}${says}`);
     }

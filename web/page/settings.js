@@ -1,15 +1,16 @@
 // Theme, text size, motion and presentation mode, for the page and the canvas.
-import { by_id, set_hidden, set_text } from "./dom.js";
+import { by_id, is_within, set_hidden, set_text } from "./dom.js";
 
 const kThemes = ["light", "dark", "contrast", "projector"];
+/** @type {Record<string, string>} */
 const kNames = { light: "Light", dark: "Dark", contrast: "High contrast", projector: "Projector" };
 const kTextScales = [1, 1.15, 1.3, 1.5];
 const kProjectorScale = 1.2; // the same as in app/palette.hpp: the canvas applies it by itself
 const kPresentingScale = 1.3;
 const kSurePatience = 6000; // milliseconds for which a press waits for a second one
-const asks = (query) => matchMedia(query);
+const asks = (/** @type {string} */ query) => matchMedia(query);
 
-function remembered(name) {
+function remembered(/** @type {string} */ name) {
   try {
     return localStorage.getItem(`snug-${name}`);
   } catch {
@@ -17,16 +18,18 @@ function remembered(name) {
   }
 }
 
+/** @param {string} name @param {string | number} value */
 function remember(name, value) {
   try {
-    localStorage.setItem(`snug-${name}`, value);
+    localStorage.setItem(`snug-${name}`, String(value));
   } catch {
     // then the next visit starts like the first
   }
 }
 
 function first_theme() {
-  if (kThemes.includes(remembered("theme"))) return remembered("theme");
+  const kept = remembered("theme") ?? "";
+  if (kThemes.includes(kept)) return kept;
   if (asks("(prefers-contrast: more)").matches) return "contrast";
   return asks("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
@@ -35,7 +38,7 @@ export class Settings {
   #changed = () => {};
   #erase = () => {};
   #sure = 0; // the timer of the second press
-  #before_presenting = null;
+  #before_presenting = ""; // the theme
 
   constructor() {
     this.theme = first_theme();
@@ -56,7 +59,7 @@ export class Settings {
   }
 
   /** changed: called now and after each change. */
-  on_change(changed) {
+  on_change(/** @type {() => void} */ changed) {
     const before = this.#changed;
     this.#changed = () => (before(), changed());
     changed();
@@ -65,18 +68,22 @@ export class Settings {
   // ---- the panel ----------------------------------------------------------------------------------------------
 
   /** erase: erases the kept answers. */
-  on_erase(erase) {
+  on_erase(/** @type {() => void} */ erase) {
     this.#erase = erase;
   }
 
   #listen_to_panel() {
-    by_id("settings").addEventListener("click", () => this.#show_panel(by_id("settings-panel").hidden));
+    by_id("settings").addEventListener("click", () => this.#show_panel(Boolean(by_id("settings-panel").hidden)));
     by_id("erase").addEventListener("click", () => this.#press_erase());
-    const around = by_id("settings").parentElement;
-    addEventListener("pointerdown", ({ target }) => around.contains(target) || this.#show_panel(false));
-    around.addEventListener("focusout", ({ relatedTarget }) => relatedTarget && !around.contains(relatedTarget) && this.#show_panel(false));
-    around.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") {
+    const kAround = ".settings"; // the button and its panel
+    addEventListener("pointerdown", ({ target }) => is_within(target, kAround) || this.#show_panel(false));
+    const around = by_id("settings").closest(kAround);
+    around?.addEventListener("focusout", (event) => {
+      const { relatedTarget: to } = /** @type {FocusEvent} */ (event);
+      if (to && !is_within(to, kAround)) this.#show_panel(false);
+    });
+    around?.addEventListener("keydown", (event) => {
+      if (/** @type {KeyboardEvent} */ (event).key === "Escape") {
         this.#show_panel(false);
         by_id("settings").focus();
       }
@@ -84,7 +91,7 @@ export class Settings {
     });
   }
 
-  #show_panel(open) {
+  #show_panel(/** @type {boolean} */ open) {
     if (by_id("settings-panel").hidden === !open) return;
     set_hidden(by_id("settings-panel"), !open);
     by_id("settings").setAttribute("aria-expanded", open);
@@ -92,7 +99,7 @@ export class Settings {
     set_text(by_id("erase-says"), "Your answers and your place in each lesson are kept on this device alone.");
   }
 
-  #ask_to_erase(sure) {
+  #ask_to_erase(/** @type {boolean} */ sure) {
     clearTimeout(this.#sure);
     this.#sure = sure ? setTimeout(() => this.#ask_to_erase(false), kSurePatience) : 0;
     set_text(by_id("erase"), sure ? "Press again to erase them" : "Erase my answers");
@@ -124,21 +131,22 @@ export class Settings {
   }
 
   /** Presentation mode: a projector's theme, larger, without what only a reader at a desk needs. */
-  present(on) {
+  present(/** @type {boolean} */ on) {
     if (on === this.presenting) return;
     this.presenting = on;
     if (on) this.#before_presenting = this.theme;
     this.theme = on ? "projector" : this.#before_presenting;
     this.#apply();
     this.#fill_screen(on);
-    if (on) document.activeElement.blur();
-    else by_id("present").focus();
+    const focused = document.activeElement;
+    if (!on) by_id("present").focus();
+    else if (focused instanceof HTMLElement) focused.blur();
   }
 
   /** Enters or leaves full screen, if the browser allows it; a presentation also works in a window. */
-  #fill_screen(on) {
-    if (on) document.documentElement.requestFullscreen?.().then(() => this.presenting || document.exitFullscreen(), () => {});
-    else if (document.fullscreenElement) document.exitFullscreen();
+  async #fill_screen(/** @type {boolean} */ on) {
+    if (on) await document.documentElement.requestFullscreen?.().catch(() => {});
+    if (!this.presenting && document.fullscreenElement) document.exitFullscreen();
   }
 
   get text_scale() {
@@ -150,7 +158,7 @@ export class Settings {
     const root = document.documentElement;
     root.dataset.theme = this.theme;
     root.classList.toggle("presenting", this.presenting);
-    root.style.setProperty("--text-scale", this.text_scale);
+    root.style.setProperty("--text-scale", String(this.text_scale));
     set_text(by_id("theme-name"), kNames[this.theme]);
     by_id("theme").setAttribute("aria-label", `Theme: ${kNames[this.theme]}`);
     by_id("theme").title = "Theme";

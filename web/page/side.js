@@ -1,6 +1,6 @@
 // The column at the right of a wide window: the numbers have the room that they want and the pseudocode the rest. Where
-// the numbers fill the column, as the fifteen axes do, the pseudocode is a tab beside them. How the volumes are stored is
-// a tab as well, in the lessons that show it.
+// the numbers fill the column, as the fifteen axes do, the pseudocode is a tab beside them. How the volumes are stored
+// is a tab as well, in the lessons that show it.
 import { by_id } from "./dom.js";
 import { TabList } from "./tab_list.js";
 
@@ -9,24 +9,25 @@ const kCode = 17; // rem: the choice of algorithms, and enough lines to follow
 export class Side {
   #door;
   #tabs;
-  #of = null; // the lesson and the algorithm
+  #of = ""; // the lesson and the algorithm
   #since = 0; // frames drawn when they came; figures of before are not theirs
   #stores = false; // whether the lesson shows how volumes are stored
   #most = 0; // pixels that the numbers have wanted at most
 
-  constructor(door) {
+  constructor(/** @type {Door} */ door) {
     this.#door = door;
-    this.#tabs = new TabList(by_id("side-tabs"), [["stored", "Stored as"], ["numbers", "Numbers"], ["code", "Code"]], (id) => this.#choose(id));
+    const names = { stored: "Stored as", numbers: "Numbers", code: "Code" };
+    this.#tabs = new TabList(by_id("side-tabs"), names, (id) => this.#choose(id));
     this.#choose("numbers");
     new ResizeObserver(() => this.#fit()).observe(by_id("side"));
   }
 
   open() {
-    this.#of = null;
+    this.#of = "";
     this.#choose(this.#stores ? "stored" : "numbers");
   }
 
-  update({ lesson, algorithm, framesDrawn, stored }) {
+  update(/** @type {View} */ { lesson, algorithm, framesDrawn, stored }) {
     if (this.#stores !== stored.length > 0) { // it is what such a lesson is about
       this.#stores = stored.length > 0;
       this.#choose(this.#stores ? "stored" : "numbers");
@@ -44,7 +45,7 @@ export class Side {
     this.#fit();
   }
 
-  #choose(id) {
+  #choose(/** @type {string} */ id) {
     document.documentElement.dataset.side = id;
     this.#tabs.mark(id);
   }

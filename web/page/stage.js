@@ -1,5 +1,5 @@
 // The canvas: draws frames only when they are due, passes input on, and recovers from a lost context.
-import { by_id } from "./dom.js";
+import { button, by_id } from "./dom.js";
 import { arrange, watch_layout } from "./layout.js";
 import { stage_message } from "./messages.js";
 
@@ -10,19 +10,27 @@ const kPatience = 5000; // milliseconds until the page says that a lost context 
 const kFingerWaits = 120; // milliseconds
 const kFingerTrembles = 6; // pixels
 
-/** What draws the stage, as its driver names it. */
+/** What draws the stage, as its driver names it.
+ *  @returns {string} */
 function renderer() {
   const probe = document.createElement("canvas").getContext("webgl2");
-  const info = probe?.getExtension("WEBGL_debug_renderer_info");
-  const name = info ? probe.getParameter(info.UNMASKED_RENDERER_WEBGL) : probe?.getParameter(probe.RENDERER);
-  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  if (!probe) return "";
+  const info = probe.getExtension("WEBGL_debug_renderer_info");
+  const name = probe.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? probe.RENDERER);
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
   return name ?? "";
 }
 
+const kNoWebgl =
+  "This browser does not give the page WebGL 2, which the stage needs. The text, the steps and the numbers work " +
+  "without it. A current Firefox, Chrome, Edge or Safari draws the stage, unless hardware acceleration is switched " +
+  "off in its settings.";
+
 /** Whether the processor draws instead of a graphics card: several samples per pixel then cost a third of a frame. */
-const drawn_by_processor = (name) => /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+const drawn_by_processor = (/** @type {string} */ name) =>
+  /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 /** Whether the browser lays the page's layers over each other on the processor as well. */
-const composited_by_processor = (name) => /swiftshader|basic render/i.test(name);
+const composited_by_processor = (/** @type {string} */ name) => /swiftshader|basic render/i.test(name);
 
 export class Stage {
   #door;
@@ -33,14 +41,15 @@ export class Stage {
   #moved = true;
   /** Whether a button or a finger is down on the canvas. */
   pressed = false;
-  #touches = new Map();
-  #waiting = null; // {x, y, timer}: a finger that has not pressed yet
+  #touches = /** @type {Map<number, Point>} */ (new Map());
+  #waiting = /** @type {(Point & { timer: number }) | null} */ (null); // a finger that has not pressed yet
   #pinched = false; // until every finger has lifted
   #lost_timer = 0;
-  /** {at, cost}: when each of the last frames began, and the milliseconds that the program took for it. */
-  times = [];
+  /** When each of the last frames began, and the milliseconds that the program took for it. */
+  times = /** @type {FrameTime[]} */ ([]);
 
-  /** after_frame: called after each frame. */
+  /** after_frame: called after each frame.
+   *  @param {Door} door @param {() => void} after_frame */
   constructor(door, after_frame) {
     this.#door = door;
     this.#after_frame = after_frame;
@@ -55,20 +64,17 @@ export class Stage {
     });
   }
 
-  #cannot_draw(error) {
-    stage_message(
-      error === "no WebGL 2"
-        ? "This browser does not give the page WebGL 2, which the stage needs. The text, the steps and the numbers work without it. A current Firefox, Chrome, Edge or Safari draws the stage, unless hardware acceleration is switched off in its settings."
-        : `The stage cannot be drawn here: ${error}`);
+  #cannot_draw(/** @type {Refusal} */ error) {
+    stage_message(error === "no WebGL 2" ? kNoWebgl : `The stage cannot be drawn here: ${error}`);
     document.documentElement.classList.add("no-stage");
   }
 
   /** Requests a frame. Several requests before it comes count as one. */
   request() {
-    this.#due ||= requestAnimationFrame((time) => this.#draw(time / 1000));
+    if (this.#due === 0) this.#due = requestAnimationFrame((time) => this.#draw(time / 1000));
   }
 
-  #draw(now) {
+  #draw(/** @type {number} */ now) {
     this.#due = 0;
     if (this.#moved) this.#arrange();
     const start = performance.now();
@@ -83,17 +89,20 @@ export class Stage {
   }
 
   /** Sleeps until the next frame is due; input wakes the stage anyway. */
-  #wait(seconds) {
+  #wait(/** @type {number} */ seconds) {
     clearTimeout(this.#alarm);
     if (seconds <= 0) this.request();
     else if (Number.isFinite(seconds)) this.#alarm = setTimeout(() => this.request(), seconds * 1000);
   }
 
-  /** A PNG of what `draw` draws on the canvas, at a size of its own; the next frame draws the stage again. Null if it cannot. */
-  picture(width, height, scale, draw) {
+  /** A PNG of what `draw` draws on the canvas, at a size of its own; the next frame draws the stage again. Null if it
+   *  cannot.
+   *  @param {number} width @param {number} height @param {number} scale @param {Door["draw_cover"]} draw
+   *  @returns {Promise<Blob | null>} */
+  async picture(width, height, scale, draw) {
     [this.#canvas.width, this.#canvas.height] = [width * scale, height * scale];
     const drawn = draw(width, height, scale);
-    const blob = drawn ? new Promise((done) => this.#canvas.toBlob(done, "image/png")) : null;
+    const blob = new Promise((done) => (drawn ? this.#canvas.toBlob(done, "image/png") : done(null)));
     this.#moved = true; // its own size comes back
     this.request();
     return blob;
@@ -108,22 +117,25 @@ export class Stage {
     this.#door.set_layout(layout);
   }
 
-  /** Converts a position on the canvas to one in the page's viewport. */
-  on_page({ id, x, y }) {
+  /** Converts a position on the canvas to one in the page's viewport.
+   *  @param {Point} on_canvas @returns {Point} */
+  on_page({ x, y }) {
     const { left, top } = this.#canvas.getBoundingClientRect();
-    return { id, x: left + x, y: top + y };
+    return { x: left + x, y: top + y };
   }
 
-  #on_canvas(event) {
+  #on_canvas(/** @type {MouseEvent} */ event) {
     const { left, top } = this.#canvas.getBoundingClientRect();
     return [event.clientX - left, event.clientY - top];
   }
 
   #listen() {
     for (const surface of [this.#canvas, by_id("stage"), by_id("timeline"), by_id("numbers")]) {
+      /** @template {keyof HTMLElementEventMap} Name
+       *  @param {Name} name @param {(event: HTMLElementEventMap[Name]) => void} act */
       const on = (name, act) => surface.addEventListener(name, (event) => {
         if (event.target !== surface) return; // HTML on top of the stage handles its own input
-        act(event, surface);
+        act(event);
         this.request();
       }, { passive: false });
       on("pointerdown", (event) => this.#down(event, surface));
@@ -135,7 +147,7 @@ export class Stage {
       on("contextmenu", (event) => event.preventDefault());
     }
     // A pointer gives the canvas the focus too, but only keyboard users have to see where the focus is.
-    const pointed = (on) => document.documentElement.classList.toggle("pointed", on);
+    const pointed = (/** @type {boolean} */ on) => document.documentElement.classList.toggle("pointed", on);
     addEventListener("pointerdown", () => pointed(true), { capture: true });
     addEventListener("keydown", ({ key }) => key === "Tab" && pointed(false), { capture: true });
     this.#canvas.addEventListener("webglcontextlost", (event) => {
@@ -145,6 +157,7 @@ export class Stage {
     this.#canvas.addEventListener("webglcontextrestored", () => this.#restore());
   }
 
+  /** @param {PointerEvent} event @param {HTMLElement} surface */
   #down(event, surface) {
     event.preventDefault(); // so that a drag does not select the page's text
     this.#canvas.focus({ preventScroll: true });
@@ -157,10 +170,12 @@ export class Stage {
     if (kButtonsOfImgui.includes(event.button)) this.#door.pointer_button(event.button, true, event.pointerType);
   }
 
+  /** @param {number} id @param {number} x @param {number} y */
   #finger_down(id, x, y) {
     this.#touches.set(id, { x, y });
     if (this.#touches.size > 1) {
-      if (!this.#stop_waiting() && !this.#pinched) this.#door.pointer_button(0, false, "touch"); // ends a drag where it is
+      // Ends a drag where it is.
+      if (!this.#stop_waiting() && !this.#pinched) this.#door.pointer_button(0, false, "touch");
       this.#pinched = true;
       return;
     }
@@ -183,7 +198,7 @@ export class Stage {
     return true;
   }
 
-  #move(event) {
+  #move(/** @type {PointerEvent} */ event) {
     const [x, y] = this.#on_canvas(event);
     if (this.#touches.size >= 2) return this.#pinch(event.pointerId, { x, y });
     if (this.#pinched && event.pointerType === "touch") return; // the remaining finger drags nothing
@@ -194,13 +209,13 @@ export class Stage {
     this.#door.pointer_moved(x, y, event.pointerType);
   }
 
-  #up(event) {
+  #up(/** @type {PointerEvent} */ event) {
     this.pressed = this.#touches.size > 1;
     if (event.pointerType === "touch") return this.#finger_up(event);
     this.#door.pointer_button(kButtonsOfImgui.includes(event.button) ? event.button : 0, false, event.pointerType);
   }
 
-  #finger_up(event) {
+  #finger_up(/** @type {PointerEvent} */ event) {
     if (!this.#touches.delete(event.pointerId) || this.#pinched) return;
     if (event.type === "pointerup") this.#finger_presses(); // the tap was shorter than the wait
     this.#stop_waiting(); // otherwise the browser has turned it into scrolling
@@ -208,6 +223,7 @@ export class Stage {
     this.#door.pointer_left(); // a lifted finger hovers over nothing
   }
 
+  /** @param {number} id @param {Point} to */
   #pinch(id, to) {
     if (!this.#touches.has(id)) return;
     const spread = () => {
@@ -220,22 +236,24 @@ export class Stage {
     this.#door.pinch(before.apart > 0 ? now.apart / before.apart : 1, now.x, now.y, now.x - before.x, now.y - before.y);
   }
 
-  #wheel(event) {
-    if (event.target.id === "timeline") return; // lets the page scroll
+  #wheel(/** @type {WheelEvent} */ event) {
+    if (event.target === by_id("timeline")) return; // lets the page scroll
     event.preventDefault();
     const pixels = [1, 16, 400][event.deltaMode];
     const [x, y] = this.#on_canvas(event);
-    if (event.ctrlKey) return this.#door.pinch(Math.exp((-event.deltaY * pixels) / 100), x, y, 0, 0); // a touchpad's pinch
+    const [across, down] = [(-event.deltaX * pixels) / 100, (-event.deltaY * pixels) / 100];
+    if (event.ctrlKey) return this.#door.pinch(Math.exp(down), x, y, 0, 0); // a touchpad's pinch
     this.#door.pointer_moved(x, y, "mouse");
-    this.#door.wheel_turned((-event.deltaX * pixels) / 100, (-event.deltaY * pixels) / 100);
+    this.#door.wheel_turned(across, down);
   }
 
   #lose() {
     this.#door.stop_graphics();
     stage_message("The stage has lost its graphics. They should come back by themselves in a moment.");
-    this.#lost_timer = setTimeout(
-      () => stage_message("The stage’s graphics have not come back. The address keeps your work: reload the page.",
-        "Reload", () => location.reload()), kPatience);
+    this.#lost_timer = setTimeout(() => {
+      const reload = button("Reload", () => location.reload());
+      stage_message("The stage’s graphics have not come back. The address keeps your work: reload the page.", reload);
+    }, kPatience);
   }
 
   #restore() {

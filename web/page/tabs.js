@@ -3,13 +3,15 @@
 import { by_id } from "./dom.js";
 import { TabList } from "./tab_list.js";
 
-const kTabs = [["read", "Lesson"], ["points", "Points"], ["file", "File"], ["stored", "Stored as"], ["numbers", "Numbers"], ["code", "Code"]];
+const kTabs = {
+  read: "Lesson", points: "Points", file: "File", stored: "Stored as", numbers: "Numbers", code: "Code",
+};
 const kOfTheColumn = ["read", "points", "file"];
 
 const kSeen = 0.5; // of a phone's screen, which what its tab has opened takes at least
 
 /** On a phone a tab is at the screen's foot, and what it opens beneath it. */
-function bring_up(panel) {
+function bring_up(/** @type {HTMLElement} */ panel) {
   if (document.documentElement.dataset.layout !== "phone") return;
   const { top, height } = panel.getBoundingClientRect();
   const below = top + Math.min(height, innerHeight * kSeen) - innerHeight;
@@ -20,31 +22,33 @@ export class Tabs {
   #tabs;
 
   /** opened(id): called when a tab is opened by hand. */
-  constructor(opened) {
+  constructor(/** @type {(id: string) => void} */ opened) {
     this.#tabs = new TabList(by_id("tabs"), kTabs, (id) => {
       this.choose(id);
       bring_up(by_id(id));
       opened(id);
     });
     this.choose("read");
-    new MutationObserver(() => this.#fit()).observe(document.documentElement, { attributeFilter: ["data-layout", "class"] });
+    const changes = { attributeFilter: ["data-layout", "class"] };
+    new MutationObserver(() => this.#fit()).observe(document.documentElement, changes);
   }
 
-  update({ stored, file, toolsWord }) {
+  update(/** @type {View} */ { stored, file, toolsWord }) {
     this.#tabs.set_words(1, toolsWord);
     const { tab } = document.documentElement.dataset;
     if ((stored.length === 0 && tab === "stored") || (file === null && tab === "file")) this.choose("read");
   }
 
-  choose(id) {
+  choose(/** @type {string} */ id) {
     document.documentElement.dataset.tab = id;
     this.#tabs.mark(id);
   }
 
   /** Chooses another tab if this arrangement does not have the chosen one. */
   #fit() {
-    const { dataset: { layout, tab }, classList } = document.documentElement;
-    if (layout === "wide" && !kOfTheColumn.includes(tab)) this.choose("read");
-    if (layout !== "wide" && classList.contains("presenting") && kOfTheColumn.includes(tab)) this.choose("code");
+    const { dataset, classList } = document.documentElement;
+    const of_column = kOfTheColumn.includes(dataset.tab ?? "");
+    if (dataset.layout === "wide" && !of_column) this.choose("read");
+    if (dataset.layout !== "wide" && classList.contains("presenting") && of_column) this.choose("code");
   }
 }

@@ -1,6 +1,7 @@
 // How one text differs from another: what was put in place of one stretch of it. An address has room for that.
 
-/** "where-how many letters go-what comes"; "" where nothing has changed. */
+/** "where-how many letters go-what comes"; "" where nothing has changed.
+ *  @param {string} from @param {string} to */
 export function change_of(from, to) {
   if (from === to) return "";
   const most = Math.min(from.length, to.length);
@@ -10,7 +11,8 @@ export function change_of(from, to) {
   return `${at}-${from.length - at - end}-${to.slice(at, to.length - end)}`;
 }
 
-/** The text with such a change; null where it says no change of that text. */
+/** The text with such a change; null where it says no change of that text.
+ *  @param {string} from @param {string} change */
 export function changed(from, change) {
   const [, at, gone, comes] = /^(\d+)-(\d+)-([^]*)$/.exec(change) ?? [];
   if (at === undefined || Number(at) + Number(gone) > from.length) return null;
