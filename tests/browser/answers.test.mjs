@@ -16,7 +16,7 @@ const card = (page) => page.locator("#ask");
 /** A choice that has its place in an order says that first. */
 const choose = (page, words) => card(page).getByRole("button", { name: new RegExp(`^(\\d+ ?)?${words}$`) }).click();
 
-test("an order is chosen one after the other, and is given once it is whole; then the next question is asked", async (t) => {
+test("an order is chosen one after the other, and is given once it is whole; then the next is asked", async (t) => {
   const page = await visit(t, "?lesson=best-box&step=0");
   const { asked } = await until(page, (now) => now.asked?.id === "order");
   assert.deepEqual([asked.ordered, asked.ready, asked.choices.length], [true, false, 4]);
@@ -27,13 +27,16 @@ test("an order is chosen one after the other, and is given once it is whole; the
   await choose(page, "Axis-aligned box"); // taken out again
   await choose(page, "PCA of the hull");
   await choose(page, "Axis-aligned box");
-  const places = await card(page).locator("[data-place]").evaluateAll((buttons) => buttons.map((button) => button.dataset.place));
+  const places = await card(page)
+    .locator("[data-place]")
+    .evaluateAll((buttons) => buttons.map((button) => button.dataset.place));
   assert.deepEqual(places, ["2", "3", "4", "1"]);
   await commit.click();
   const { asked: once } = await until(page, (now) => now.outcome || now.asked?.tried);
   if (once?.tried) { // that was another order than the right one, which depends on the points alone
     assert.deepEqual(once.picked, null);
-    for (const words of ["Exact minimum", "PCA of the hull", "PCA of the points", "Axis-aligned box"]) await choose(page, words);
+    for (const words of ["Exact minimum", "PCA of the hull", "PCA of the points", "Axis-aligned box"])
+      await choose(page, words);
     await commit.click();
   }
   // Two questions stand at the same place: the first is told there, before the step that both are about.
@@ -43,8 +46,14 @@ test("an order is chosen one after the other, and is given once it is whole; the
   // The right order is a list, with the place that each had in the prediction.
   const { choices, rightChoices, given } = order;
   const lines = card(page).locator(".order li");
-  assert.deepEqual(await lines.locator("span").allTextContents(), rightChoices.map((choice) => choices[choice]));
-  assert.deepEqual((await lines.locator("b").allTextContents()).map((text) => Number(/\d/.exec(text)[0])), rightChoices.map((choice) => given.choices.indexOf(choice) + 1));
+  assert.deepEqual(
+    await lines.locator("span").allTextContents(),
+    rightChoices.map((choice) => choices[choice]),
+  );
+  assert.deepEqual(
+    (await lines.locator("b").allTextContents()).map((text) => Number(/\d/.exec(text)[0])),
+    rightChoices.map((choice) => given.choices.indexOf(choice) + 1),
+  );
   await page.keyboard.press("Enter");
   const { asked: second } = await until(page, (now) => now.asked?.id === "cheapest");
   assert.equal(second.place, "2 of 3");
@@ -105,7 +114,10 @@ test("a number is typed; what is no number costs nothing", async (t) => {
   const field = card(page).getByRole("textbox", { name: "Number" });
   await field.fill("a lot");
   await page.keyboard.press("Enter");
-  assert.equal((await until(page, (now) => now.asked.says)).asked.says, "“a lot” is not a number. Write it like 12 or 2.5.");
+  assert.equal(
+    (await until(page, (now) => now.asked.says)).asked.says,
+    "“a lot” is not a number. Write it like 12 or 2.5.",
+  );
   await field.fill("12 %");
   await page.keyboard.press("Enter");
   const { outcome, asked: again } = await until(page, (now) => now.outcome ?? now.asked?.tried);

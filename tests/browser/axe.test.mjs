@@ -1,11 +1,13 @@
-// axe-core finds nothing to complain of: in the idle state of every lesson, at every question, beside every outcome, be it
-// right, wrong or skipped, at its task as it is set and as it is done. One lesson of each kind is played in all its
-// situations, and on a laptop the whole page is looked at; in the others, what changes from question to question. On a phone
-// the same parts stand in another place: one lesson of each kind is at rest and played there.
+// axe-core finds nothing to complain of: in the idle state of every lesson, at every question, beside every outcome, be
+// it right, wrong or skipped, at its task as it is set and as it is done. One lesson of each kind is played in all its
+// situations, and on a laptop the whole page is looked at; in the others, what changes from question to question. On a
+// phone the same parts stand in another place: one lesson of each kind is at rest and played there.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
-import { answer, assert, cut_off, go_on, kinds, kPhone, kWide, lessons, load, moved, start, state, stop, until, visit } from "./support.mjs";
+import {
+  answer, assert, cut_off, go_on, kinds, kPhone, kWide, lessons, load, moved, start, state, stop, until, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -19,31 +21,53 @@ async function violations(page, parts = null) {
     const seen = parts?.filter((part) => document.querySelector(part)?.checkVisibility());
     if (seen?.length === 0) return [];
     const { violations } = await window.axe.run(seen ? { include: seen } : document, { resultTypes: ["violations"] });
-    return violations.flatMap(({ id, impact, nodes }) => nodes.map(({ target, failureSummary }) => `${id} (${impact}) at ${target}: ${failureSummary}`));
+    return violations.flatMap(({ id, impact, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id} (${impact}) at ${target}: ${failureSummary}`),
+    );
   }, parts);
 }
 
 /** Where questions, what comes of them and the step's words stand. */
 const kSpoken = ["#ask", "#told", "#caption", "#figures"];
 
-/** What axe finds wrong with those parts. Other words in elements that it has seen there make no difference to it: it looks
- *  once there is an element of another kind. seen: receives the kinds of elements. */
+/** What axe finds wrong with those parts. Other words in elements that it has seen there make no difference to it: it
+ *  looks once there is an element of another kind. seen: receives the kinds of elements. */
 async function violations_of_new(page, seen) {
-  const elements = await page.evaluate((parts) => [...document.querySelectorAll(parts.map((part) => `${part}, ${part} *`).join())].map((node) => {
-    const attributes = [...node.attributes].map(({ name, value }) => (/^(class|role|type|aria-(pressed|current|checked))$/.test(name) ? `${name}=${value}` : name));
-    return [node.parentElement.tagName, node.parentElement.className, node.tagName, ...attributes, node.textContent.trim() !== ""].join(" ");
-  }), kSpoken);
+  const elements = await page.evaluate(
+    (parts) =>
+      [...document.querySelectorAll(parts.map((part) => `${part}, ${part} *`).join())].map((node) => {
+        const attributes = [...node.attributes].map(({ name, value }) =>
+          /^(class|role|type|aria-(pressed|current|checked))$/.test(name) ? `${name}=${value}` : name,
+        );
+        return [
+          node.parentElement.tagName,
+          node.parentElement.className,
+          node.tagName,
+          ...attributes,
+          node.textContent.trim() !== "",
+        ].join(" ");
+      }),
+    kSpoken,
+  );
   if (elements.every((element) => seen.has(element))) return [];
   for (const element of elements) seen.add(element);
   return violations(page, kSpoken);
 }
 
-/** Answers what is asked by its number-th choice, as far as digits reach, or by the name of the number-th handle that can be the answer. */
-const answer_with = (page, asked, number) => answer(page, asked.choices.length > 0 ? number % Math.min(asked.choices.length, 9) : asked.targets[number % asked.targets.length], "keyboard");
+/** Answers what is asked by its number-th choice, as far as digits reach, or by the name of the number-th handle that
+ *  can be the answer. */
+const answer_with = (page, asked, number) =>
+  answer(
+    page,
+    asked.choices.length > 0
+      ? number % Math.min(asked.choices.length, 9)
+      : asked.targets[number % asked.targets.length],
+    "keyboard",
+  );
 
-/** Plays what is open to its end and looks at every question and at what stands beside its outcome. On a laptop nothing of a
- *  question may be cut off. look: what is wrong with the page. Returns how many questions there were, and the situations
- *  and the algorithms in which others wait. seen: receives the outcomes. */
+/** Plays what is open to its end and looks at every question and at what stands beside its outcome. On a laptop nothing
+ *  of a question may be cut off. look: what is wrong with the page. Returns how many questions there were, and the
+ *  situations and the algorithms in which others wait. seen: receives the outcomes. */
 async function play(page, name, seen, look) {
   const phone = page.viewportSize().width < kWide.viewport.width;
   let questions = 0;
@@ -55,13 +79,20 @@ async function play(page, name, seen, look) {
   for (let presses = 0; presses < 400 && (now.asked || now.outcome || now.step < now.steps); ++presses) {
     const { asked } = now;
     await page.evaluate(() => document.activeElement.blur());
-    if (!phone && (asked || now.outcome)) assert.deepEqual(await cut_off(page), [], `${name}, step ${now.step}`); // a phone scrolls
+    // On a phone one scrolls.
+    if (!phone && (asked || now.outcome)) assert.deepEqual(await cut_off(page), [], `${name}, step ${now.step}`);
     if (asked) {
       assert.deepEqual(await look(page), [], `${name}, ${asked.id}`);
       // Each in turn is skipped, answered by its first and by its last answer: some of them are right, some wrong.
       // A number has no first and last answer.
-      if (questions % 3 === 2 || asked.many || asked.field === "Number") await page.getByRole("button", { name: "Skip", exact: true }).click();
-      else await answer_with(page, asked, questions % 3 === 0 ? 0 : Math.max(asked.choices.length, asked.targets.length) - 1);
+      if (questions % 3 === 2 || asked.many || asked.field === "Number")
+        await page.getByRole("button", { name: "Skip", exact: true }).click();
+      else
+        await answer_with(
+          page,
+          asked,
+          questions % 3 === 0 ? 0 : Math.max(asked.choices.length, asked.targets.length) - 1,
+        );
       ++questions;
     } else if (now.cover) {
       break; // its outcomes stand beside its questions
@@ -78,7 +109,7 @@ async function play(page, name, seen, look) {
   return { questions, of: now.questions, situations: now.situationsWaiting, algorithms: now.waiting };
 }
 
-for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScaleFactor: 1 }]]) {
+for (const [name, size] of Object.entries({ laptop: kWide, phone: { ...kPhone, deviceScaleFactor: 1 } })) {
   test(`on a ${name} lessons are clean at rest, at each question, beside each outcome and at their end`, async (t) => {
     const seen = new Set();
     const whole = new Set((await kinds()).map(({ id }) => id)), elements = new Set();
@@ -95,7 +126,14 @@ for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScal
         const own = await play(await visit(t, `${there}&step=0`, size), `${id}, ${situation}`, seen, look);
         let asked = own.questions;
         for (const algorithm of own.algorithms)
-          asked += (await play(await visit(t, `${there}&a=${algorithm}&step=0`, size), `${id}, ${situation}, ${algorithm}`, seen, look)).questions;
+          asked += (
+            await play(
+              await visit(t, `${there}&a=${algorithm}&step=0`, size),
+              `${id}, ${situation}, ${algorithm}`,
+              seen,
+              look,
+            )
+          ).questions;
         assert.ok(asked > 0, `${id} asks nothing in the situation ${situation}`);
       }
     }
@@ -160,7 +198,8 @@ test("a question is clean after a first wrong try, and where the right answer is
 });
 
 test("every theme is clean, at a question and beside what came of it", async (t) => {
-  const page = await load(t, "?lesson=sphere-ritter&step=1", { reducedMotion: "reduce" }); // no colour on its way to another
+  // No colour on its way to another.
+  const page = await load(t, "?lesson=sphere-ritter&step=1", { reducedMotion: "reduce" });
   for (const theme of ["Dark", "High contrast", "Projector"]) {
     await page.evaluate(() => window.snug.restart("?lesson=sphere-ritter&step=1"));
     await page.locator("#theme").click();

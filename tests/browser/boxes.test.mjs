@@ -1,6 +1,8 @@
 // Two boxes are dragged, turned, typed and shared, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
-import { assert, drag, drag_by_finger, handles, kPhone, panel_tables, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import {
+  assert, drag, drag_by_finger, handles, kPhone, panel_tables, ready, start, state, still, stop, until, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -9,7 +11,12 @@ const kLesson = "?lesson=obb-sat";
 const changed = (now, numbers) => JSON.stringify(now.numbers) !== numbers;
 const text_of = (view) => JSON.stringify(view.numbers);
 /** Where both boxes are, how large, how turned. */
-const boxes_of = ({ numbers }) => numbers.map(({ rows: [center, half_extents, turn] }) => ({ center: center.values, half_extents: half_extents.values, degrees: turn.turn ? undefined : turn.values[0] }));
+const boxes_of = ({ numbers }) =>
+  numbers.map(({ rows: [center, half_extents, turn] }) => ({
+    center: center.values,
+    half_extents: half_extents.values,
+    degrees: turn.turn ? undefined : turn.values[0],
+  }));
 
 test("a box's centre is dragged: the box follows, the other stays, and one undo takes it back", async (t) => {
   const page = await visit(t, kLesson);
@@ -37,11 +44,19 @@ test("every handle of a box does something to it, and to no other", async (t) =>
     const touched = boxes.flatMap((box, i) => (JSON.stringify(box) === JSON.stringify(boxes_of(before)[i]) ? [] : [i]));
     assert.equal(touched.length, 1, `handle ${id} touches boxes ${touched}`);
     for (const key of ["center", "half_extents", "degrees"])
-      if (JSON.stringify(boxes[touched[0]][key]) !== JSON.stringify(boxes_of(before)[touched[0]][key])) kinds.add(`${key} of ${touched[0]}`);
+      if (JSON.stringify(boxes[touched[0]][key]) !== JSON.stringify(boxes_of(before)[touched[0]][key]))
+        kinds.add(`${key} of ${touched[0]}`);
     await page.keyboard.press("Control+z");
     await until(page, (now, text) => JSON.stringify(now.numbers) === text, text_of(start_boxes));
   }
-  for (const kind of ["center of 0", "half_extents of 0", "degrees of 0", "center of 1", "half_extents of 1", "degrees of 1"])
+  for (const kind of [
+    "center of 0",
+    "half_extents of 0",
+    "degrees of 0",
+    "center of 1",
+    "half_extents of 1",
+    "degrees of 1",
+  ])
     assert.ok(kinds.has(kind), `no handle changes the ${kind}`);
 });
 
@@ -99,7 +114,8 @@ test("the address carries the boxes to the last digit", async (t) => {
   const [, second] = await handles(page);
   await drag(page, second.id, -9, 7);
   const after = await until(page, changed, text_of(before));
-  for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+  // The address follows a moment later.
+  for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url();
   await page.reload();
   await ready(page);
   const again = await state(page);
@@ -134,6 +150,9 @@ test("which axis separates how many of 1,000 random pairs is read in HTML", asyn
   assert.equal(sum, readout["random_apart"], "each pair that is apart is told so by one axis");
   assert.equal(1000 - sum, readout["random_overlap"]);
   assert.equal(says, `${readout["random_overlap"]} pairs overlap.`);
-  assert.ok(first.every((count, i) => count <= all[i]) && first[0] === all[0], "the first axis ends the test wherever it separates");
+  assert.ok(
+    first.every((count, i) => count <= all[i]) && first[0] === all[0],
+    "the first axis ends the test wherever it separates",
+  );
   assert.deepEqual(await panel_tables(page), [{ title, head, rows }]);
 });

@@ -1,6 +1,10 @@
-// The close-up that a lesson's file asks for: it is on the stage, magnifies the gap, follows a drag and covers no handle.
+// The close-up that a lesson's file asks for: it is on the stage, magnifies the gap, follows a drag and covers no
+// handle.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, drag, drag_by_finger, handles, kPhone, kWide, start_for_pictures, state, still, stop, until, visit } from "./support.mjs";
+import {
+  add_lesson, assert, drag, drag_by_finger, handles, kPhone, kWide, start_for_pictures, state, still, stop, until,
+  visit,
+} from "./support.mjs";
 
 const lesson = `version = 2
 title = "A small gap"
@@ -50,7 +54,7 @@ const colors_in = async (page, { x, y, width, height }) => {
   }, [...picture]);
 };
 
-for (const [name, options] of [["a desktop", kWide], ["a phone", kPhone]])
+for (const [name, options] of Object.entries({ "a desktop": kWide, "a phone": kPhone }))
   test(`on ${name} a gap of 0.003 is shown enlarged, and stays shown while a box is dragged`, async (t) => {
     const page = await visit(t, "?lesson=small-gap", options);
     await still(page);

@@ -1,18 +1,25 @@
 // A question is a conversation: on the stage's foot it is asked, tried again, played to where it is decided, told, and
 // acknowledged; and a lesson ends with a summary.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, go_on, handles, kinds, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
+import {
+  answer, assert, drag, go_on, handles, kinds, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
 
 const box = (page, selector) => page.locator(selector).boundingBox();
+/** @type {Opened} */
 const kMoving = { ...kWide, reducedMotion: "no-preference" };
 
 /** Skips on to the first question that asks for a point by its name. */
 async function to_named_question(page) {
   let now = await state(page);
-  for (let i = 0; i < 60 && !(now.asked?.onStage && now.asked.choices.length === 0 && now.asked.targets.length > 2); ++i) {
+  for (
+    let i = 0;
+    i < 60 && !(now.asked?.onStage && now.asked.choices.length === 0 && now.asked.targets.length > 2);
+    ++i
+  ) {
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press(now.asked ? "s" : "PageDown");
     now = await moved(page, now);
@@ -21,17 +28,24 @@ async function to_named_question(page) {
   return now;
 }
 
-test("the question stands on the stage's foot, the stage frames itself above it, and the prose keeps its column", async (t) => {
+test("the question stands on the stage's foot, the stage is framed above it, the prose keeps its column", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter&step=1");
   const { asked } = await until(page, (now) => now.asked);
   await still(page);
   const [card, stage, prose] = [await box(page, "#ask"), await box(page, "#stage"), await box(page, "#read")];
-  assert.ok(card.y > stage.y + stage.height / 3 && card.y + card.height <= stage.y + stage.height, JSON.stringify(card));
+  assert.ok(
+    card.y > stage.y + stage.height / 3 && card.y + card.height <= stage.y + stage.height,
+    JSON.stringify(card),
+  );
   assert.ok(card.x >= stage.x && card.x + card.width <= stage.x + stage.width);
-  for (const { id, y } of await handles(page)) if (asked.targets.includes(id)) assert.ok(y < card.y, `${id} is under the card`);
+  for (const { id, y } of await handles(page))
+    if (asked.targets.includes(id)) assert.ok(y < card.y, `${id} is under the card`);
   assert.ok(prose.y + prose.height > 790, "the prose reaches the foot of its column");
   const [numbers, code] = [await box(page, "#numbers"), await box(page, "#code")];
-  assert.ok(code.y >= numbers.y + numbers.height - 1 && Math.abs(code.x - numbers.x) < 3, "the pseudocode stands under the numbers");
+  assert.ok(
+    code.y >= numbers.y + numbers.height - 1 && Math.abs(code.x - numbers.x) < 3,
+    "the pseudocode stands under the numbers",
+  );
 });
 
 test("on a phone the stage and the question are in view together, and so is what came of it", async (t) => {
@@ -40,7 +54,10 @@ test("on a phone the stage and the question are in view together, and so is what
   for (const what of ["asked", "told"]) {
     await still(page);
     const [card, stage] = [await box(page, "#ask"), await box(page, "#stage")];
-    assert.ok(stage.y >= 0 && card.y >= stage.y + stage.height - 1 && card.y + card.height <= 844, `${what}: ${JSON.stringify([stage, card])}`);
+    assert.ok(
+      stage.y >= 0 && card.y >= stage.y + stage.height - 1 && card.y + card.height <= 844,
+      `${what}: ${JSON.stringify([stage, card])}`,
+    );
     if (what === "asked") await answer(page, 0);
   }
 });
@@ -77,7 +94,7 @@ test("answering plays what was skipped, a key ends that, and the outcome stays u
   await go_on(page);
 });
 
-test("a first wrong answer is told to be wrong and nothing else; after the second the right one can be shown", async (t) => {
+test("a first wrong answer is told to be wrong and no more; after the second the right one can be shown", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter&step=0");
   const { asked, step, caption, figures } = await to_named_question(page);
   const give = async (name) => {
@@ -106,7 +123,10 @@ test("a first wrong answer is told to be wrong and nothing else; after the secon
 
 test("a choice that was wrong, and the right answer once it is shown, move nothing", async (t) => {
   const page = await visit(t, "?lesson=frustum-3d&step=1");
-  const places = async () => Promise.all([...await page.locator(".choices .button").all(), page.locator("#ask")].map((node) => node.boundingBox()));
+  const places = async () =>
+    Promise.all(
+      [...(await page.locator(".choices .button").all()), page.locator("#ask")].map((node) => node.boundingBox()),
+    );
   const before = await places();
   await page.keyboard.press("1");
   await page.keyboard.press("Enter");
@@ -129,7 +149,11 @@ test("while a question stands, what the run comes to is told nowhere", async (t)
     if ((await state(page)).cover) await page.keyboard.press("m"); // some ask once measuring is wanted
     const { asked, rivals, outcome, lit, cover } = await until(page, (now) => now.asked);
     if (cover) assert.deepEqual(cover.table.rows, []);
-    else assert.ok(rivals.every(({ size, excess }) => size === null && excess === null), `${id}, ${asked.id}: ${JSON.stringify(rivals)}`);
+    else
+      assert.ok(
+        rivals.every(({ size, excess }) => size === null && excess === null),
+        `${id}, ${asked.id}: ${JSON.stringify(rivals)}`,
+      );
     assert.deepEqual([outcome, lit.handles], [null, []]);
     assert.equal(await page.locator("#ask .right, #ask .said").count(), 0);
   }
@@ -159,7 +183,7 @@ test("Page Down in the field of a name says that a second press skips, and the s
   assert.equal((await until(page, (now) => now.outcome)).outcome.kind, "skipped");
 });
 
-test("a finger that continues brings up no keyboard; the outcome stays though the next question stands at the same step", async (t) => {
+test("a finger that continues brings up no keyboard; the outcome stays though a question waits", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter&step=1", kPhone);
   for (let i = 0; i < 2; ++i) {
     await page.locator(".choices .button").first().tap();
@@ -198,8 +222,11 @@ test("the summary lowers the letters of a name, as its question does", async (t)
   for (let now = await state(page), i = 0; i < 20 && !now.summary; ++i) {
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
-    now = await until(page, (it, from) => it.summary || JSON.stringify([it.step, it.asked?.id, it.outcome?.question]) !== from,
-      JSON.stringify([now.step, now.asked?.id, now.outcome?.question]));
+    now = await until(
+      page,
+      (it, from) => it.summary || JSON.stringify([it.step, it.asked?.id, it.outcome?.question]) !== from,
+      JSON.stringify([now.step, now.asked?.id, now.outcome?.question]),
+    );
   }
   assert.deepEqual(await page.locator(".summary .what sub").allTextContents(), ["A", "B"]);
 });
@@ -212,8 +239,11 @@ test("a lesson ends with what was predicted, each line leads back, and the next 
     if (now.asked && now.tally.skipped === 0) await page.keyboard.press("s");
     else if (now.asked) await answer(page, null, "keyboard");
     else await page.keyboard.press(now.outcome ? "Enter" : "End");
-    now = await until(page, (it, from) => it.summary || JSON.stringify([it.step, it.asked?.id, it.outcome?.question]) !== from,
-      JSON.stringify([now.step, now.asked?.id, now.outcome?.question]));
+    now = await until(
+      page,
+      (it, from) => it.summary || JSON.stringify([it.step, it.asked?.id, it.outcome?.question]) !== from,
+      JSON.stringify([now.step, now.asked?.id, now.outcome?.question]),
+    );
   }
   assert.ok(now.summary);
   const { right, wrong, skipped, open } = now.tally;

@@ -1,7 +1,10 @@
-// What the page costs: bytes on the wire, the way from lesson to lesson, and the program's time for a frame while dragging and
-// while 2,000 bodies move (told, and held to no time).
+// What the page costs: bytes on the wire, the way from lesson to lesson, and the program's time for a frame while
+// dragging and while 2,000 bodies move (told, and held to no time).
 import { after, before, test } from "node:test";
-import { assert, choose, handles, kinds, lesson_with, load, pixels_of, start_for_pictures, state, still, stop, text_of, until } from "./support.mjs";
+import {
+  assert, choose, handles, kinds, lesson_with, load, pixels_of, start_for_pictures, state, still, stop, text_of,
+  until,
+} from "./support.mjs";
 
 let site;
 before(async () => (site = await start_for_pictures()));
@@ -52,7 +55,10 @@ test("no layer nearly as large as the canvas is drawn over it", async (t) => {
   await inspector.send("DOM.enable");
   await inspector.send("LayerTree.enable");
   const box = await page.locator("#canvas").boundingBox();
-  const place = ({ transform, offsetX, offsetY }) => ({ x: offsetX + (transform?.[12] ?? 0), y: offsetY + (transform?.[13] ?? 0) });
+  const place = ({ transform, offsetX, offsetY }) => ({
+    x: offsetX + (transform?.[12] ?? 0),
+    y: offsetY + (transform?.[13] ?? 0),
+  });
   const is_canvas = (layer) => layer.width === box.width && layer.height === box.height && place(layer).x === box.x;
   for (let tries = 0; tries < 50 && !layers.some(is_canvas); ++tries) {
     await page.mouse.move(box.x + 200 + tries, box.y + 200); // layers are told as the page draws
@@ -81,34 +87,54 @@ async function drag_around(t, page) {
   const handle = (await handles(page)).reduce((a, b) => (near(b) < near(a) ? b : a));
   await page.mouse.move(handle.x, handle.y);
   await page.mouse.down();
-  await page.evaluate(([x, y]) => new Promise((done) => {
-    const stage = document.getElementById("stage");
-    const begin = performance.now();
-    window.snug.frameTimes().length = 0;
-    const move = () => {
-      const turn = (performance.now() - begin) / 300;
-      stage.dispatchEvent(new PointerEvent("pointermove", { pointerId: 1, pointerType: "mouse", buttons: 1, bubbles: true,
-        clientX: x + 60 * Math.sin(turn), clientY: y + 60 * (1 - Math.cos(turn)) }));
-      if (performance.now() - begin < 2000) requestAnimationFrame(move);
-      else done();
-    };
-    move();
-  }), [handle.x, handle.y]);
+  await page.evaluate(
+    ([x, y]) =>
+      new Promise((/** @type {(value?: unknown) => void} */ done) => {
+        const stage = document.getElementById("stage");
+        const begin = performance.now();
+        window.snug.frameTimes().length = 0;
+        const move = () => {
+          const turn = (performance.now() - begin) / 300;
+          stage.dispatchEvent(
+            new PointerEvent("pointermove", {
+              pointerId: 1,
+              pointerType: "mouse",
+              buttons: 1,
+              bubbles: true,
+              clientX: x + 60 * Math.sin(turn),
+              clientY: y + 60 * (1 - Math.cos(turn)),
+            }),
+          );
+          if (performance.now() - begin < 2000) requestAnimationFrame(move);
+          else done();
+        };
+        move();
+      }),
+    [handle.x, handle.y],
+  );
   const times = await page.evaluate(() => window.snug.frameTimes().map(({ at, cost }) => [at, cost]));
   await page.mouse.up();
   await until(page, (now, trace) => now.trace !== trace, before.trace);
   const costs = times.map(([, cost]) => cost).sort((a, b) => a - b);
   const rate = (times.length - 1) / ((times.at(-1)[0] - times[0][0]) / 1000);
   const [median, slow] = [0.5, 0.95].map((share) => costs[Math.floor(share * (costs.length - 1))].toFixed(1));
-  t.diagnostic(`${before.size} points, ${before.steps} steps: ${rate.toFixed(0)} frames a second; the program's time for one: median ${median} ms, 95 % under ${slow} ms`);
+  t.diagnostic(
+    `${before.size} points, ${before.steps} steps: ${rate.toFixed(0)} frames a second; ` +
+      `the program's time for one: median ${median} ms, 95 % under ${slow} ms`,
+  );
   assert.ok(times.length > 5, "frames were drawn while dragging");
 }
 
 test("dragging among 1,000 points of the plane draws frames and follows", async (t) => {
   const id = await lesson_with((text) => /generate = /.test(text) && /"welzl"/.test(text) && !/dim = 3/.test(text));
-  const points = Array.from({ length: 1000 }, (_, i) => `${Math.cos(i * 2.399963) * Math.sqrt(i / 1000)} ${Math.sin(i * 2.399963) * Math.sqrt(i / 1000)}`);
+  const points = Array.from(
+    { length: 1000 },
+    (_, i) => `${Math.cos(i * 2.399963) * Math.sqrt(i / 1000)} ${Math.sin(i * 2.399963) * Math.sqrt(i / 1000)}`,
+  );
   const page = await load(t, `?lesson=${id}`);
-  await page.locator("#points input[type=file]").setInputFiles({ name: "thousand.xyz", mimeType: "text/plain", buffer: Buffer.from(points.join("\n")) });
+  await page
+    .locator("#points input[type=file]")
+    .setInputFiles({ name: "thousand.xyz", mimeType: "text/plain", buffer: Buffer.from(points.join("\n")) });
   await until(page, (now) => now.size === 1000);
   await drag_around(t, page);
 });
@@ -120,13 +146,16 @@ test("dragging a vertex of the bunny draws frames and follows", async (t) => {
   await drag_around(t, page);
 });
 
-/** In the page, before anything of it: scene-broad asks nothing, and comes with bodies so small that thousands have room. */
+/** In the page, before anything of it: scene-broad asks nothing, and comes with bodies so small that thousands have
+ *  room. */
 function smaller_bodies(half_extents) {
   const own = window.fetch;
   window.fetch = async (path, ...more) => {
     const answer = await own(path, ...more);
-    if (!/scene-broad[.]toml$/.test(path)) return answer;
-    const text = (await answer.text()).replace("[0.30, 0.07, 0.12]", half_extents ?? "[0.048, 0.016, 0.032]").replace(/\[\[question\]\][^]*/, "");
+    if (!/scene-broad[.]toml$/.test(String(path))) return answer;
+    const text = (await answer.text())
+      .replace("[0.30, 0.07, 0.12]", half_extents ?? "[0.048, 0.016, 0.032]")
+      .replace(/\[\[question\]\][^]*/, "");
     return new Response(text);
   };
 }
@@ -138,7 +167,8 @@ const twice_as_many = `(${smaller_bodies})("[0.008, 0.004, 0.006]");
     const answer = await once(path, ...more);
     if (!/scene-broad[.]toml$/.test(path)) return answer;
     const text = (await answer.text()).replace("frames = 120", "frames = 4").replace("[[scene.effect]]",
-      '[[scene.body]]\\nshape = "box"\\nhalf_extents = [0.008, 0.004, 0.006]\\nat_points = true\\nposition = [0.02, 0.02, 0.02]\\n\\n[[scene.effect]]');
+      '[[scene.body]]\\nshape = "box"\\nhalf_extents = [0.008, 0.004, 0.006]\\nat_points = true\\n' +
+      'position = [0.02, 0.02, 0.02]\\n\\n[[scene.effect]]');
     return new Response(text);
   };`;
 
@@ -147,7 +177,10 @@ test("of 8,000 bodies each is drawn where it is", async (t) => {
   await still(page);
   const places = await handles(page);
   const stage = await page.locator("#stage").boundingBox();
-  const seen = places.filter(({ x, y }) => x > stage.x + 60 && x < stage.x + stage.width - 60 && y > stage.y + 60 && y < stage.y + stage.height - 120);
+  const seen = places.filter(
+    ({ x, y }) =>
+      x > stage.x + 60 && x < stage.x + stage.width - 60 && y > stage.y + 60 && y < stage.y + stage.height - 120,
+  );
   assert.ok(seen.length > 2000, `${seen.length} are on the stage`);
   const pixels = new Uint32Array((await pixels_of(page, stage)).buffer);
   const width = Math.round(stage.width);
@@ -165,7 +198,9 @@ test("2,000 moving bodies, by broad and then narrow phase, are simulated and dra
   const { effects, readout, size } = await state(page);
   assert.equal(size, 2000);
   assert.equal(readout.all_pairs, 1_999_000);
-  assert.ok(readout.after_broad > 1000 && readout.after_loose < readout.after_broad && readout.touching < readout.after_loose);
+  assert.ok(
+    readout.after_broad > 1000 && readout.after_loose < readout.after_broad && readout.touching < readout.after_loose,
+  );
   await page.locator("#canvas").focus();
   await page.evaluate(() => (window.snug.frameTimes().length = 0));
   await page.keyboard.press(" ");
@@ -176,7 +211,12 @@ test("2,000 moving bodies, by broad and then narrow phase, are simulated and dra
   const rate = (times.length - 1) / ((times.at(-1)[0] - times[0][0]) / 1000);
   const [median, slow] = [0.5, 0.95].map((share) => costs[Math.floor(share * (costs.length - 1))].toFixed(1));
   const simulated = effects.map(({ effect, microseconds }) => `${effect} ${microseconds}`).join(", ");
-  t.diagnostic(`${readout.after_broad} pairs after the boxes, ${readout.after_loose} after the spheres, ${readout.touching} touch; a frame's effects, µs: ${simulated}`);
-  t.diagnostic(`${rate.toFixed(0)} frames a second; the program's time to draw one: median ${median} ms, 95 % under ${slow} ms`);
+  t.diagnostic(
+    `${readout.after_broad} pairs after the boxes, ${readout.after_loose} after the spheres, ` +
+      `${readout.touching} touch; a frame's effects, µs: ${simulated}`,
+  );
+  t.diagnostic(
+    `${rate.toFixed(0)} frames a second; the program's time to draw one: median ${median} ms, 95 % under ${slow} ms`,
+  );
   assert.ok(times.length > 0, "frames were drawn"); // where others have the processors, playing passes over most
 });

@@ -1,7 +1,10 @@
-// The charts of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over, refused.
+// The charts of costs: predicted, measured in slices while the page stays alive, loaded from, saved and laid over,
+// refused.
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { answer, assert, cut_off, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit } from "./support.mjs";
+import {
+  answer, assert, cut_off, handles, kPhone, start, state, still, stop, to_points, until, until_within, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -24,7 +27,11 @@ const choice = (page, name) => page.getByRole("radio", { name, exact: true });
 /** Chooses a chart with the mouse, and measures it to the end. */
 async function measure_chart(page, name, chart) {
   await page.locator(".segments label", { hasText: name }).click();
-  await until(page, (now, wanted) => now.cover.choices.find(({ chosen }) => chosen).command === wanted && now.cover.shown, `show_${chart}`);
+  await until(
+    page,
+    (now, wanted) => now.cover.choices.find(({ chosen }) => chosen).command === wanted && now.cover.shown,
+    `show_${chart}`,
+  );
   await button(page, "Measure").click();
   await until(page, (now) => now.cover.running);
   await page.waitForFunction(() => !window.snug.state().cover.running, null, { timeout: 180_000 });
@@ -78,11 +85,15 @@ test("predictions come first; then six algorithms are measured, and what happene
   assert.ok(bars > 5, `the bar stood at ${bars} places`);
   assert.ok(later - earlier < 40, `the stage was drawn ${later - earlier} times: the bar alone is no reason to`);
   const gaps = (await page.evaluate(() => window.gaps)).sort((a, b) => a - b);
-  t.diagnostic(`${gaps.length} frames: median ${gaps[gaps.length >> 1].toFixed(0)} ms, 95 % ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms, longest ${gaps.at(-1).toFixed(0)} ms`);
+  t.diagnostic(
+    `${gaps.length} frames: median ${gaps[gaps.length >> 1].toFixed(0)} ms, ` +
+      `95 % ${gaps[Math.floor(gaps.length * 0.95)].toFixed(0)} ms, longest ${gaps.at(-1).toFixed(0)} ms`,
+  );
   assert.ok(gaps.length > 20, `${gaps.length} frames while measuring`);
   assert.equal(done.table.rows.length, kAll);
   t.diagnostic(done.table.rows.map((row) => row.join(", ")).join("; "));
-  const doubtful = done.table.rows.some(([, time]) => time.endsWith(", not measured reliably")); // on all points, on a machine that others use
+  // On all points, on a machine that others use.
+  const doubtful = done.table.rows.some(([, time]) => time.endsWith(", not measured reliably"));
   assert.deepEqual(outcomes.map(({ pending }) => pending), [doubtful, false, false]);
   const front = done.table.rows.filter(([, , , front]) => front === "yes").map(([title]) => title);
   assert.ok(front.length > 0);
@@ -150,10 +161,14 @@ test("what is ready stays when it is stopped; results are saved, and lie over th
 
   await to_points(page);
   for (const format of ["CSV", "JSON"]) {
-    await page.locator("#points input[type=file]").setInputFiles({ name: `old.${format.toLowerCase()}`, mimeType: "text/plain", buffer: saved[format] });
+    await page
+      .locator("#points input[type=file]")
+      .setInputFiles({ name: `old.${format.toLowerCase()}`, mimeType: "text/plain", buffer: saved[format] });
     await until(page, (now) => now.cover.says.endsWith("Hollow marks: teapot, an earlier result."));
   }
-  await page.locator("#points input[type=file]").setInputFiles({ name: "cut.json", mimeType: "text/plain", buffer: saved.JSON.subarray(0, 200) });
+  await page
+    .locator("#points input[type=file]")
+    .setInputFiles({ name: "cut.json", mimeType: "text/plain", buffer: saved.JSON.subarray(0, 200) });
   await page.getByText("is not a complete result").waitFor();
 });
 
@@ -180,7 +195,9 @@ test("on a phone the canvas draws the numbers, and covers nothing of the measure
     document.querySelector(".cover").scrollIntoView({ block: "center" });
     const above = ({ x, y, width, height }) => document.elementFromPoint(x + width / 2, y + height / 2);
     const parts = [...document.querySelectorAll(".cover :is(button, p)")].filter((part) => part.checkVisibility());
-    return parts.filter((part) => !above(part.getBoundingClientRect())?.closest(".cover")).map(({ textContent }) => textContent);
+    return parts
+      .filter((part) => !above(part.getBoundingClientRect())?.closest(".cover"))
+      .map(({ textContent }) => textContent);
   });
   assert.deepEqual(covered, []);
 });
@@ -222,7 +239,7 @@ test("the other charts wait for the predictions; then the keyboard chooses them"
   assert.ok(await choice(page, "Looseness in a turn").isChecked());
 });
 
-test("growth: from ten points on, stopped before a frame would have to wait, figures by key, saved and laid over", async (t) => {
+test("growth: from ten points on, stopped before a frame would wait, by key, saved, laid over", async (t) => {
   const page = await visit(t, kLesson);
   await skip_all(page);
   const { cover, caption, outcomes } = await measure_chart(page, "Growth", "growth");
@@ -235,9 +252,16 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
     assert.match(power, /^(\d\.\d\d|too few points to tell)$/);
     assert.match(theory, /^O\(/);
   }
-  if (cover.table.rows.some(([, points]) => points.includes(":"))) assert.match(caption, /where one run would take over 12 ms: a longer run would hold up the page/);
+  if (cover.table.rows.some(([, points]) => points.includes(":")))
+    assert.match(caption, /where one run would take over 12 ms: a longer run would hold up the page/);
   assert.equal(await page.locator(".cover tbody tr").count(), kAll);
-  assert.deepEqual(await page.locator(".cover thead th").allTextContents(), ["Algorithm", "Most points", "Time for these", "Power of n", "In theory"]);
+  assert.deepEqual(await page.locator(".cover thead th").allTextContents(), [
+    "Algorithm",
+    "Most points",
+    "Time for these",
+    "Power of n",
+    "In theory",
+  ]);
 
   await page.locator("#canvas").focus();
   await page.keyboard.press("ArrowRight");
@@ -245,7 +269,11 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
   await page.keyboard.press("ArrowRight");
   await until(page, (now) => /: 32 points, /.test(now.caption));
   await page.keyboard.press("ArrowDown");
-  const other = await until(page, (now, was) => /: 32 points, /.test(now.caption) && now.caption.split(":")[0] !== was, first.caption.split(":")[0]);
+  const other = await until(
+    page,
+    (now, was) => /: 32 points, /.test(now.caption) && now.caption.split(":")[0] !== was,
+    first.caption.split(":")[0],
+  );
   const mark = (await handles(page)).find(({ id }) => id === "exact");
   await page.mouse.click(mark.x, mark.y);
   const clicked = await until(page, (now, was) => now.caption !== was, other.caption);
@@ -259,17 +287,24 @@ test("growth: from ten points on, stopped before a frame would have to wait, fig
   }
   const table = JSON.parse(saved.JSON);
   assert.equal(table.table, "growth");
-  assert.ok(table.rows.length >= 3 * kAll && table.rows.every(({ points, time_ns }) => points >= 10 && time_ns.median > 0));
+  assert.ok(
+    table.rows.length >= 3 * kAll && table.rows.every(({ points, time_ns }) => points >= 10 && time_ns.median > 0),
+  );
   await page.locator(".segments label", { hasText: "Accuracy" }).click();
   await until(page, (now) => now.cover.choices[0].chosen);
   await to_points(page);
   for (const [name, buffer] of Object.entries(saved)) {
-    await page.locator("#points input[type=file]").setInputFiles({ name: `old.${name.toLowerCase()}`, mimeType: "text/plain", buffer });
-    await until(page, (now) => now.cover.choices[1].chosen && now.cover.says.endsWith("Hollow marks: cube:1000000, an earlier result."));
+    await page
+      .locator("#points input[type=file]")
+      .setInputFiles({ name: `old.${name.toLowerCase()}`, mimeType: "text/plain", buffer });
+    await until(
+      page,
+      (now) => now.cover.choices[1].chosen && now.cover.says.endsWith("Hollow marks: cube:1000000, an earlier result."),
+    );
   }
 });
 
-test("a turn: every update at 72 angles; stopped, what is ready stays; a saved turn waits for the predictions", async (t) => {
+test("a turn: every update at 72 angles; stopped, what is ready stays; a saved one waits for answers", async (t) => {
   const page = await visit(t, kLesson, kPhone);
   await skip_all(page);
   const { cover, caption } = await measure_chart(page, "Looseness in a turn", "turn");
@@ -292,7 +327,10 @@ test("a turn: every update at 72 angles; stopped, what is ready stays; a saved t
   await until(page, (now) => now.cover.running && now.cover.table.rows.length > 1);
   await button(page, "Stop").click();
   const { cover: part } = await until(page, (now) => !now.cover.running);
-  assert.ok(part.table.rows.length > 1 && part.table.rows.length < rows.length, `${part.table.rows.length} of ${rows.length}`);
+  assert.ok(
+    part.table.rows.length > 1 && part.table.rows.length < rows.length,
+    `${part.table.rows.length} of ${rows.length}`,
+  );
 
   const [download] = await Promise.all([page.waitForEvent("download"), button(page, "Save as CSV").click()]);
   const buffer = await readFile(await download.path());

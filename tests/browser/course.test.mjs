@@ -1,4 +1,5 @@
-// The course, the page's first view: there without the program, leads into lessons and back, finds, tells how far one is.
+// The course, the page's first view: there without the program, leads into lessons and back, finds, tells how far one
+// is.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
@@ -13,26 +14,45 @@ const kAxe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.m
 /** What axe finds wrong. One chapter is made like another: unless every is true, the first stands for all. */
 async function violations(page, every) {
   await page.evaluate(kAxe);
-  return page.evaluate(async (exclude) => (await window.axe.run({ exclude }, { resultTypes: ["violations"] })).violations
-    .flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id} at ${target}`)), every ? [] : [".chapter:not(:first-child)"]);
+  return page.evaluate(
+    async (exclude) =>
+      (await window.axe.run({ exclude }, { resultTypes: ["violations"] })).violations.flatMap(({ id, nodes }) =>
+        nodes.map(({ target }) => `${id} at ${target}`),
+      ),
+    every ? [] : [".chapter:not(:first-child)"],
+  );
 }
 
-const shown = async (page) => (await page.locator(".lesson-card:visible .card-title b").allTextContents()).map((title) => title.replaceAll("\u2060", ""));
+const shown = async (page) =>
+  (await page.locator(".lesson-card:visible .card-title b").allTextContents()).map((title) =>
+    title.replaceAll("\u2060", ""),
+  );
 
-test("the bare address opens the course; the program follows when the page is idle, unless data are to be saved", async (t) => {
+test("the bare address opens the course; the program follows when idle, unless data are saved", async (t) => {
   site.sent.clear();
-  const page = await load(t, "", { init: () => Object.defineProperty(navigator, "connection", { value: { saveData: true } }) });
+  const page = await load(t, "", {
+    init: () => Object.defineProperty(navigator, "connection", { value: { saveData: true } }),
+  });
   await page.waitForLoadState("networkidle");
   const total = [...site.sent.values()].reduce((sum, size) => sum + size, 0);
   t.diagnostic(`${total} bytes in ${site.sent.size} files`);
   assert.ok(!site.sent.has("snug.wasm") && !site.sent.has("snug.js"));
   assert.ok(total <= 450_000, `${total} bytes`);
-  const now = await state(page);
+  const now = await page.evaluate(() => window.snug.state());
   assert.equal(now.lesson, null);
   const all = await lessons();
-  assert.deepEqual(now.course, all.map(({ id, title, chapter }, i) => ({ id, number: i + 1, title, chapter, done: false })));
-  assert.deepEqual(await shown(page), all.map(({ title }) => title));
-  assert.deepEqual(await page.locator(".chapter h2").allTextContents(), (await course()).chapters.map(({ title }) => title));
+  assert.deepEqual(
+    now.course,
+    all.map(({ id, title, chapter }, i) => ({ id, number: i + 1, title, chapter, done: false })),
+  );
+  assert.deepEqual(
+    await shown(page),
+    all.map(({ title }) => title),
+  );
+  assert.deepEqual(
+    await page.locator(".chapter h2").allTextContents(),
+    (await course()).chapters.map(({ title }) => title),
+  );
   assert.equal(await page.locator(".card-foot > :first-child").first().textContent(), `${all[0].minutes} min`);
   assert.equal(await page.locator(".progress").first().textContent(), "Not begun");
   assert.equal(await page.locator("main:visible").count(), 1);
@@ -95,7 +115,11 @@ test("Start here stands first, and after a lesson was begun Continue leads to it
 test("the search finds by title, topic and words, and says how many", async (t) => {
   const page = await load(t, "");
   const search = page.getByRole("searchbox");
-  for (const [words, found] of [["welzl support", "Welzl's algorithm and the support set"], ["COVARIANCE", "Mean, variance and covariance in numbers"], ["frustum six", "Box and frustum in space: six planes"]]) {
+  for (const [words, found] of [
+    ["welzl support", "Welzl's algorithm and the support set"],
+    ["COVARIANCE", "Mean, variance and covariance in numbers"],
+    ["frustum six", "Box and frustum in space: six planes"],
+  ]) {
     await search.fill(words);
     assert.ok((await shown(page)).includes(found), words);
     assert.ok((await shown(page)).length < (await lessons()).length);
@@ -131,7 +155,7 @@ test("the keyboard alone goes from the course into a lesson and back", async (t)
   await until(page, (now) => now.lesson === null);
 });
 
-for (const [name, size] of [["laptop", kWide], ["phone", { ...kPhone, deviceScaleFactor: 1 }]]) {
+for (const [name, size] of Object.entries({ laptop: kWide, phone: { ...kPhone, deviceScaleFactor: 1 } })) {
   test(`on a ${name} the course is clean in every theme, and needs no sideways scroll`, async (t) => {
     const page = await load(t, "", size);
     for (const theme of ["light", "dark", "contrast", "projector"]) {

@@ -1,6 +1,9 @@
-// Which volume when: all volumes in small pictures that one drag turns, the measured table, the sliders, the playground.
+// Which volume when: all volumes in small pictures that one drag turns, the measured table, the sliders, the
+// playground.
 import { after, before, test } from "node:test";
-import { assert, handles, kPhone, start_for_pictures, state, still, stop, until, until_within, visit } from "./support.mjs";
+import {
+  assert, handles, kPhone, start_for_pictures, state, still, stop, until, until_within, visit,
+} from "./support.mjs";
 
 before(start_for_pictures);
 after(stop);
@@ -9,7 +12,10 @@ const kLesson = "?lesson=which-volume";
 const kVolumes = ["welzl", "aabb/min_max", "obb/dito", "kdop/k14", "capsule/pca", "lozenge/pca", "hull/quickhull"];
 const button = (page, name) => page.getByRole("button", { name, exact: true });
 const table = (page) => page.locator(".cover-table");
-const column = (page, i) => table(page).locator("tbody tr").evaluateAll((rows, at) => rows.map((row) => row.children[at].textContent), i);
+const column = (page, i) =>
+  table(page)
+    .locator("tbody tr")
+    .evaluateAll((rows, at) => rows.map((row) => row.children[at].textContent), i);
 
 /** Measures: what is asked before that is skipped. */
 async function measure(page) {
@@ -30,7 +36,8 @@ test("seven small pictures; one drag turns all, a click chooses one", async (t) 
   const places = await handles(page);
   assert.deepEqual(places.map(({ id }) => id), kVolumes);
   const [from, other] = [places[0], places[5]];
-  const look = async ({ x, y }) => (await page.screenshot({ clip: { x: x - 30, y: y - 30, width: 60, height: 60 } })).toString("base64");
+  const look = async ({ x, y }) =>
+    (await page.screenshot({ clip: { x: x - 30, y: y - 30, width: 60, height: 60 } })).toString("base64");
   const [before_from, before_other] = [await look(from), await look(other)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
@@ -73,8 +80,12 @@ test("the table is measured here, sorts by any column, and a slider loses none o
   assert.deepEqual(await column(page, 1), tests, "the slider has lost a measurement");
   assert.notDeepEqual(await column(page, 6), before_slide);
 
-  const caption = await page.locator("#caption").boundingBox(), rows = await table(page).boundingBox();
-  assert.ok(caption.y + caption.height <= rows.y + 1 || caption.y >= rows.y + rows.height, "the sentence covers rows of the table");
+  const caption = await page.locator("#caption").boundingBox(),
+    rows = await table(page).boundingBox();
+  assert.ok(
+    caption.y + caption.height <= rows.y + 1 || caption.y >= rows.y + rows.height,
+    "the sentence covers rows of the table",
+  );
   await page.locator(".segments label", { hasText: "Ranks" }).click();
   await until(page, (now) => now.cover.table.head[1] === "Textbook");
   const names = await column(page, 0), places = await column(page, 1);
@@ -86,7 +97,11 @@ test("every lesson leads here with its points, and back", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter&step=0");
   const { size } = await until(page, (now) => now.lesson === "sphere-ritter");
   await button(page, "Try every volume on these points").click();
-  const there = await until_within(60_000, page, (now) => now.lesson === "which-volume" && now.source === "sphere-ritter");
+  const there = await until_within(
+    60_000,
+    page,
+    (now) => now.lesson === "which-volume" && now.source === "sphere-ritter",
+  );
   assert.equal(there.size, size);
   assert.equal(there.dim, 2);
   assert.ok(there.edited && !there.asked, "it is a playground: nothing is asked of other points");

@@ -1,5 +1,5 @@
-// A newcomer's first lesson: three invitations on its stage, one at a time, each gone once followed and never shown again.
-// And the lesson shown to others: presented, and as a figure in another page.
+// A newcomer's first lesson: three invitations on its stage, one at a time, each gone once followed and never shown
+// again. And the lesson shown to others: presented, and as a figure in another page.
 import { after, before, test } from "node:test";
 import { assert, drag, handles, kFirst, lessons, load, ready, start, state, still, stop, until } from "./support.mjs";
 
@@ -22,7 +22,10 @@ test("three invitations, one at a time, each followed by a real hand", async (t)
   assert.ok((await handles(page)).some(({ id }) => id === name));
   const box = await page.locator(".invitation").boundingBox();
   const point = (await handles(page)).find(({ id }) => id === name);
-  assert.ok(Math.hypot(box.x + box.width / 2 - point.x, box.y + box.height / 2 - point.y) < 90, "it stands beside its point");
+  assert.ok(
+    Math.hypot(box.x + box.width / 2 - point.x, box.y + box.height / 2 - point.y) < 90,
+    "it stands beside its point",
+  );
   await drag(page, name, -30, 10);
   assert.equal(await invitation(page), "Now press Step");
   await page.reload();
@@ -30,7 +33,8 @@ test("three invitations, one at a time, each followed by a real hand", async (t)
   assert.equal(await invitation(page), "Now press Step"); // the first one is not shown again
   await page.keyboard.press("ArrowRight");
   await until(page, (now) => now.step === 1);
-  for (let i = 0, now = await state(page); i < 8 && (now.asked || now.outcome); ++i, now = await state(page)) await page.keyboard.press(now.asked ? "s" : "Enter");
+  for (let i = 0, now = await state(page); i < 8 && (now.asked || now.outcome); ++i, now = await state(page))
+    await page.keyboard.press(now.asked ? "s" : "Enter");
   await page.locator(".invitation", { hasText: /^Press Play/ }).waitFor();
   await page.keyboard.press("Space");
   await page.waitForTimeout(300);
@@ -74,7 +78,7 @@ test("presented, keys and buttons lead from lesson to lesson, and the text shows
   assert.equal((await state(page)).lesson, all[1].id); // a key of the presentation alone
 });
 
-test("presented, the title can be seen, and the text opens at the section at hand with the column to itself", async (t) => {
+test("presented, the title can be seen, and the text opens at the section at hand, alone in its column", async (t) => {
   const page = await load(t, `${kFirst}&step=1`, { reducedMotion: "reduce" });
   await page.locator("#present").click();
   const over = (part) => page.evaluate((id) => {
@@ -90,7 +94,10 @@ test("presented, the title can be seen, and the text opens at the section at han
 });
 
 test("a figure's summary leads nowhere else", async (t) => {
-  const page = await load(t, "?lesson=frustum-2d&step=0&embed=1", { viewport: { width: 400, height: 300 }, reducedMotion: "reduce" });
+  const page = await load(t, "?lesson=frustum-2d&step=0&embed=1", {
+    viewport: { width: 400, height: 300 },
+    reducedMotion: "reduce",
+  });
   for (let now = await state(page); !now.summary; now = await state(page)) {
     await page.keyboard.press(now.asked ? "s" : now.outcome ? "Enter" : "End");
     await page.waitForTimeout(50);
@@ -102,7 +109,12 @@ test("a figure's summary leads nowhere else", async (t) => {
 
 test("a figure of 400 by 300 has stage, sentence, step and play, and one link to the whole", async (t) => {
   const page = await load(t, "?lesson=sphere-welzl&step=12&embed=1", { viewport: { width: 400, height: 300 } });
-  assert.equal(await page.evaluate(() => document.documentElement.scrollHeight > innerHeight || document.documentElement.scrollWidth > innerWidth), false);
+  assert.equal(
+    await page.evaluate(
+      () => document.documentElement.scrollHeight > innerHeight || document.documentElement.scrollWidth > innerWidth,
+    ),
+    false,
+  );
   for (const part of ["#stage", "#caption", "#timeline"]) {
     const { y, height } = await page.locator(part).boundingBox();
     assert.ok(height > 30 && y >= 0 && y + height <= 300, part);
@@ -115,8 +127,12 @@ test("a figure of 400 by 300 has stage, sentence, step and play, and one link to
   await until(page, (now, before) => now.step === before - 1, step);
   await page.waitForTimeout(500);
   const whole = new URL(await links[0].getAttribute("href"), page.url());
-  assert.deepEqual([whole.searchParams.get("lesson"), whole.searchParams.get("step"), whole.searchParams.get("embed")], ["sphere-welzl", String(step - 1), null]);
-  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("snug-course")).last), null); // a figure keeps nothing
+  assert.deepEqual(
+    [whole.searchParams.get("lesson"), whole.searchParams.get("step"), whole.searchParams.get("embed")],
+    ["sphere-welzl", String(step - 1), null],
+  );
+  // A figure keeps nothing of its own.
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage.getItem("snug-course")).last), null);
 });
 
 test("a question in a figure of 400x300 leaves in sight what it asks about, and the way to answer it", async (t) => {
@@ -130,6 +146,9 @@ test("a question in a figure of 400x300 leaves in sight what it asks about, and 
       return { top, bottom };
     }));
     assert.ok(card.top - stage.top >= 120, `${lesson}: ${card.top - stage.top} pixels of the stage`);
-    assert.ok(give.bottom <= 300 && give.top >= card.top, `${lesson}: Answer stands from ${give.top} to ${give.bottom}`);
+    assert.ok(
+      give.bottom <= 300 && give.top >= card.top,
+      `${lesson}: Answer stands from ${give.top} to ${give.bottom}`,
+    );
   }
 });

@@ -1,6 +1,9 @@
 // A box and a frustum: dragged, asked about on the stage, lost by the wrong test, shared by the address.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, drag_by_finger, handles, kPhone, panel_tables, ready, start, state, still, stop, until, until_within, visit } from "./support.mjs";
+import {
+  answer, assert, drag, drag_by_finger, handles, kPhone, panel_tables, ready, start, state, still, stop, until,
+  until_within, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -9,8 +12,14 @@ const kLessons = ["frustum-2d", "frustum-3d"];
 const changed = (now, numbers) => JSON.stringify(now.numbers) !== numbers;
 const text_of = (view) => JSON.stringify(view.numbers);
 /** Where both boxes are, how large, how turned. */
-const boxes_of = ({ numbers }) => numbers.map(({ rows: [center, half_extents, turn] }) => ({ center: center.values, half_extents: half_extents.values, degrees: turn.turn ? undefined : turn.values[0] }));
-/** Places [name, of which box, what changes]. */
+const boxes_of = ({ numbers }) =>
+  numbers.map(({ rows: [center, half_extents, turn] }) => ({
+    center: center.values,
+    half_extents: half_extents.values,
+    degrees: turn.turn ? undefined : turn.values[0],
+  }));
+/** Places: name, of which box, what changes.
+ *  @type {[string, 0 | 1, "center" | "half_extents"][]} */
 const kPlaces = [["Box", 0, "center"], ["Frustum", 1, "center"], ["++", 0, "half_extents"], ["F3", 1, "half_extents"]];
 
 for (const lesson of kLessons)
@@ -67,7 +76,7 @@ test("the corner's signs answer by keyboard as well", async (t) => {
   assert.equal(outcome.predicted, "−+");
 });
 
-test("a long box across the frustum: the wrong test loses it, the right ones do not, and the task is done", async (t) => {
+test("a long box across the frustum: the wrong test loses it, the right ones do not, the task is done", async (t) => {
   const across = "boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0";
   const verdicts = {};
   for (const algorithm of ["p_n_vertex", "corners_per_plane", "corners_outside"]) {
@@ -105,7 +114,8 @@ test("the address carries box and frustum to the last digit", async (t) => {
     const own = await state(page);
     await drag(page, "Frustum", -11, 7);
     const moved = await until(page, changed, text_of(own));
-    for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    // The address follows a moment later.
+    for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url();
     await page.reload();
     await ready(page);
     const again = await state(page);
@@ -126,8 +136,14 @@ test("near an edge in space, a sphere that touches nothing is kept until one pla
 
 test("six planes, six signs: their numbers follow the point, in HTML as beside the stage", async (t) => {
   const page = await visit(t, "?lesson=frustum-point&situation=space&step=99");
-  const own = await until(page, (now) => now.situation === "space" && now.step === now.steps && now.asked === null && now.panels.length === 1);
-  assert.deepEqual(await panel_tables(page), own.panels.map(({ title, head, rows }) => ({ title, head, rows })));
+  const own = await until(
+    page,
+    (now) => now.situation === "space" && now.step === now.steps && now.asked === null && now.panels.length === 1,
+  );
+  assert.deepEqual(
+    await panel_tables(page),
+    own.panels.map(({ title, head, rows }) => ({ title, head, rows })),
+  );
   const [{ title, rows }] = own.panels;
   assert.equal(title, "n · p + d, for every plane");
   assert.deepEqual(rows.map(([name]) => name), ["Left", "Right", "Bottom", "Top", "Near", "Far"]);
@@ -148,12 +164,20 @@ test("how rare false positives are is counted by a button that the keyboard reac
   const box = await count.boundingBox();
   assert.ok(box.height >= 24 && box.width > 100, "it is seen while it has the focus");
   await page.keyboard.press("Enter");
-  // All million are counted in tests/app/panel_words.test.cpp: a page counts as many in a frame as its processor has time for.
-  const some = await until_within(120_000, page, ({ panels }) => panels[1].rows.length === 4 && Number(panels[1].rows[0][1].replaceAll(",", "")) > 2000);
+  // All million are counted in tests/app/panel_words.test.cpp: a page counts as many in a frame as its processor has
+  // time for.
+  const some = await until_within(
+    120_000,
+    page,
+    ({ panels }) => panels[1].rows.length === 4 && Number(panels[1].rows[0][1].replaceAll(",", "")) > 2000,
+  );
   const { rows, says, button } = some.panels[1];
   assert.match(button.words, /^Tested: [\d,]+ (of 1,000,000|random spheres)$/);
   assert.equal(button.enabled, false);
-  assert.deepEqual(rows.map(([name]) => name), ["Called intersecting", "Touch nothing, near edges", "Touch nothing, near vertices", "False positives among them"]);
+  assert.deepEqual(
+    rows.map(([name]) => name),
+    ["Called intersecting", "Touch nothing, near edges", "Touch nothing, near vertices", "False positives among them"],
+  );
   const [intersecting, edges, vertices] = rows.map(([, count]) => Number(count.replaceAll(",", "")));
   assert.ok(edges > vertices && vertices > 0 && edges + vertices < intersecting);
   const share = 100 * (edges + vertices) / intersecting;

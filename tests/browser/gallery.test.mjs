@@ -8,7 +8,13 @@ after(stop);
 
 async function listed(page) {
   await page.waitForSelector("#cases li");
-  return page.$$eval("#cases li > a", (links) => links.map((link) => ({ id: new URL(link.href).searchParams.get("lesson"), title: link.querySelector("b").textContent, says: link.querySelector("span").textContent })));
+  return page.$$eval("#cases li > a", (links) =>
+    links.map((link) => ({
+      id: new URL(link.href).searchParams.get("lesson"),
+      title: link.querySelector("b").textContent,
+      says: link.querySelector("span").textContent,
+    })),
+  );
 }
 
 test("the list comes when the gallery is opened, and not before", async (t) => {
@@ -22,9 +28,12 @@ test("the list comes when the gallery is opened, and not before", async (t) => {
   assert.ok(cases.length >= 25, `${cases.length} cases`);
   assert.ok(cases.every(({ title, says }) => title && says.endsWith(".")));
   assert.equal(new Set(cases.map(({ id }) => id)).size, cases.length);
-  const addresses = await page.$$eval("#cases .label a", (links) => links.map(({ href, textContent }) => [href, textContent]));
+  const addresses = await page.$$eval("#cases .label a", (links) =>
+    links.map(({ href, textContent }) => [href, textContent]),
+  );
   assert.ok(addresses.length >= 10);
-  for (const [href, words] of addresses) assert.ok(/^https:\/\/\S+$/.test(href) && words.length > 20 && !words.includes("https:"), `${href} ${words}`);
+  for (const [href, words] of addresses)
+    assert.ok(/^https:\/\/\S+$/.test(href) && words.length > 20 && !words.includes("https:"), `${href} ${words}`);
 });
 
 test("a click opens a case, Back leads to the open gallery, and neither is kept as a lesson begun", async (t) => {
@@ -38,7 +47,10 @@ test("a click opens a case, Back leads to the open gallery, and neither is kept 
   assert.equal(await page.locator("#picker-group").textContent(), "Hard cases");
   await page.locator("#prose p", { hasText: cases[0].says }).waitFor();
   await page.keyboard.press("End");
-  assert.ok((await until(page, (now) => now.step === now.steps)).readout.outside_count > 0, "the naive circle leaves points outside");
+  assert.ok(
+    (await until(page, (now) => now.step === now.steps)).readout.outside_count > 0,
+    "the naive circle leaves points outside",
+  );
   await page.goBack();
   await until(page, (now) => now.lesson === null);
   assert.ok(await page.locator("#cases li").first().isVisible());

@@ -12,7 +12,7 @@ const differs = (now, text) => now.figures.find((figure) => figure.key === "meas
 const text_of = (view) => view.figures.find((figure) => figure.key === "measure").text;
 const has = async (page, id) => (await handles(page)).some((handle) => handle.id === id);
 
-test("the knob is there with the box by hand alone; dragged, it turns the box, which keeps every point, and undo turns it back", async (t) => {
+test("the knob is there with the box by hand alone; it turns the box, which keeps all points; undo too", async (t) => {
   const page = await visit(t, kBox);
   const before = await state(page);
   await drag(page, "Box turn", -20, -90);
@@ -52,14 +52,26 @@ test("an address brings back what the hand has set", async (t) => {
   await page.waitForTimeout(400); // the page's own delay: browsers count how often an address is replaced
   assert.match(page.url(), /moved=|rows=/);
   const again = await visit(t, new URL(page.url()).search);
-  assert.equal(text_of(await until(again, (now, text) => now.figures.some((figure) => figure.key === "measure" && figure.text === text), text_of(dragged))), text_of(dragged));
+  assert.equal(
+    text_of(
+      await until(
+        again,
+        (now, text) => now.figures.some((figure) => figure.key === "measure" && figure.text === text),
+        text_of(dragged),
+      ),
+    ),
+    text_of(dragged),
+  );
 });
 
-test("directions of a k-DOP are added by the slider, dragged and deleted, and their address brings them back", async (t) => {
+test("directions of a k-DOP are added by the slider, dragged, deleted; their address brings them back", async (t) => {
   const page = await visit(t, "?lesson=kdop-slabs&a=kdop/by_hand&step=9");
   const two = await state(page);
-  assert.deepEqual((await handles(page)).map(({ id }) => id).filter((id) => id.startsWith("Axis")), ["Axis 1", "Axis 2"]);
-  await page.getByRole("slider", { name: "Your slabs" }).fill("2");  // its third place: from 2 to 4
+  assert.deepEqual(
+    (await handles(page)).map(({ id }) => id).filter((id) => id.startsWith("Axis")),
+    ["Axis 1", "Axis 2"],
+  );
+  await page.getByRole("slider", { name: "Your slabs" }).fill("2"); // its third place: from 2 to 4
   const four = await until(page, differs, text_of(two));
   assert.equal(number_of(four, "slabs"), 4);
   assert.ok(measure_of(four) < measure_of(two), "x+y and x−y cut the AABB's corners off");
@@ -73,7 +85,10 @@ test("directions of a k-DOP are added by the slider, dragged and deleted, and th
   assert.equal(number_of(three, "slabs"), 3);
   await page.waitForTimeout(400);
   const again = await visit(t, new URL(page.url()).search);
-  assert.equal(text_of(await until(again, (now) => now.figures.some(({ key, text }) => key === "slabs" && text.startsWith("3")))), text_of(three));
+  assert.equal(
+    text_of(await until(again, (now) => now.figures.some(({ key, text }) => key === "slabs" && text.startsWith("3")))),
+    text_of(three),
+  );
 });
 
 test("before its slab is shown, the points that bound a direction by hand are asked for, and tapped", async (t) => {

@@ -39,7 +39,10 @@ test("answers, step and edits survive a reload, and the course tells of them", a
 });
 
 test("a task that was done is so in later visits, without what solved it", async (t) => {
-  const page = await load(t, "?lesson=frustum-2d&a=corners_outside&boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0&step=99");
+  const page = await load(
+    t,
+    "?lesson=frustum-2d&a=corners_outside&boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0&step=99",
+  );
   await until(page, (now) => now.grade.done);
   await page.keyboard.press("ArrowLeft");
   const back = await reload(page, "?lesson=frustum-2d&step=0");
@@ -48,7 +51,7 @@ test("a task that was done is so in later visits, without what solved it", async
   await page.locator("#task .done .unsolved").waitFor(); // as it stands now, it is not solved
 });
 
-test("a conversation goes on where it stood: before the second try, on the way, at what is told, at the summary", async (t) => {
+test("a conversation goes on where it stood: at a second try, on the way, at an outcome, at the summary", async (t) => {
   const page = await load(t, `${kFirst}&step=2`); // with motion: the way to an outcome is played
   const field = page.getByLabel("Name", { exact: true });
   await field.fill("P0");
@@ -61,7 +64,10 @@ test("a conversation goes on where it stood: before the second try, on the way, 
   await page.keyboard.press("Enter");
   await until(page, (it) => it.deciding);
   now = await reload(page, kFirst);
-  assert.deepEqual([now.outcome?.question, now.outcome?.kind, now.outcome?.tries, now.step], ["first-growth", "wrong", 2, now.outcome.step]);
+  assert.deepEqual(
+    [now.outcome?.question, now.outcome?.kind, now.outcome?.tries, now.step],
+    ["first-growth", "wrong", 2, now.outcome.step],
+  );
   await page.locator("#home").click();
   await page.goBack();
   now = await until(page, (it) => it.lesson);
@@ -70,7 +76,8 @@ test("a conversation goes on where it stood: before the second try, on the way, 
   for (now = await state(page); !now.summary; now = await state(page)) {
     await page.keyboard.press(now.asked ? "s" : now.outcome || now.deciding ? "Enter" : "End");
     await page.waitForTimeout(50);
-    if (now.step === now.steps && !now.asked && !now.outcome && now.tally.open > 0) await page.keyboard.press("Home"); // which was passed by the address
+    // A question that the address passed is before the step.
+    if (now.step === now.steps && !now.asked && !now.outcome && now.tally.open > 0) await page.keyboard.press("Home");
   }
   now = await reload(page);
   assert.deepEqual([now.summary, now.step, now.previewing], [true, now.steps, false]);
@@ -116,15 +123,38 @@ test("Erase my answers asks once more, then leaves nothing of them", async (t) =
   assert.equal((await kept(page)).invited, 3); // who has seen the invitations has seen them
 });
 
-const kDamaged = { "no JSON": "{", "another shape": "[1, 2]", "a text": '"x"', "no lessons": '{"version":1}', "lessons that are none": '{"version":1,"last":7,"invited":"x","lessons":{"sphere-ritter":{"address":3},"__proto__":{},"x":null}}',
-  "a damaged place in a question": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=2&seed=143","answers":"","answered":0,"step":2,"steps":21,"done":false,"task":false,"told":7,"tried":{"question":"first-growth","choices":"x"}}}}',
-  "a place in a question that there is not": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=2&seed=143","answers":"","answered":0,"step":2,"steps":21,"done":false,"task":false,"told":"none","tried":{"question":"none","choices":[9],"handle":null}}}}',
-  "damaged answers": '{"version":1,"last":"sphere-ritter","invited":3,"lessons":{"sphere-ritter":{"address":"?lesson=sphere-ritter&step=oops&moved=1,x","answers":"[[answer]]\\nquestion = ","answered":1,"step":2,"steps":21,"done":false,"task":false}}}' };
+const kEntry = {
+  address: "?lesson=sphere-ritter&step=2&seed=143",
+  answers: "",
+  answered: 0,
+  step: 2,
+  steps: 21,
+  done: false,
+  task: false,
+};
+const kept_as = (entry) =>
+  JSON.stringify({ version: 1, last: "sphere-ritter", invited: 3, lessons: { "sphere-ritter": entry } });
+const kDamaged = {
+  "no JSON": "{",
+  "lessons that are none":
+    '{"version":1,"last":7,"invited":"x","lessons":{"sphere-ritter":{"address":3},"__proto__":{},"x":null}}',
+  "a damaged place in a question":
+    kept_as({ ...kEntry, told: 7, tried: { question: "first-growth", choices: "x" } }),
+  "a place in a question that there is not":
+    kept_as({ ...kEntry, told: "none", tried: { question: "none", choices: [9], handle: null } }),
+  "damaged answers":
+    kept_as({ ...kEntry, address: "?lesson=sphere-ritter&step=oops&moved=1,x", answers: "[[answer]]\nquestion = " }),
+};
 for (const [name, text] of Object.entries(kDamaged)) {
   test(`damaged storage does no harm: ${name}`, async (t) => {
-    const page = await load(t, "", { init: `sessionStorage.getItem("once") ?? (sessionStorage.setItem("once", "1"), localStorage.setItem("snug-course", ${JSON.stringify(text)}))`, newcomer: true });
+    const page = await load(t, "", {
+      init: `if (!sessionStorage.getItem("once")) localStorage.setItem("snug-course", ${JSON.stringify(text)});
+        sessionStorage.setItem("once", "1")`,
+      newcomer: true,
+    });
     assert.equal((await state(page)).lesson, null);
-    const lost = !text.includes('"version":1'); // nothing of it can be used: it is set aside as it was, and the page says so
+    // Nothing of it can be used: it is set aside as it was, and the page says so.
+    const lost = !text.includes('"version":1');
     assert.equal(await page.evaluate(() => localStorage.getItem("snug-course-damaged")), lost ? text : null);
     assert.equal(await page.locator("#course-damaged").isVisible(), lost);
     await page.locator(".lesson-card").first().click();
@@ -139,7 +169,10 @@ for (const [name, text] of Object.entries(kDamaged)) {
 
 test("a later version's storage is left as it is", async (t) => {
   const later = '{"version":99,"what":"ever"}';
-  const page = await load(t, "", { init: `localStorage.setItem("snug-course", ${JSON.stringify(later)})`, newcomer: true });
+  const page = await load(t, "", {
+    init: `localStorage.setItem("snug-course", ${JSON.stringify(later)})`,
+    newcomer: true,
+  });
   await page.locator(".lesson-card").first().click();
   await ready(page);
   await page.keyboard.press("ArrowRight");
@@ -147,8 +180,24 @@ test("a later version's storage is left as it is", async (t) => {
   assert.equal(await page.evaluate(() => localStorage.getItem("snug-course")), later);
 });
 
-for (const [name, init] of [["forbidden", () => Object.defineProperty(window, "localStorage", { get: () => { throw new DOMException("no", "SecurityError"); } })],
-  ["full", () => (Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); })]]) {
+for (const [name, init] of [
+  [
+    "forbidden",
+    () =>
+      Object.defineProperty(window, "localStorage", {
+        get: () => {
+          throw new DOMException("no", "SecurityError");
+        },
+      }),
+  ],
+  [
+    "full",
+    () =>
+      (Storage.prototype.setItem = () => {
+        throw new DOMException("full", "QuotaExceededError");
+      }),
+  ],
+]) {
   test(`${name} storage does no harm: the course says quietly that nothing lasts`, async (t) => {
     const page = await load(t, "", { init, newcomer: true });
     await page.locator(".lesson-card").first().click();

@@ -14,16 +14,25 @@ async function colors_in(page, { x, y, width, height }) {
 }
 
 /** The part of the canvas that lies where a panel over it is when it is turned upside down. */
-const mirrored = (page, selector) => page.evaluate((of) => {
-  const canvas = document.getElementById("canvas").getBoundingClientRect(), panel = document.querySelector(of).getBoundingClientRect();
-  return { x: panel.x, y: canvas.top + canvas.bottom - panel.bottom, width: panel.width, height: panel.height };
-}, selector);
+const mirrored = (page, selector) =>
+  page.evaluate((of) => {
+    const canvas = document.getElementById("canvas").getBoundingClientRect(),
+      panel = document.querySelector(of).getBoundingClientRect();
+    return { x: panel.x, y: canvas.top + canvas.bottom - panel.bottom, width: panel.width, height: panel.height };
+  }, selector);
 
-for (const [name, size, panel] of [["laptop", kWide, ".code"], ["phone", kPhone, ".ask"]]) {
+for (const { name, size, panel } of [
+  { name: "laptop", size: kWide, panel: ".code" },
+  { name: "phone", size: kPhone, panel: ".ask" },
+]) {
   test(`on a ${name} a panel over the canvas hides nothing but what it covers`, async (t) => {
     const page = await load(t, "?lesson=frustum-2d&step=0", size);
-    assert.ok(await page.evaluate(() => document.documentElement.classList.contains("software")), "it is drawn by the processor");
-    for (let i = 0; i < 3; ++i) { // every second frame may be whole
+    assert.ok(
+      await page.evaluate(() => document.documentElement.classList.contains("software")),
+      "it is drawn by the processor",
+    );
+    for (let i = 0; i < 3; ++i) {
+      // every second frame may be whole
       await page.mouse.move(200 + 9 * i, 200);
       await still(page);
       const place = await mirrored(page, panel);

@@ -12,12 +12,14 @@ const no_webgl = () => {
   };
 };
 
-const press = (page, name) => page.getByRole("toolbar", { name: "Player" }).getByRole("button", { name, exact: true }).click();
+const press = (page, name) =>
+  page.getByRole("toolbar", { name: "Player" }).getByRole("button", { name, exact: true }).click();
 
 /** The table of numbers as it is read. */
-const table = (page) => page.locator("#figures tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.innerText)));
+const table = (page) =>
+  page.locator("#figures tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.innerText)));
 
-for (const [name, size] of [["laptop", kWide], ["phone", kPhone]]) {
+for (const [name, size] of Object.entries({ laptop: kWide, phone: kPhone })) {
   test(`on a ${name} without WebGL 2 numbers and step buttons stand on the page`, async (t) => {
     const page = await load(t, "?lesson=sphere-ritter&step=0", { ...size, init: no_webgl });
     const message = page.locator("#stage-message");
@@ -30,7 +32,10 @@ for (const [name, size] of [["laptop", kWide], ["phone", kPhone]]) {
     assert.equal(await page.locator("#caption").textContent(), now.caption);
     const [says, caption] = [await message.locator("p").boundingBox(), await page.locator("#ask").boundingBox()];
     assert.ok(now.asked);
-    assert.ok(says.y + says.height <= caption.y + 1, "the message leaves the question, in the sentence's place, its own");
+    assert.ok(
+      says.y + says.height <= caption.y + 1,
+      "the message leaves the question, in the sentence's place, its own",
+    );
     await page.getByRole("button", { name: "Skip" }).click();
     await until(page, (it, asked) => it.asked?.id !== asked, now.asked.id);
     if (name === "phone") await page.getByRole("tab", { name: "Numbers" }).click();

@@ -1,13 +1,17 @@
 // Lessons are stepped, asked and answered, without a pointer and with one.
 import { after, before, test } from "node:test";
-import { answer, assert, cut_off, go_on, handles, kFirst, kinds, kPhone, lessons, moved, start, state, still, stop, until, visit } from "./support.mjs";
+import {
+  answer, assert, cut_off, handles, kFirst, kinds, kPhone, lessons, moved, start, state, still, stop, until,
+  visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
 
 // axe.test.mjs plays all others, from question to question.
 test("a lesson of each kind is stepped to its end by keyboard alone, each prediction answered", async (t) => {
-  const charts = ["cost-chart", "cost-volumes", "lecture-claims", "which-volume"]; // cost_chart, claims and criteria have those
+  // The tests of the charts have those.
+  const charts = ["cost-chart", "cost-volumes", "lecture-claims", "which-volume"];
   const stepped = (await kinds()).filter(({ id }) => !charts.includes(id));
   for (const { id } of stepped) {
     const page = await visit(t, `?lesson=${id}`);
@@ -61,7 +65,7 @@ test("a prediction is answered by tapping the point on the stage twice", async (
   await page.locator(".outcome").getByText(answered.outcome.verdict).first().waitFor();
 });
 
-test("only what can be the answer responds, by pointer, by name and by the bracket keys; anything else costs nothing", async (t) => {
+test("only what can be the answer responds, by pointer, name and bracket keys; all else costs nothing", async (t) => {
   const page = await visit(t, "?lesson=sphere-welzl&step=0");
   let now = await state(page);
   for (let i = 0; i < 400 && !(now.asked?.onStage && now.asked.targets.length < now.size); ++i) {
@@ -81,7 +85,10 @@ test("only what can be the answer responds, by pointer, by name and by the brack
   const seen = [];
   for (let i = 0; i < asked.targets.length; ++i) {
     await page.keyboard.press("]");
-    seen.push((await until(page, (it, before) => it.asked.picked && it.asked.picked.handle !== before, seen.at(-1) ?? null)).asked.picked.handle);
+    seen.push(
+      (await until(page, (it, before) => it.asked.picked && it.asked.picked.handle !== before, seen.at(-1) ?? null))
+        .asked.picked.handle,
+    );
     if (asked.targets.length === 1) break;
   }
   assert.deepEqual([...seen].sort(), [...asked.targets].sort());
@@ -97,7 +104,11 @@ test("only what can be the answer responds, by pointer, by name and by the brack
 test("a typed name that there is not is told, and asks again", async (t) => {
   for (const { id } of await lessons()) {
     const page = await visit(t, `?lesson=${id}&step=0`);
-    for (let now = await state(page), i = 0; i < 60 && (now.step < now.steps || now.asked); now = await state(page), ++i) {
+    for (
+      let now = await state(page), i = 0;
+      i < 60 && (now.step < now.steps || now.asked);
+      now = await state(page), ++i
+    ) {
       if (now.asked?.onStage && now.asked.choices.length === 0) {
         await page.getByLabel("Name", { exact: true }).fill("Q7");
         await page.keyboard.press("Enter");
@@ -210,7 +221,10 @@ test("when nothing changes no frame is drawn", async (t) => {
 
 test("one or two algorithms are chosen, and the pseudocode is theirs", async (t) => {
   const page = await visit(t);
-  const options = await page.locator("#algorithm").locator("option").evaluateAll((all) => all.map((each) => each.value));
+  const options = await page
+    .locator("#algorithm")
+    .locator("option")
+    .evaluateAll((all) => all.map((each) => each.value));
   assert.ok(options.length >= 2);
   await page.locator("#algorithm").selectOption(options[1]);
   const chosen = await until(page, (now, name) => now.algorithm === name, options[1]);

@@ -1,6 +1,8 @@
 // Points are dragged, moved, typed, added and taken back, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
-import { assert, drag, drag_by_finger, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points } from "./support.mjs";
+import {
+  assert, drag, drag_by_finger, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -130,7 +132,8 @@ test("points are added, deleted, scattered and reset", async (t) => {
   assert.equal((await until(page, (now, s) => now.seed === s, seed)).trace, trace);
 });
 
-const set_shown = (page) => page.getByRole("combobox", { name: "Set" }).evaluate((select) => select.selectedOptions[0].textContent);
+const set_shown = (page) =>
+  page.getByRole("combobox", { name: "Set" }).evaluate((select) => select.selectedOptions[0].textContent);
 
 test("Scatter has other points every time, and the box says which set they are of", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter");
@@ -174,11 +177,18 @@ test("a coordinate has as many digits as its field shows, and what was not touch
   assert.equal(moved.coordinates[1], coordinates[1]);
 });
 
-const drop = (page, name, text, ...others) => page.evaluate(([file_name, content, more]) => {
-  const data = new DataTransfer();
-  for (const each of [file_name, ...more]) data.items.add(new File([content], each));
-  for (const type of ["dragover", "drop"]) document.querySelector("#stage").dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
-}, [name, text, others]);
+const drop = (page, name, text, ...others) =>
+  page.evaluate(
+    ([file_name, content, more]) => {
+      const data = new DataTransfer();
+      for (const each of [file_name, ...more]) data.items.add(new File([content], each));
+      for (const type of ["dragover", "drop"])
+        document
+          .querySelector("#stage")
+          .dispatchEvent(new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true }));
+    },
+    [name, text, others],
+  );
 
 test("a drop says what became of each file", async (t) => {
   const page = await visit(t, await in_the_plane());
@@ -216,9 +226,11 @@ test("a file is opened by the button", async (t) => {
   assert.equal((await until(page, (now) => now.size === 3)).size, 3);
 });
 
-test("an address whose points would take minutes is refused with how many can be shown, and the lesson opens", async (t) => {
+test("an address whose points would take minutes is refused with how many can be shown, the lesson open", async (t) => {
   const page = await visit(t, "?lesson=obb-fitting&from=sphere:99999");
-  await page.getByText(/would take about .* for 99,999 such points; up to about [\d,]+ take less than ten seconds here/).waitFor();
+  await page
+    .getByText(/would take about .* for 99,999 such points; up to about [\d,]+ take less than ten seconds here/)
+    .waitFor();
   assert.ok((await state(page)).size < 1000);
 });
 
@@ -228,7 +240,11 @@ test("many points are said to be worked on, over the page, before they are", asy
   await page.evaluate(() => {
     window.said = [];
     const veil = document.getElementById("veil");
-    new MutationObserver(() => window.said.push(document.getElementById("veil-text").textContent)).observe(veil, { attributes: true, childList: true, subtree: true });
+    new MutationObserver(() => window.said.push(document.getElementById("veil-text").textContent)).observe(veil, {
+      attributes: true,
+      childList: true,
+      subtree: true,
+    });
   });
   await page.getByRole("combobox", { name: "Set" }).selectOption({ label: "Cube" });
   await page.getByRole("spinbutton", { name: "How many" }).fill("3000");

@@ -8,13 +8,20 @@ after(stop);
 
 const watch = () => {
   window.refused = [];
-  addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => window.refused.push(`${effectiveDirective}: ${blockedURI}`));
+  addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) =>
+    window.refused.push(`${effectiveDirective}: ${blockedURI}`),
+  );
 };
 
 test("the policy allows the page's own files and WebAssembly, and no more", async () => {
   const html = await (await fetch(site.url)).text();
   const [, content] = /<meta http-equiv="Content-Security-Policy" content="([^"]*)">/.exec(html);
-  const policy = Object.fromEntries(content.split(";").map((part) => part.trim().split(" ")).map(([name, ...sources]) => [name, sources.join(" ")]));
+  const policy = Object.fromEntries(
+    content
+      .split(";")
+      .map((part) => part.trim().split(" "))
+      .map(([name, ...sources]) => [name, sources.join(" ")]),
+  );
   assert.equal(policy["default-src"], "'none'");
   assert.equal(policy["script-src"], "'self' 'wasm-unsafe-eval'");
   for (const name of Object.keys(policy).filter((each) => !["default-src", "script-src"].includes(each)))
@@ -42,7 +49,10 @@ test("results are saved under the policy", async (t) => {
   }
   await page.getByRole("button", { name: "Measure", exact: true }).click();
   await until(page, (now) => now.cover.table.rows.length > 0);
-  const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save as CSV" }).click()]);
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save as CSV" }).click(),
+  ]);
   assert.match(file.suggestedFilename(), /\.csv$/);
   assert.deepEqual(await page.evaluate(() => window.refused), []);
 });
@@ -60,19 +70,28 @@ test("a static host is never asked for a preview", async (t) => {
 });
 
 const kForeign = {
-  "an inline script": () => document.body.append(Object.assign(document.createElement("script"), { textContent: "window.came = 1" })),
-  "a handler in the HTML": () => document.body.insertAdjacentHTML("beforeend", '<img src="nothing.png" onerror="window.came = 1">'),
-  "an inline style": () => document.head.append(Object.assign(document.createElement("style"), { textContent: "body { display: none }" })),
+  "an inline script": () =>
+    document.body.append(Object.assign(document.createElement("script"), { textContent: "window.came = 1" })),
+  "a handler in the HTML": () =>
+    document.body.insertAdjacentHTML("beforeend", '<img src="nothing.png" onerror="window.came = 1">'),
+  "an inline style": () =>
+    document.head.append(Object.assign(document.createElement("style"), { textContent: "body { display: none }" })),
   "evaluated text": () => setTimeout("window.came = 1"),
-  "a script of another host": () => document.body.append(Object.assign(document.createElement("script"), { src: "http://127.0.0.1:9/x.js" })),
+  "a script of another host": () =>
+    document.body.append(Object.assign(document.createElement("script"), { src: "http://127.0.0.1:9/x.js" })),
   "a question to another host": () => void fetch("http://127.0.0.1:9/x").catch(() => {}),
 };
 test("what is not the page's own is refused", async (t) => {
-  const page = await load(t, kFirst, { init: watch, may_complain: /Content Security Policy|violates|404|127\.0\.0\.1:9/ });
+  const page = await load(t, kFirst, {
+    init: watch,
+    may_complain: /Content Security Policy|violates|404|127\.0\.0\.1:9/,
+  });
   for (const [name, act] of Object.entries(kForeign)) {
     await page.evaluate(() => (window.refused = []));
     await page.evaluate(act);
-    await page.waitForFunction(() => window.refused.length > 0, null, { timeout: 5000 }).catch(() => assert.fail(`${name} is refused`));
+    await page
+      .waitForFunction(() => window.refused.length > 0, null, { timeout: 5000 })
+      .catch(() => assert.fail(`${name} is refused`));
     await page.waitForTimeout(100);
     assert.equal(await page.evaluate(() => window.came), undefined, name);
     assert.ok(await page.locator("#title").isVisible(), name);

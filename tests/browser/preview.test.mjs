@@ -1,5 +1,5 @@
-// Lessons that are being written, as ./run --lessons serves them: a save is followed at the same place, and what is wrong
-// with a file stands in a strip over its stage.
+// Lessons that are being written, as ./run --lessons serves them: a save is followed at the same place, and what is
+// wrong with a file stands in a strip over its stage.
 import { mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -7,7 +7,9 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
-import { answer, assert, drag, handles, kPhone, kWide, load, serve_drafts, start_on, state, still, stop, until, until_within } from "./support.mjs";
+import {
+  answer, assert, drag, handles, kPhone, kWide, load, serve_drafts, start_on, state, still, stop, until, until_within,
+} from "./support.mjs";
 
 const kSoon = 10_000; // milliseconds: a second where nothing else runs
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -56,7 +58,11 @@ test("a save is followed at once, at the same algorithm and step", async (t) => 
   const at_hand = await page.locator("#prose section[aria-current]").count();
   write("mine.toml", changed("has a centre.", "has a middle of its own."));
   await prose_has(page, "has a middle of its own.");
-  assert.equal(await page.locator("#prose section[aria-current]").count(), at_hand, "the section at hand is still marked");
+  assert.equal(
+    await page.locator("#prose section[aria-current]").count(),
+    at_hand,
+    "the section at hand is still marked",
+  );
   const now = await state(page);
   assert.deepEqual([now.algorithm, now.step, now.trace], ["welzl", before.step, before.trace]);
   assert.match(page.url(), new RegExp(`step=${before.step}`));
@@ -73,7 +79,10 @@ test("what was dragged stays, until the file has other points; answers stay too"
   await page.locator("#title").getByText("Who decides?").waitFor({ timeout: kSoon });
   const kept = await state(page);
   assert.equal(kept.trace, before.trace, "the dragged points stand there");
-  assert.deepEqual(kept.outcomes.map(({ question, kind }) => [question, kind]), before.outcomes.map(({ question, kind }) => [question, kind]));
+  assert.deepEqual(
+    kept.outcomes.map(({ question, kind }) => [question, kind]),
+    before.outcomes.map(({ question, kind }) => [question, kind]),
+  );
   write("mine.toml", changed("[0.5, 2.5]]", "[0.5, 2.5], [1, 1]]"));
   const replaced = await soon(page, (now) => now.size === 6);
   assert.equal(replaced.edited, false);
@@ -116,7 +125,11 @@ test("two mistakes stand in the strip with their places, and the lesson is drawn
   assert.deepEqual(now.mistakes, ["mine.toml: 2 mistakes", ...lines]);
   assert.deepEqual([now.lesson, now.step, now.questions], ["mine", 2, 0]);
   assert.equal(await page.locator("#strip-told").textContent(), "mine.toml: 2 mistakes");
-  assert.equal(await page.locator("#prose section[aria-current]").count(), 1, "the section at hand is marked as before");
+  assert.equal(
+    await page.locator("#prose section[aria-current]").count(),
+    1,
+    "the section at hand is marked as before",
+  );
   write("mine.toml", kCloud);
   await page.locator("#strip").waitFor({ state: "hidden", timeout: kSoon });
   assert.equal((await state(page)).questions, 1);
@@ -127,7 +140,9 @@ test("a link to no lesson stands in the strip until that lesson is there", async
   const linked = changed("has a centre.", "has a centre, as [there](lesson:other).");
   write("mine.toml", linked);
   await page.locator("#strip li").getByText("links to a lesson that is not there: other").waitFor({ timeout: kSoon });
-  assert.ok((await page.locator("#strip li").textContent()).startsWith(`${place_of(linked, "[there](lesson:other)")}: `));
+  assert.ok(
+    (await page.locator("#strip li").textContent()).startsWith(`${place_of(linked, "[there](lesson:other)")}: `),
+  );
   write("other.toml", kCloud); // and now it is there
   await page.locator("#strip").waitFor({ state: "hidden", timeout: kSoon });
 });
@@ -144,7 +159,10 @@ test("what cannot be drawn leaves the stage as it was", async (t) => {
   const page = await open(t, "?lesson=mine&step=2");
   const before = await state(page);
   write("mine.toml", changed("[points]", "[points"));
-  await page.locator("#strip h2").getByText("mine.toml: 1 mistake. It cannot be drawn like this.").waitFor({ timeout: kSoon });
+  await page
+    .locator("#strip h2")
+    .getByText("mine.toml: 1 mistake. It cannot be drawn like this.")
+    .waitFor({ timeout: kSoon });
   const now = await state(page);
   assert.deepEqual([now.step, now.trace], [before.step, before.trace]);
   await page.keyboard.press("ArrowRight"); // it goes on as it was
@@ -209,26 +227,49 @@ test("the course is that of the folder, and follows it", async (t) => {
 test("the strip is under the policy, and axe finds nothing wrong with it in any theme", async (t) => {
   for (const size of [kWide, { ...kPhone, deviceScaleFactor: 1 }]) {
     write("mine.toml", changed("Drag an outer point", "Drag P7", changed("minutes = 5", "minuts = 5")));
-    const page = await load(t, "?lesson=mine&step=1", { ...size, reducedMotion: "reduce", init: () => {
-      window.refused = [];
-      addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => window.refused.push(`${effectiveDirective}: ${blockedURI}`));
-    } });
+    const page = await load(t, "?lesson=mine&step=1", {
+      ...size,
+      reducedMotion: "reduce",
+      init: () => {
+        window.refused = [];
+        addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) =>
+          window.refused.push(`${effectiveDirective}: ${blockedURI}`),
+        );
+      },
+    });
     await page.locator("#strip li").nth(1).waitFor();
     await page.evaluate(kAxe);
     for (const theme of ["light", "dark", "contrast", "projector"]) {
       await page.evaluate((name) => (document.documentElement.dataset.theme = name), theme);
       await still(page);
-      const found = await page.evaluate(async () => (await window.axe.run("#strip", { resultTypes: ["violations"] })).violations.map(({ id, nodes }) => `${id} at ${nodes.map(({ target }) => target)}`));
+      const found = await page.evaluate(async () =>
+        (await window.axe.run("#strip", { resultTypes: ["violations"] })).violations.map(
+          ({ id, nodes }) => `${id} at ${nodes.map(({ target }) => target)}`,
+        ),
+      );
       assert.deepEqual(found, [], theme);
     }
-    assert.deepEqual((await page.evaluate(() => window.refused)).filter((one) => !one.includes("axe")), []);
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing needs a sideways scroll");
+    assert.deepEqual(
+      (await page.evaluate(() => window.refused)).filter((one) => !one.includes("axe")),
+      [],
+    );
+    assert.ok(
+      await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
+      "nothing needs a sideways scroll",
+    );
   }
 });
 
 test("a folder that has no lessons is refused in words", () => {
-  for (const [lessons, says] of [["/nowhere/at/all", /^\/nowhere\/at\/all is not a folder/], [join(root, "web/page"), /has no lesson/]]) {
-    const { status, stderr } = spawnSync("python3", [join(root, "web/serve.py"), join(root, "web/page"), "--port", "0", "--lessons", lessons], { encoding: "utf8" });
+  for (const { lessons, says } of [
+    { lessons: "/nowhere/at/all", says: /^\/nowhere\/at\/all is not a folder/ },
+    { lessons: join(root, "web/page"), says: /has no lesson/ },
+  ]) {
+    const { status, stderr } = spawnSync(
+      "python3",
+      [join(root, "web/serve.py"), join(root, "web/page"), "--port", "0", "--lessons", lessons],
+      { encoding: "utf8" },
+    );
     assert.equal(status, 1);
     assert.match(stderr, says);
   }

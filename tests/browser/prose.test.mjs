@@ -1,7 +1,10 @@
 // Prose speaks to the stage: its links do what they say, its marks light handles and handles their words, its sections
 // follow the step, and its formulas are MathML.
 import { after, before, test } from "node:test";
-import { add_lesson, answer, assert, drag, go_on, handles, kPhone, kWide, lessons, load, start, state, still, stop, until, visit } from "./support.mjs";
+import {
+  add_lesson, answer, assert, drag, go_on, handles, kPhone, kWide, lessons, load, start, state, still, stop, until,
+  visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -10,10 +13,13 @@ const words = (page, name) => page.locator("#prose").getByRole("button", { name,
 /** The heading of the section that is marked as the step's; null for none. */
 const current = (page) => page.evaluate(() => document.querySelector("#prose [aria-current] h2")?.textContent ?? null);
 /** Whether the heading of the marked section is in view. */
-const in_view = (page) => page.evaluate(() => {
-  const [box, head] = ["#read", "#prose [aria-current] h2"].map((what) => document.querySelector(what).getBoundingClientRect());
-  return head.top >= box.top - 1 && head.bottom <= box.bottom + 1;
-});
+const in_view = (page) =>
+  page.evaluate(() => {
+    const [box, head] = ["#read", "#prose [aria-current] h2"].map((what) =>
+      document.querySelector(what).getBoundingClientRect(),
+    );
+    return head.top >= box.top - 1 && head.bottom <= box.bottom + 1;
+  });
 const kLow = { viewport: { width: 1280, height: 560 } }; // the prose is longer than its column
 
 test("a link changes the algorithm, by mouse; the mesh, by keyboard; and goes to a step", async (t) => {
@@ -61,7 +67,7 @@ test("a mark lights its handles while the mouse is over it, and while it has the
   await until(page, (now) => now.lit.mark === "");
 });
 
-test("a finger that holds a mark lights it, until it goes; a tap leaves it lit and brings the stage into view", async (t) => {
+test("a finger that holds a mark lights it, until it goes; a tap leaves it lit and brings up the stage", async (t) => {
   const page = await visit(t, "?lesson=sphere-welzl&step=9999", kPhone);
   const mark = words(page, "support set").first();
   await mark.scrollIntoViewIfNeeded();
@@ -89,10 +95,15 @@ test("a handle under the pointer lights the words of its marks", async (t) => {
   const page = await visit(t, "?lesson=sphere-welzl&step=9999");
   await words(page, "support set").first().hover();
   const { lit } = await until(page, (now) => now.lit.mark === "support");
-  const lights = () => page.evaluate(() => [...document.querySelectorAll("#prose .lit")].map((node) => node.textContent));
+  const lights = () =>
+    page.evaluate(() => [...document.querySelectorAll("#prose .lit")].map((node) => node.textContent));
   const places = await handles(page);
   const held = places.find(({ id }) => lit.handles.includes(id));
-  const free = places.find(({ id, x, y }) => !lit.handles.includes(id) && places.every((other) => other.id === id || Math.hypot(other.x - x, other.y - y) > 30));
+  const free = places.find(
+    ({ id, x, y }) =>
+      !lit.handles.includes(id) &&
+      places.every((other) => other.id === id || Math.hypot(other.x - x, other.y - y) > 30),
+  );
   await page.mouse.move(held.x, held.y);
   await until(page, (now) => now.lit.words.includes("support"));
   assert.ok((await lights()).includes("support set"));
@@ -143,7 +154,9 @@ test("on a phone a tab that is opened comes into view, the text at the section a
   const tabs = () => page.evaluate(() => document.getElementById("tabs").getBoundingClientRect());
   assert.ok((await tabs()).bottom > 500);
   await page.locator("#tab-numbers").tap();
-  await page.waitForFunction(() => document.getElementById("numbers").getBoundingClientRect().top < innerHeight / 2 + 1);
+  await page.waitForFunction(
+    () => document.getElementById("numbers").getBoundingClientRect().top < innerHeight / 2 + 1,
+  );
   await page.locator("#tab-read").tap();
   await page.waitForFunction(() => {
     const { top } = document.querySelector("#prose [aria-current] h2").getBoundingClientRect();
@@ -175,11 +188,21 @@ test("every lesson's formulas are typeset, and none is wider than its column, on
     assert.equal(await page.locator("#prose .formula").count(), 0, `${id}: a formula was not typeset`);
     for (const { viewport } of [kWide, kPhone]) {
       await page.setViewportSize(viewport);
-      await page.waitForFunction((phone) => (document.documentElement.dataset.layout === "phone") === phone, viewport === kPhone.viewport);
-      const wide = await page.evaluate(() => [...document.querySelectorAll("#prose math")].filter((math) => {
-        const [own, column] = [math.getBoundingClientRect(), document.getElementById("prose").getBoundingClientRect()];
-        return own.width > 0 && own.right > column.right + 1;
-      }).map((math) => math.getAttribute("aria-label")));
+      await page.waitForFunction(
+        (phone) => (document.documentElement.dataset.layout === "phone") === phone,
+        viewport === kPhone.viewport,
+      );
+      const wide = await page.evaluate(() =>
+        [...document.querySelectorAll("#prose math")]
+          .filter((math) => {
+            const [own, column] = [
+              math.getBoundingClientRect(),
+              document.getElementById("prose").getBoundingClientRect(),
+            ];
+            return own.width > 0 && own.right > column.right + 1;
+          })
+          .map((math) => math.getAttribute("aria-label")),
+      );
       assert.deepEqual(wide, [], `${id} at ${JSON.stringify(viewport)}`);
     }
   }
@@ -242,12 +265,25 @@ test("words, lists and tables are HTML elements without a style of their own", a
   assert.deepEqual([await texts("ul > li"), await texts("ol > li")], [["one", "two"], ["first", "second"]]);
   assert.deepEqual(await texts("thead th[scope=col]"), ["circle", "radius"]);
   assert.deepEqual(await texts("tbody tr:last-child td"), ["smallest", "2.050\u00a0units"]);
-  assert.equal(await page.locator("#prose td.right").first().evaluate((cell) => getComputedStyle(cell).textAlign), "right");
+  assert.equal(
+    await page
+      .locator("#prose td.right")
+      .first()
+      .evaluate((cell) => getComputedStyle(cell).textAlign),
+    "right",
+  );
   assert.equal(await page.locator("#prose [style], #task [style]").count(), 0);
   assert.deepEqual(await page.locator("#task em, #task sub").allTextContents(), ["fail", "max"]);
   for (const size of [kWide, kPhone]) {
     await page.setViewportSize(size.viewport);
-    assert.ok(await page.locator("#prose table").evaluate((table) => table.getBoundingClientRect().right <= document.getElementById("prose").getBoundingClientRect().right + 1));
+    assert.ok(
+      await page
+        .locator("#prose table")
+        .evaluate(
+          (table) =>
+            table.getBoundingClientRect().right <= document.getElementById("prose").getBoundingClientRect().right + 1,
+        ),
+    );
   }
 });
 
@@ -255,7 +291,12 @@ test("figures of the run follow a drag in place, and are not read out at each ch
   await add_lesson("words", kWords);
   const page = await load(t, "?lesson=words&step=9999");
   const shown = () => page.locator("#prose .figure").allTextContents();
-  const due = ({ figures, readout, rivals }) => [figures.find(({ key }) => key === "radius").text, readout.radius.toFixed(3), `${rivals[1].size.toFixed(3)} units`].map((text) => text.replaceAll(" ", "\u00a0"));
+  const due = ({ figures, readout, rivals }) =>
+    [
+      figures.find(({ key }) => key === "radius").text,
+      readout.radius.toFixed(3),
+      `${rivals[1].size.toFixed(3)} units`,
+    ].map((text) => text.replaceAll(" ", "\u00a0"));
   const first = await shown();
   assert.deepEqual(first, due(await state(page)));
   const [node] = await page.locator("#prose .figure").elementHandles();
@@ -265,7 +306,10 @@ test("figures of the run follow a drag in place, and are not read out at each ch
   assert.notDeepEqual(dragged, first);
   assert.deepEqual(dragged, due(await state(page)));
   assert.ok(await node.evaluate((own) => own.isConnected), "it is the same element");
-  assert.equal(await page.locator("#task .figure").textContent(), (await state(page)).figures.find(({ key }) => key === "excess").text.replace(" ", "\u00a0"));
+  assert.equal(
+    await page.locator("#task .figure").textContent(),
+    (await state(page)).figures.find(({ key }) => key === "excess").text.replace(" ", "\u00a0"),
+  );
 });
 
 test("a figure that would give an answer away says that it is hidden, in the prompt as well", async (t) => {
@@ -281,7 +325,13 @@ test("a figure that would give an answer away says that it is hidden, in the pro
   assert.match(await page.locator("#prose table").textContent(), /hidden until you answer.*hidden until you answer/);
   const { outcome } = await answer(page, 0);
   assert.equal(outcome.because, "It is farther apart: 2.250\u00a0units.");
-  assert.deepEqual(await page.locator("#ask code, #ask .figure").allTextContents().then((all) => all.slice(-2)), ["farther", "2.250\u00a0units"]);
+  assert.deepEqual(
+    await page
+      .locator("#ask code, #ask .figure")
+      .allTextContents()
+      .then((all) => all.slice(-2)),
+    ["farther", "2.250\u00a0units"],
+  );
   await go_on(page);
   assert.doesNotMatch(await page.locator("#prose table").textContent(), /hidden/);
 });
@@ -294,10 +344,14 @@ test("what ends a phrase stays on the line of the link before it", async (t) => 
       const found = [];
       for (let text = walker.nextNode(); text; text = walker.nextNode()) {
         const link = text.previousSibling;
-        if (!/^[.,:;?!)]/.test(text.data) || !link?.matches?.("a, button, :has(> a), :has(> button)")) continue;
+        if (!/^[.,:;?!)]/.test(text.nodeValue) || !(link instanceof Element)) continue;
+        if (!link.matches("a, button, :has(> a), :has(> button)")) continue;
         const range = document.createRange();
-        range.setStart(text, 0), range.setEnd(text, 1);
-        found.push({ words: link.textContent, below: range.getBoundingClientRect().top > link.getBoundingClientRect().bottom - 4 });
+        (range.setStart(text, 0), range.setEnd(text, 1));
+        found.push({
+          words: link.textContent,
+          below: range.getBoundingClientRect().top > link.getBoundingClientRect().bottom - 4,
+        });
       }
       return found;
     });
@@ -311,7 +365,7 @@ test("a number and its per cent sign stay on one line of the step's sentence", a
   const lines = await page.locator("#caption").evaluate((caption) => {
     const range = document.createRange(), walker = document.createTreeWalker(caption, NodeFilter.SHOW_TEXT);
     for (let text = walker.nextNode(); text; text = walker.nextNode()) {
-      const at = text.data.indexOf(" %");
+      const at = text.nodeValue.indexOf(" %");
       if (at < 0) continue;
       range.setStart(text, at - 1), range.setEnd(text, at + 2);
       return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size;

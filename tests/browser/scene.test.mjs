@@ -1,6 +1,9 @@
-// Scenes that move: stepped by keyboard to their end, answered, reloaded, placed; and nothing is drawn while nothing moves.
+// Scenes that move: stepped by keyboard to their end, answered, reloaded, placed; and nothing is drawn while nothing
+// moves.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, go_on, handles, kPhone, moved, ready, start, state, still, stop, until, visit } from "./support.mjs";
+import {
+  answer, assert, drag, go_on, handles, kPhone, moved, ready, start, state, still, stop, until, visit,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -11,7 +14,10 @@ const kScenes = [
   { id: "scene-updates", first: "slack-turned", effects: ["spin body", "refit"] },
 ];
 
-const counts = (view) => Object.fromEntries(view.effects.map(({ effect, constructed, run, skipped }) => [effect, [constructed, run, skipped]]));
+const counts = (view) =>
+  Object.fromEntries(
+    view.effects.map(({ effect, constructed, run, skipped }) => [effect, [constructed, run, skipped]]),
+  );
 const all = (effects, runs) => Object.fromEntries(effects.map((effect) => [effect, [1, runs, 0]]));
 
 /** To the end by keys alone; each question on the way is answered with its first choice. Returns their ids. */
@@ -38,7 +44,8 @@ test("an effect is switched off and on by keyboard alone", async (t) => {
   const field = page.getByRole("checkbox", { name: "narrow phase" });
   assert.ok(await field.isChecked());
   await page.locator("#player button").first().focus();
-  for (let i = 0; i < 30 && !(await field.evaluate((node) => node === document.activeElement)); ++i) await page.keyboard.press("Tab");
+  for (let i = 0; i < 30 && !(await field.evaluate((node) => node === document.activeElement)); ++i)
+    await page.keyboard.press("Tab");
   await page.keyboard.press(" ");
   const off = await until(page, (now) => now.effects.some(({ on }) => !on));
   assert.deepEqual(off.effects.filter(({ on }) => !on).map(({ effect }) => effect), ["narrow_phase"]);
@@ -65,7 +72,8 @@ test("a scene's timeline counts frames, wherever it is named", async (t) => {
   const page = await visit(t, "?lesson=scene-updates&step=0");
   const player = page.getByRole("toolbar", { name: "Player" });
   await page.getByRole("button", { name: "Next frame" }).focus();
-  for (const name of ["First frame", "Previous frame", "Next frame", "Last frame"]) assert.equal(await player.getByRole("button", { name, exact: true }).count(), 1, name);
+  for (const name of ["First frame", "Previous frame", "Next frame", "Last frame"])
+    assert.equal(await player.getByRole("button", { name, exact: true }).count(), 1, name);
   assert.equal(await player.getByRole("button", { name: /step/i }).count(), 0);
   const slider = player.getByRole("slider", { name: "Frame" });
   assert.equal(await slider.getAttribute("aria-valuetext"), "frame 0 of 120");
@@ -86,7 +94,7 @@ test("every kind of volume is measured against the same hull", async (t) => {
 });
 
 for (const { id, first, effects } of kScenes) {
-  test(`${id}: every frame by keyboard, each effect as often as it is called for, and at rest nothing is drawn`, async (t) => {
+  test(`${id}: every frame by keyboard, each effect as often as it is called; at rest nothing is drawn`, async (t) => {
     const page = await visit(t, `?lesson=${id}`);
     const begun = await state(page);
     assert.equal(begun.steps, kFrames);
@@ -116,11 +124,13 @@ for (const { id, first, effects } of kScenes) {
     await page.keyboard.press((await state(page)).asked ? "s" : "ArrowRight"); // another question may wait here
     if ((await until(page, (now, step) => now.step === step + 1, told.step)).outcome) await go_on(page);
     const there = await state(page);
-    for (let href = ""; href !== page.url() || !/step=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    // The address follows a moment later.
+    for (let href = ""; href !== page.url() || !/step=/.test(href); await page.waitForTimeout(400)) href = page.url();
     await page.reload();
     await ready(page);
     const again = await state(page);
-    for (const key of ["lesson", "seed", "step", "steps", "caption", "trace", "readout"]) assert.deepEqual(again[key], there[key]);
+    for (const key of ["lesson", "seed", "step", "steps", "caption", "trace", "readout"])
+      assert.deepEqual(again[key], there[key]);
     assert.deepEqual(counts(again), counts(there));
   });
 }
@@ -137,11 +147,15 @@ test("each effect is timed here, and nothing that is the same everywhere says so
 
 test("the volume that follows the body, and how, is the student's choice", async (t) => {
   const page = await visit(t, "?lesson=scene-updates");
-  const options = await page.locator("#algorithm").locator("option").evaluateAll((all) => all.map(({ value }) => value));
+  const options = await page
+    .locator("#algorithm")
+    .locator("option")
+    .evaluateAll((all) => all.map(({ value }) => value));
   assert.deepEqual(options, ["rotated_box", "rebuild", "hill_climb", "loose", "sphere", "obb", "k14"]);
   await page.locator("#canvas").focus();
   for (let view = await state(page); view.step < kFrames; view = await state(page)) {
-    for (let presses = view.asked ? 2 : 1; presses > 0; --presses) await page.keyboard.press("PageDown"); // to the next question; twice skips it
+    // To the next question; twice skips it.
+    for (let presses = view.asked ? 2 : 1; presses > 0; --presses) await page.keyboard.press("PageDown");
     await moved(page, view);
   }
   const told = {};
@@ -152,7 +166,8 @@ test("the volume that follows the body, and how, is the student's choice", async
     told[option] = view.readout;
   }
   // After a whole turn all are as tight as at the beginning; the loose box never was.
-  for (const option of options) assert.ok(option === "loose" ? told[option].slack > 100 : told[option].slack < 0.01, option);
+  for (const option of options)
+    assert.ok(option === "loose" ? told[option].slack > 100 : told[option].slack < 0.01, option);
   assert.equal(told.rebuild.cost, 80);
   assert.ok(told.hill_climb.cost > 0 && told.hill_climb.cost < 80); // six walks
   assert.ok(told.k14.cost > told.hill_climb.cost); // fourteen
@@ -182,7 +197,8 @@ test("a body is placed where it begins, and nowhere else", async (t) => {
   assert.equal(dragged.step, 0);
   await page.locator("#canvas").focus();
   await page.keyboard.press("Escape");
-  for (let now = dragged; now.step < 1; now = await moved(page, now)) await page.keyboard.press(now.asked ? "s" : "ArrowRight");
+  for (let now = dragged; now.step < 1; now = await moved(page, now))
+    await page.keyboard.press(now.asked ? "s" : "ArrowRight");
   assert.deepEqual(await handles(page), []);
 });
 

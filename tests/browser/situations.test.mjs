@@ -10,7 +10,11 @@ const kNear = "?lesson=near-boxes";
 before(async () => {
   const site = await start();
   const course = await (await fetch(`${site.url}course.json`)).json();
-  course.chapters[0].lessons.unshift({ ...course.chapters[0].lessons[0], id: "near-boxes", title: "Far boxes, near boxes" });
+  course.chapters[0].lessons.unshift({
+    ...course.chapters[0].lessons[0],
+    id: "near-boxes",
+    title: "Far boxes, near boxes",
+  });
   site.add.set("course.json", JSON.stringify(course));
   site.add.set("lessons/near-boxes.toml", kLesson);
 });
@@ -147,7 +151,8 @@ test("on a phone the slider stands under the stage, both in view, and a finger m
   assert.ok(stage.y >= 0 && box.y > stage.y + stage.height - 1 && box.y + box.height < 844, `${box.y}`);
   assert.ok(box.height >= 44);
   const touch = await page.context().newCDPSession(page);
-  const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  const send = (type, ...points) =>
+    touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
   const y = box.y + box.height / 2;
   await send("touchStart", [box.x + 8, y]);
   for (let i = 1; i <= 6; ++i) await send("touchMove", [box.x + 8 + (box.width / 2 - 8) * i / 6, y]);

@@ -5,7 +5,12 @@ import { assert, drag, kPhone, start, state, still, stop, until, visit } from ".
 before(start);
 after(stop);
 
-const numbers = (page) => page.locator(".member").evaluateAll((all) => Object.fromEntries(all.map((one) => [one.firstChild.textContent, one.lastChild.textContent])));
+const numbers = (page) =>
+  page
+    .locator(".member")
+    .evaluateAll((all) =>
+      Object.fromEntries(all.map((one) => [one.firstChild.textContent, one.lastChild.textContent])),
+    );
 
 test("each representation has its members, its bytes and what each operation takes; the least is ticked", async (t) => {
   const page = await visit(t, "?lesson=aabb");
@@ -25,12 +30,21 @@ test("the numbers follow a drag, and what stays is not marked", async (t) => {
   await still(page);
   const before = await numbers(page);
   await drag(page, "A", 60, 25);
-  await page.waitForFunction((was) => document.querySelector(".member .numbers-of").textContent !== was, before["Point min"]);
+  await page.waitForFunction(
+    (was) => document.querySelector(".member .numbers-of").textContent !== was,
+    before["Point min"],
+  );
   const after = await numbers(page);
   for (const name of ["Point min", "Point max", "Point c"]) assert.notEqual(after[name], before[name], name);
-  for (const name of ["float d[0]", "float d[1]", "float r[0]", "float r[1]"]) assert.equal(after[name], before[name], name);
-  const news = await page.locator(".member:has(.news)").evaluateAll((all) => all.map((one) => one.firstChild.textContent));
-  assert.ok(news.every((name) => name.startsWith("Point")), news.join());
+  for (const name of ["float d[0]", "float d[1]", "float r[0]", "float r[1]"])
+    assert.equal(after[name], before[name], name);
+  const news = await page
+    .locator(".member:has(.news)")
+    .evaluateAll((all) => all.map((one) => one.firstChild.textContent));
+  assert.ok(
+    news.every((name) => name.startsWith("Point")),
+    news.join(),
+  );
 });
 
 test("a member that is pointed at or has the focus is lit on the stage", async (t) => {

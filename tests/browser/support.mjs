@@ -9,21 +9,42 @@ import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
+/** @import { Page } from "playwright-core"
+ *  @import { TestContext } from "node:test" */
 
 const kSite = process.env.SNUG_SITE ?? fileURLToPath(new URL("../../build/wasm/site", import.meta.url));
 const kSubPath = "/course/week-3/snug/";
-const kTypes = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml",
-  ".json": "application/json", ".png": "image/png", ".toml": "text/plain", ".otf": "font/otf", ".ttf": "font/ttf" };
+const kTypes = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".mjs": "text/javascript",
+  ".css": "text/css",
+  ".svg": "image/svg+xml",
+  ".json": "application/json",
+  ".png": "image/png",
+  ".toml": "text/plain",
+  ".otf": "font/otf",
+  ".ttf": "font/ttf",
+};
 const kPacked = new Set([".png"]);
 // Mesa draws the stage and the processor the page: less work than SwiftShader.
-const kPictureFlags = ["--no-sandbox", "--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-rasterization",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
-// The processor also puts the stage into the page. That takes nearly half off what a frame costs, but pictures of the page
-// then lack parts of the canvas.
+const kPictureFlags = [
+  "--no-sandbox",
+  "--use-gl=angle",
+  "--use-angle=gl-egl",
+  "--ignore-gpu-blocklist",
+  "--disable-gpu-rasterization",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+];
+// The processor also puts the stage into the page. That takes nearly half off what a frame costs, but pictures of the
+// page then lack parts of the canvas.
 const kFlags = [...kPictureFlags, "--disable-gpu-compositing"];
 
-/** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503; add: texts by
- *  the paths that they stand at, in place of files. */
+/** A plain static host: no type for .wasm, no listing, gzip where asked for. refuse: paths that answer 503; add: texts
+ *  by the paths that they stand at, in place of files. */
 export async function serve_site() {
   const refuse = new Set();
   const add = new Map();
@@ -46,8 +67,9 @@ export async function serve_site() {
     sent.set(name, body.length);
     answer.writeHead(200, { ...headers, "Content-Encoding": "gzip" }).end(body);
   });
-  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
-  const url = `http://127.0.0.1:${server.address().port}${kSubPath}`;
+  await once(server.listen(0, "127.0.0.1"), "listening");
+  const { port } = /** @type {import("node:net").AddressInfo} */ (server.address());
+  const url = `http://127.0.0.1:${port}${kSubPath}`;
   return { url, refuse, add, sent, close: () => server.close() };
 }
 
@@ -56,7 +78,14 @@ let site;
 
 /** The site as ./run --lessons serves it: with the lessons of a folder, which may change. */
 export async function serve_drafts(lessons) {
-  const serve = spawn("python3", [fileURLToPath(new URL("../../web/serve.py", import.meta.url)), kSite, "--port", "0", "--lessons", lessons]);
+  const serve = spawn("python3", [
+    fileURLToPath(new URL("../../web/serve.py", import.meta.url)),
+    kSite,
+    "--port",
+    "0",
+    "--lessons",
+    lessons,
+  ]);
   const [said] = await once(serve.stdout, "data");
   const [url] = /http:[^ ,]+/.exec(said);
   return { url, close: () => serve.kill() };
@@ -69,7 +98,8 @@ export const start = () => start_on(serve_site);
 export const start_for_pictures = () => start_on(serve_site, kPictureFlags);
 
 /** The same where the browser has no graphics card, nor Mesa in its place. */
-export const start_without_card = () => start_on(serve_site, ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]);
+export const start_without_card = () =>
+  start_on(serve_site, ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"]);
 
 /** The same for a site that is served otherwise. */
 export async function start_on(serve, flags = kFlags) {
@@ -87,34 +117,43 @@ export async function stop() {
 /** What the program may take for a frame, ms: 8, and three times that on the shared machines of CI. */
 export const frame_limit = () => (process.env.CI ? 24 : 8);
 
+/** @type {Opened} */
 export const kWide = { viewport: { width: 1280, height: 800 } };
+/** @type {Opened} */
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
 /** The course's first lesson, which most tests are about. */
 export const kFirst = "?lesson=sphere-ritter";
 
-/** A page in a context of its own, of one who has seen the invitations on the stage. options: of Playwright's newContext. */
+/** A page in a context of its own, of one who has seen the invitations on the stage. options: of Playwright's
+ *  newContext.
+ *  @param {Opened} options */
 async function open_page({ newcomer = false, ...options } = {}) {
   const context = await browser.newContext(options);
-  if (!newcomer) await context.addInitScript(() => {
-    if (window.origin !== "null" && !localStorage.getItem("snug-course")) localStorage.setItem("snug-course", JSON.stringify({ version: 1, last: null, invited: 3, lessons: {} }));
-  });
+  if (!newcomer)
+    await context.addInitScript(() => {
+      if (window.origin !== "null" && !localStorage.getItem("snug-course"))
+        localStorage.setItem("snug-course", JSON.stringify({ version: 1, last: null, invited: 3, lessons: {} }));
+    });
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
   const complaints = [];
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(error.stack));
   page.on("request", (request) => {
-    if (!request.url().startsWith(site.url) && !/^(data|blob):/.test(request.url())) complaints.push(`asked for ${request.url()}`);
+    if (!request.url().startsWith(site.url) && !/^(data|blob):/.test(request.url()))
+      complaints.push(`asked for ${request.url()}`);
   });
   return { page, complaints };
 }
 
 /** A page on an address of the site, loaded for this test alone. options: of Playwright's newContext, and init: a
  *  function run in the page before anything of it; wait: false where the page is not expected to become ready;
- *  may_complain: of what the test provokes. */
-export async function load(t, query = kFirst, { init, wait = true, may_complain = /^$/, ...options } = kWide) {
-  const { page, complaints } = await open_page({ ...kWide, ...options });
+ *  may_complain: of what the test provokes.
+ *  @param {TestContext} t @param {Opened} options */
+export async function load(t, query = kFirst, options = kWide) {
+  const { init, wait = true, may_complain = /^$/, ...screen } = options;
+  const { page, complaints } = await open_page({ ...kWide, ...screen });
   if (init) await page.addInitScript(init);
   t.after(async () => {
     await page.context().close();
@@ -136,8 +175,10 @@ const kept = new Map(); // by their kind of screen: pages that the tests of a fi
 /** A page on an address of the site, to one who has answered nothing yet. It may be one that earlier tests have used,
  *  and the same as another visit's in this test: loading a page takes ten times as long as going on in one. Where that
  *  is what is tested, or settings are, use load. options: kWide, kPhone, another viewport, and reducedMotion, which is
- *  "reduce" unless asked for: whatever eases is drawn over and over until it rests. */
-export async function visit(t, query = kFirst, { viewport = kWide.viewport, reducedMotion = "reduce", ...screen } = kWide) {
+ *  "reduce" unless asked for: whatever eases is drawn over and over until it rests.
+ *  @param {TestContext} t @param {Opened} options */
+export async function visit(t, query = kFirst, options = kWide) {
+  const { viewport = kWide.viewport, reducedMotion = "reduce", ...screen } = options;
   const kind = JSON.stringify(screen);
   let own = kept.get(kind);
   if (!own || own.page.isClosed()) kept.set(kind, own = await open_page({ viewport, reducedMotion, ...screen }));
@@ -171,14 +212,22 @@ export function revisit(t, page) {
 export async function ready(page) {
   await page.waitForFunction(() => Boolean(window.snug?.state()));
   await page.evaluate(() => window.snug.ready);
-  await page.waitForFunction(() => document.documentElement.classList.contains("no-stage") || window.snug.state().lesson === null || window.snug.state().framesDrawn > 0);
+  await page.waitForFunction(
+    () =>
+      document.documentElement.classList.contains("no-stage") ||
+      window.snug.state().lesson === null ||
+      window.snug.state().framesDrawn > 0,
+  );
   await still(page);
 }
 
+/** @param {Page} page @returns {Promise<PageState>} */
 export const state = (page) => page.evaluate(() => window.snug.state());
+/** @param {Page} page */
 export const handles = (page) => page.evaluate(() => window.snug.handles());
 export const course = async (of = site) => (await fetch(`${of.url}course.json`)).json();
-export const lessons = async (of = site) => (await course(of)).chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
+export const lessons = async (of = site) =>
+  (await course(of)).chapters.flatMap(({ title, lessons }) => lessons.map((lesson) => ({ ...lesson, chapter: title })));
 
 /** The text of a lesson's file. */
 export const text_of = async (id, of = site) => (await fetch(`${of.url}lessons/${id}.toml`)).text();
@@ -197,10 +246,12 @@ export async function kinds(of = site) {
   return [...first.values()];
 }
 
-/** Goes to a lesson by a link in the menu or, by = "back" or "forward", in the history; the milliseconds until it has been drawn. */
+/** Goes to a lesson by a link in the menu or, by = "back" or "forward", in the history; the milliseconds until it has
+ *  been drawn. */
 export async function choose(page, id, by = "menu") {
   if (by === "menu") await page.locator("#picker").click();
   return page.evaluate(([to, by]) => new Promise((resolve) => {
+    /** @type {HTMLElement} */
     const link = document.querySelector(`#lessons a[href="?lesson=${to}"]`);
     const { framesDrawn } = window.snug.state();
     const from = performance.now();
@@ -217,7 +268,7 @@ export async function choose(page, id, by = "menu") {
 
 /** Until no frame is drawn any more. */
 export async function still(page) {
-  await page.evaluate(() => new Promise((resolve, reject) => {
+  await page.evaluate(() => new Promise((/** @type {(value?: unknown) => void} */ resolve, reject) => {
     let last = -1;
     let same = 0;
     setTimeout(() => reject(new Error("frames are drawn for 20 seconds on end")), 20_000);
@@ -233,11 +284,14 @@ export async function still(page) {
 }
 
 /** What the panels beside the stage tell, as the page has it in HTML: of each its title, its head and its rows. */
-export const panel_tables = (page) => page.locator("#panel-words table").evaluateAll((tables) => tables.map((table) => ({
-  title: table.caption.textContent,
-  head: [...(table.tHead?.rows[0].cells ?? [])].map((cell) => cell.textContent),
-  rows: [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent)),
-})));
+export const panel_tables = (page) =>
+  page.locator("#panel-words table").evaluateAll((tables) =>
+    tables.map((table) => ({
+      title: table.caption.textContent,
+      head: [...(table.tHead?.rows[0].cells ?? [])].map((cell) => cell.textContent),
+      rows: [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent)),
+    })),
+  );
 
 /** Clicks on a handle, once the view stands still. */
 export async function tap(page, id) {
@@ -246,7 +300,8 @@ export async function tap(page, id) {
   await page.mouse.click(x, y);
 }
 
-/** Drags what is at a handle by so many CSS pixels with the mouse, once the view stands still: it eases after every edit. */
+/** Drags what is at a handle by so many CSS pixels with the mouse, once the view stands still: it eases after every
+ *  edit. */
 export async function drag(page, id, dx, dy) {
   await still(page);
   const { x, y } = (await handles(page)).find((handle) => handle.id === id);
@@ -262,7 +317,8 @@ export async function drag_by_finger(page, id, dx, dy) {
   await still(page);
   const { x, y } = (await handles(page)).find((handle) => handle.id === id);
   const touch = await page.context().newCDPSession(page);
-  const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
+  const send = (type, ...points) =>
+    touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py]) => ({ x: px, y: py })) });
   await send("touchStart", [x, y]);
   for (let i = 1; i <= 6; ++i) await send("touchMove", [x + dx * i / 6, y + dy * i / 6]);
   await send("touchEnd");
@@ -286,8 +342,9 @@ export const cut_off = (page) => page.evaluate(() => {
     return select.checkVisibility() && [...select.options].some(({ text }) => probe.measureText(text).width > room);
   });
   const ask = document.getElementById("ask");
+  const beyond = ask.scrollHeight - ask.clientHeight;
   return [...narrow.map((select) => `${select.id || select.parentElement.textContent}: ${select.value}`),
-    ...(ask.scrollHeight > ask.clientHeight + 1 ? [`${ask.scrollHeight - ask.clientHeight} pixels of ${ask.textContent}`] : [])];
+    ...(beyond > 1 ? [`${beyond} pixels of ${ask.textContent}`] : [])];
 });
 
 /** Shows the points' tools, which share their place with the lesson's text. */
@@ -295,12 +352,15 @@ export const to_points = (page) => page.getByRole("tab", { name: "Points" }).cli
 
 const kLook = 20; // milliseconds
 
-/** Until `test`, a function of window.snug.state(), holds; the state then. patience: in milliseconds. It is not given to
- *  waitForFunction as text, which the page's policy would not let it evaluate. */
+/** Until `test`, a function of window.snug.state(), holds; the state then. patience: in milliseconds. It is not given
+ *  to waitForFunction as text, which the page's policy would not let it evaluate.
+ *  @param {Page} page @param {(now: PageState, ...given: any[]) => unknown} test @param {...any} given */
 export async function until(page, test, ...given) {
   return until_within(20_000, page, test, ...given);
 }
 
+/** @param {number} patience @param {Page} page @param {(now: PageState, ...given: any[]) => unknown} test
+ *  @param {...any} given */
 export async function until_within(patience, page, test, ...given) {
   for (const end = Date.now() + patience; Date.now() < end; await new Promise((go_on) => setTimeout(go_on, kLook))) {
     const now = await state(page);
@@ -309,13 +369,24 @@ export async function until_within(patience, page, test, ...given) {
   throw new Error(`waited ${patience / 1000} seconds for ${test}`);
 }
 
-/** Adds a lesson to those of the site, for pages that are loaded from now on: its file's text, under an id of its own. */
+/** Adds a lesson to those of the site, for pages loaded from now on: its file's text, under an id of its own. */
 export async function add_lesson(id, toml) {
   const { chapters } = await course();
-  const others = chapters.map((chapter) => ({ ...chapter, lessons: chapter.lessons.filter((lesson) => lesson.id !== id) }));
+  const others = chapters.map((chapter) => ({
+    ...chapter,
+    lessons: chapter.lessons.filter((lesson) => lesson.id !== id),
+  }));
   const lesson = { id, title: id, summary: "", minutes: 1, questions: 0, task: false, words: "" };
   site.add.set(`lessons/${id}.toml`, toml);
-  site.add.set("course.json", JSON.stringify({ chapters: [...others.filter(({ title }) => title !== "Tests"), { title: "Tests", lessons: [...(others.find(({ title }) => title === "Tests")?.lessons ?? []), lesson] }] }));
+  site.add.set(
+    "course.json",
+    JSON.stringify({
+      chapters: [
+        ...others.filter(({ title }) => title !== "Tests"),
+        { title: "Tests", lessons: [...(others.find(({ title }) => title === "Tests")?.lessons ?? []), lesson] },
+      ],
+    }),
+  );
 }
 
 export { assert };
@@ -341,7 +412,8 @@ export async function pixels_of_volume(page) {
   const data = await pixels_of(page, await page.locator("#stage").boundingBox());
   let count = 0;
   for (let i = 0; i < data.length; i += 4)
-    if (Math.abs(data[i] - 0x0A) < 12 && Math.abs(data[i + 1] - 0x5F) < 12 && Math.abs(data[i + 2] - 0xBF) < 12) ++count;
+    if (Math.abs(data[i] - 0x0a) < 12 && Math.abs(data[i + 1] - 0x5f) < 12 && Math.abs(data[i + 2] - 0xbf) < 12)
+      ++count;
   return count;
 }
 
@@ -352,7 +424,7 @@ export async function pixels_of_volume(page) {
  *  Returns the state with its outcome, which is told until go_on. */
 export async function answer(page, what = null, by = "pointer") {
   const { asked } = await until(page, (now) => now.asked);
-  let now = await answer_once(page, asked, what, by);
+  const now = await answer_once(page, asked, what, by);
   if (!now.asked?.tried || now.asked.id !== asked.id) return now;
   const wrong = now.asked.tried;
   if (asked.choices.length > 0) return answer_once(page, asked, (wrong.choices[0] + 1) % asked.choices.length, by);
@@ -372,15 +444,19 @@ async function answer_once(page, asked, what, by) {
   } else {
     await still(page);
     const places = await handles(page);
-    const at = places.find(({ id }) => id === (what ?? asked.targets.find((name) => places.some((place) => place.id === name))));
+    const at = places.find(
+      ({ id }) => id === (what ?? asked.targets.find((name) => places.some((place) => place.id === name))),
+    );
     await page.mouse.click(at.x, at.y);
     const { asked: now } = await until(page, (it) => it.asked?.picked);
     assert.equal(now.picked.handle, at.id);
     await page.waitForTimeout(400); // two taps, no double click
     await page.mouse.click(at.x, at.y);
   }
-  const given = (it, id, before) => it.outcome?.question === id || (it.asked?.id === id && !before && it.asked.tried && !it.asked.picked)
-    || (!it.deciding && it.asked?.id !== id && it.outcomes.some(({ question, passed }) => question === id && !passed));
+  const given = (it, id, before) =>
+    it.outcome?.question === id ||
+    (it.asked?.id === id && !before && it.asked.tried && !it.asked.picked) ||
+    (!it.deciding && it.asked?.id !== id && it.outcomes.some(({ question, passed }) => question === id && !passed));
   return until(page, given, asked.id, Boolean(tried));
 }
 
@@ -392,8 +468,15 @@ export async function go_on(page) {
 }
 
 /** Until the lesson stands elsewhere than before: at another step, question or outcome. */
-export const moved = (page, before) => until(page, (now, step, asked, told) =>
-  now.step !== step || (now.asked?.id ?? null) !== asked || (now.outcome?.question ?? null) !== told, before.step, before.asked?.id ?? null, before.outcome?.question ?? null);
+export const moved = (page, before) =>
+  until(
+    page,
+    (now, step, asked, told) =>
+      now.step !== step || (now.asked?.id ?? null) !== asked || (now.outcome?.question ?? null) !== told,
+    before.step,
+    before.asked?.id ?? null,
+    before.outcome?.question ?? null,
+  );
 
 async function answer_by_keys(page, what, asked) {
   if (asked.ordered) { // in the order in which they stand, or, at the second try, from the second on

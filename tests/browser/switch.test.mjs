@@ -1,7 +1,10 @@
-// From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays, and
-// what is the page's or the student's does.
+// From lesson to lesson within one page: nothing is loaded but the lesson's own files, nothing of the last one stays,
+// and what is the page's or the student's does.
 import { after, before, test } from "node:test";
-import { assert, choose, handles, kinds, lessons, load, pixels_of, ready, start_for_pictures, state, still, stop, text_of, until } from "./support.mjs";
+import {
+  assert, choose, handles, kinds, lessons, load, pixels_of, ready, start_for_pictures, state, still, stop, text_of,
+  until,
+} from "./support.mjs";
 
 let site;
 before(async () => (site = await start_for_pictures()));
@@ -28,29 +31,38 @@ async function shown(page) {
     setTimeout(() => resolve(document.getElementById("read").scrollTop === from), 150);
   }));
   const places = (await handles(page)).map(({ id, x, y }) => `${id} ${Math.round(x)} ${Math.round(y)}`);
-  return { places, ...await page.evaluate(() => {
-    const seen = (selector) => [...document.querySelectorAll(selector)];
-    const { framesDrawn, ...now } = window.snug.state();
-    const effects = now.effects?.map(({ microseconds, ...effect }) => effect); // a time is another one each time
-    const panels = now.panels.map(({ title, head, rows }) => [title, head, rows.map(([name]) => name)]); // with times as well
-    return {
-      now: { ...now, effects, panels },
-      search: location.search,
-      title: document.title,
-      stage: document.getElementById("canvas").getAttribute("aria-label"),
-      words: seen("#picker, #read, #points, #ask, #told, #code, #caption, #figures, #tabs, .cover, #selected-says, #notices").map((node) => `${node.id}${node.hidden}: ${node.hidden ? "" : node.textContent}`),
-      hidden: seen("#column [hidden], #stage [hidden]").filter((node) => !node.closest(".cover")).length,
-      fields: seen("input:not([type=file]), select").filter((node) => node.offsetParent).map((node) => `${node.type} ${node.checked} ${node.value} ${node.disabled} ${node.max}`),
-      lines: seen(".lines li").map((line) => `${line.style.cssText} ${line.getAttribute("aria-current")}`),
-      scrolled: ["read", "points", "column"].map((part) => document.getElementById(part).scrollTop),
-    };
-  }) };
+  return {
+    places,
+    ...(await page.evaluate(() => {
+      const seen = (selector) => [...document.querySelectorAll(selector)];
+      const { framesDrawn, ...now } = window.snug.state();
+      const effects = now.effects?.map(({ microseconds, ...effect }) => effect); // a time is another one each time
+      // With times as well.
+      const panels = now.panels.map(({ title, head, rows }) => [title, head, rows.map(([name]) => name)]);
+      return {
+        now: { ...now, effects, panels },
+        search: location.search,
+        title: document.title,
+        stage: document.getElementById("canvas").getAttribute("aria-label"),
+        words: seen(
+          "#picker, #read, #points, #ask, #told, #code, #caption, #figures, #tabs, .cover, #selected-says, #notices",
+        ).map((node) => `${node.id}${node.hidden}: ${node.hidden ? "" : node.textContent}`),
+        hidden: seen("#column [hidden], #stage [hidden]").filter((node) => !node.closest(".cover")).length,
+        fields: seen("input:not([type=file]), select")
+          .filter((node) => node.offsetParent)
+          .map((node) => `${node.type} ${node.checked} ${node.value} ${node.disabled} ${node.max}`),
+        lines: seen(".lines li").map((line) => `${line.style.cssText} ${line.getAttribute("aria-current")}`),
+        scrolled: ["read", "points", "column"].map((part) => document.getElementById(part).scrollTop),
+      };
+    })),
+  };
 }
 
 /** Leaves traces of every kind in the lesson that is open. */
 async function use(page) {
   await page.evaluate(() => document.activeElement.blur());
-  for (const key of ["Home", "PageDown", "PageDown", "PageDown", "]", "ArrowUp", "+", " "]) await page.keyboard.press(key);
+  for (const key of ["Home", "PageDown", "PageDown", "PageDown", "]", "ArrowUp", "+", " "])
+    await page.keyboard.press(key);
   await page.locator("#read").evaluate((node) => (node.scrollTop = 40));
 }
 
@@ -84,18 +96,31 @@ test("a lesson of every kind opens in place of another as it would by itself, fo
     await choose(page, id);
     const mesh = mesh_of(await text_of(id));
     const may = fresh ? [`lessons/${id}.toml`, ...(mesh ? [`meshes/${mesh}.ply`] : [])] : [];
-    assert.deepEqual(asked.slice(before).filter((path) => !may.includes(path)), [], `${id} fetches no more than it needs`);
+    assert.deepEqual(
+      asked.slice(before).filter((path) => !may.includes(path)),
+      [],
+      `${id} fetches no more than it needs`,
+    );
     if (!fresh) await page.evaluate(() => document.activeElement.blur());
     const now = await shown(page);
     const own = alone.get(id);
-    if (!fresh) Object.assign(now.now, { outcomes: own.now.outcomes, asked: own.now.asked }); // what was answered stays so
+    // What was answered stays so.
+    if (!fresh) Object.assign(now.now, { outcomes: own.now.outcomes, asked: own.now.asked });
     assert.deepEqual(now.now, own.now, id);
     if (fresh) assert.deepEqual(now, own, id);
   }
-  assert.ok(await page.evaluate(() => window.mark === 1 && window.context === document.getElementById("canvas").getContext("webgl2") && !window.context.isContextLost()));
+  assert.ok(
+    await page.evaluate(
+      () =>
+        window.mark === 1 &&
+        window.context === document.getElementById("canvas").getContext("webgl2") &&
+        !window.context.isContextLost(),
+    ),
+  );
 });
 
 test("the stage shows a lesson's own points, wherever one comes from", async (t) => {
+  /** @type {Opened} */
   const still_page = { reducedMotion: "reduce" };
   const stage_of = async (page) => {
     await page.evaluate(() => document.activeElement.blur());
@@ -106,7 +131,7 @@ test("the stage shows a lesson's own points, wherever one comes from", async (t)
   const page = await load(t, "?lesson=scene-broad", still_page);
   await choose(page, "obb-pca");
   const now = await stage_of(page);
-  const differ = now.reduce((count, pixel, i) => count + (pixel !== own[i]), 0);
+  const differ = now.filter((pixel, i) => pixel !== own[i]).length;
   assert.ok(differ < 50, `${differ} pixels of ${own.length} are not as they are in a page that opens with the lesson`);
 });
 
@@ -121,7 +146,8 @@ test("Back and Forward lead through lessons and steps without loading anything",
   await choose(page, c);
   await page.waitForTimeout(400);
   const asked = watch_requests(page);
-  const there = (id, step) => until(page, (now, lesson, at) => now.lesson === lesson && (at === null || now.step === at), id, step);
+  const there = (id, step) =>
+    until(page, (now, lesson, at) => now.lesson === lesson && (at === null || now.step === at), id, step);
   await page.goBack();
   await there(b, 0);
   await page.goBack();
@@ -175,7 +201,8 @@ test("a measurement that runs ends with its lesson", async (t) => {
   await still(page);
   await choose(page, "cost-chart");
   const { cover } = await state(page);
-  assert.deepEqual([cover.running, cover.table.rows.length, cover.shown], [false, 0, true]); // the empty chart, as at first
+  // The empty chart, as at first.
+  assert.deepEqual([cover.running, cover.table.rows.length, cover.shown], [false, 0, true]);
 });
 
 test("of two lessons asked for at once the later one opens, however late the first one's file comes", async (t) => {
@@ -190,7 +217,11 @@ test("of two lessons asked for at once the later one opens, however late the fir
   await page.locator("#picker").click();
   await page.locator(`#lessons a[href="?lesson=${slow}"]`).click();
   await page.locator("#veil").getByText("Loading").waitFor(); // it says so after a while
-  assert.equal(new URL(page.url()).search, `?lesson=${slow}&step=0`, "the address is not that of the lesson which still stands");
+  assert.equal(
+    new URL(page.url()).search,
+    `?lesson=${slow}&step=0`,
+    "the address is not that of the lesson which still stands",
+  );
   await page.goBack();
   await page.locator("#veil").waitFor({ state: "hidden" });
   await choose(page, quick);

@@ -1,6 +1,8 @@
 // What goes wrong is said plainly, and mended where it can be.
 import { after, before, test } from "node:test";
-import { assert, handles, kFirst, lessons, load, pixels_of, ready, start_for_pictures, state, still, stop, until } from "./support.mjs";
+import {
+  assert, handles, kFirst, lessons, load, pixels_of, ready, start_for_pictures, state, still, stop, until,
+} from "./support.mjs";
 
 let site;
 before(async () => (site = await start_for_pictures()));
@@ -66,15 +68,19 @@ test("the page's own files missing is said without any of them", async (t) => {
 });
 
 test("the loading bar tells true progress", async (t) => {
-  const seen = await load(t, kFirst, { init: () => {
-    window.shares = [];
-    const watch = () => {
-      const bar = document.getElementById("veil-bar");
-      if (!bar) return requestAnimationFrame(watch);
-      new MutationObserver(() => window.shares.push(Number(bar.getAttribute("aria-valuenow")))).observe(bar, { attributes: true });
-    };
-    watch();
-  } }).then((page) => page.evaluate(() => window.shares));
+  const seen = await load(t, kFirst, {
+    init: () => {
+      window.shares = [];
+      const watch = () => {
+        const bar = document.getElementById("veil-bar");
+        if (!bar) return requestAnimationFrame(watch);
+        new MutationObserver(() => window.shares.push(Number(bar.getAttribute("aria-valuenow")))).observe(bar, {
+          attributes: true,
+        });
+      };
+      watch();
+    },
+  }).then((page) => page.evaluate(() => window.shares));
   assert.ok(seen.length > 2 && seen.at(-1) === 100, `${seen}`);
   assert.ok(seen.every((share) => share >= 0 && share <= 100));
 });

@@ -20,7 +20,7 @@ test("the body is rotated by hand, and its AABB follows", async (t) => {
   const reach = Math.hypot(knob.x - pivot.x, knob.y - pivot.y);
   await drag(page, "Body turn", pivot.x + reach - knob.x, pivot.y - knob.y);
   const flat = await until(page, (now, before) => now.trace !== before, turned.trace);
-  assert.ok(Math.abs(parseFloat(flat.readout.turn)) < 2, flat.readout.turn);
+  assert.ok(Math.abs(flat.readout.turn) < 2, `${flat.readout.turn}`);
   assert.notEqual(flat.readout.measure, turned.readout.measure);
 });
 

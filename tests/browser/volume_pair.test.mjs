@@ -1,6 +1,9 @@
 // Any two volumes: their handles are dragged, the test answers at once, and its steps are drawn.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, drag, handles, kPhone, drag_by_finger, panel_tables, pixels_of, pixels_of_volume, ready, start_for_pictures, state, still, stop, until, until_within, visit } from "./support.mjs";
+import {
+  add_lesson, assert, drag, handles, kPhone, drag_by_finger, panel_tables, pixels_of, pixels_of_volume, ready,
+  start_for_pictures, state, still, stop, until, until_within, visit,
+} from "./support.mjs";
 
 const kFlatVolumes = {
   sphere: "{ sphere = { center = [1.3, 0.1], radius = 0.6 } }",
@@ -41,12 +44,13 @@ text = "They are tested."
 before(async () => {
   await start_for_pictures();
   for (const [dim, volumes, center] of kEach)
-    for (const [volume, fields] of Object.entries(volumes)) await add_lesson(`pair-${volume}-${dim}`, small_lesson(dim, center, fields));
+    for (const [volume, fields] of Object.entries(volumes))
+      await add_lesson(`pair-${volume}-${dim}`, small_lesson(dim, center, fields));
 });
 after(stop);
 
 for (const [dim, volumes] of kEach) {
-  test(`in ${dim}-D each volume and its handles are there, every step has its sentence, and a drag is answered at once`, async (t) => {
+  test(`in ${dim}-D each volume and its handles are there, steps have sentences, drags are answered`, async (t) => {
     for (const volume of Object.keys(volumes)) {
       const page = await visit(t, `?lesson=pair-${volume}-${dim}&step=0`);
       let now = await state(page);
@@ -79,7 +83,8 @@ test("the address brings volumes that were dragged back, to the last digit", asy
     const before = await state(page);
     for (const at of [0, -1]) await drag(page, (await handles(page)).at(at).id, 13, -11);
     const edited = await until(page, (it, trace) => it.edited && it.trace !== trace, before.trace);
-    for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url(); // it follows a moment later
+    // The address follows a moment later.
+    for (let href = ""; href !== page.url() || !/rows=/.test(href); await page.waitForTimeout(400)) href = page.url();
     await page.reload();
     await ready(page);
     const again = await state(page);
@@ -97,7 +102,7 @@ test("the lesson on sphere-swept volumes: a finger changes a radius, and the ste
   await still(page);
 });
 
-for (const [where, device] of [["a laptop", undefined], ["a phone", kPhone]])
+for (const [where, device] of Object.entries({ "a laptop": undefined, "a phone": kPhone }))
   test(`on ${where} a cell of the table puts another pair on the stage, and the address brings it back`, async (t) => {
     const page = await visit(t, "?lesson=overlap-any&step=0", device);
     if (device) await page.locator("#tab-numbers").click();
@@ -121,7 +126,8 @@ for (const [where, device] of [["a laptop", undefined], ["a phone", kPhone]])
     assert.equal(again.algorithm, now.algorithm);
   });
 
-/** A lesson's own pair is measured: 28 rows [pair, test, its time, in a scene, GJK's time, apart, source], once all are there. */
+/** A lesson's own pair is measured: 28 rows [pair, test, its time, in a scene, GJK's time, apart, source], once all are
+ *  there. */
 async function measured_pairs(page) {
   const measure = page.getByRole("button", { name: "Measure what each costs" });
   await measure.focus();
@@ -134,7 +140,7 @@ const kKinds = ["AABB", "OBB", "capsule", "lozenge", "k-DOP", "hull"];
 const pairs_of = (kinds) => kinds.flatMap((a, i) => kinds.slice(i).map((b) => `${a} and ${b}`));
 const nanoseconds = (text) => Number(/^([\d.,]+) ns$/.exec(text)[1].replaceAll(",", ""));
 
-test("all 28 pairs are measured, each cell is tinted, and a row of HTML has what the command says of each", async (t) => {
+test("all 28 pairs are measured, each cell is tinted, a row of HTML has what the command says of each", async (t) => {
   const page = await visit(t, "?lesson=overlap-any&situation=boxes&step=0");
   const waits = await until(page, (now) => now.situation === "boxes" && now.panels[0]?.rows.length === 28);
   assert.equal(waits.panels[0].button, null, "not before it is predicted which test is cheaper");
@@ -150,7 +156,10 @@ test("all 28 pairs are measured, each cell is tinted, and a row of HTML has what
   const rows = await measured_pairs(page);
   assert.deepEqual(rows.map(([pair]) => pair), pairs_of(["circle", ...kKinds]));
   for (const [pair, test, own, scene, gjk, apart, source] of rows) {
-    assert.ok(nanoseconds(own) > 0 && nanoseconds(scene) > 0 && nanoseconds(gjk) > 0, `${pair}: ${own}, ${scene}, ${gjk}`);
+    assert.ok(
+      nanoseconds(own) > 0 && nanoseconds(scene) > 0 && nanoseconds(gjk) > 0,
+      `${pair}: ${own}, ${scene}, ${gjk}`,
+    );
     assert.match(source, /, \d{4}$/, pair);
     if (test === "GJK") assert.equal(own, gjk, pair);
     assert.match(apart, /^[\d.]+ %$/, pair);
@@ -159,9 +168,17 @@ test("all 28 pairs are measured, each cell is tinted, and a row of HTML has what
   assert.deepEqual((await panel_tables(page))[0].rows, rows);
   // The share of the bodies that are apart does not depend on the machine: it is that of snug overlap --costs, which
   // tests/command/overlap.test.mjs holds to the same numbers.
-  assert.deepEqual(rows.map((row) => Math.round(0.96 * parseFloat(row[5]))), [19, 28, 26, 29, 31, 33, 37, 49, 44, 46, 46, 49, 54, 41, 43, 42, 47, 54, 46, 45, 46, 55, 45, 47, 55, 53, 57, 62], "of 96 pairs of bodies");
+  assert.deepEqual(
+    rows.map((row) => Math.round(0.96 * parseFloat(row[5]))),
+    [19, 28, 26, 29, 31, 33, 37, 49, 44, 46, 46, 49, 54, 41, 43, 42, 47, 54, 46, 45, 46, 55, 45, 47, 55, 53, 57, 62],
+    "of 96 pairs of bodies",
+  );
   const after = await pixels_of(page, await table.boundingBox());
   // The palest tint is that of the cheapest pair: one that was measured badly makes all others pale.
-  const tinted = (pixels) => pixels.reduce((sum, _, i) => sum + (i % 4 === 0 && pixels[i] > pixels[i + 2] + 6 ? 1 : 0), 0);
-  assert.ok(tinted(after) > tinted(before) + 10_000, `${tinted(before)} to ${tinted(after)} pixels in the tint of costs`);
+  const tinted = (pixels) =>
+    pixels.reduce((sum, _, i) => sum + (i % 4 === 0 && pixels[i] > pixels[i + 2] + 6 ? 1 : 0), 0);
+  assert.ok(
+    tinted(after) > tinted(before) + 10_000,
+    `${tinted(before)} to ${tinted(after)} pixels in the tint of costs`,
+  );
 });

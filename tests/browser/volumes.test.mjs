@@ -1,12 +1,15 @@
-// What `snug lesson check` accepts, the page opens: a small lesson of each volume in both dimensions, whatever the site's
-// own lessons have.
+// What `snug lesson check` accepts, the page opens: a small lesson of each volume in both dimensions, whatever the
+// site's own lessons have.
 import { after, before, test } from "node:test";
-import { add_lesson, assert, pixels_of_volume, ready, start_for_pictures, state, still, stop, until, visit } from "./support.mjs";
+import {
+  add_lesson, assert, pixels_of_volume, ready, start_for_pictures, state, still, stop, until, visit,
+} from "./support.mjs";
 
 before(async () => {
   await start_for_pictures();
   for (const [dim, volumes] of kEach)
-    for (const [volume, algorithm] of Object.entries(volumes)) await add_lesson(`test-${volume}-${dim}`, small_lesson(volume, algorithm, dim));
+    for (const [volume, algorithm] of Object.entries(volumes))
+      await add_lesson(`test-${volume}-${dim}`, small_lesson(volume, algorithm, dim));
   await add_lesson("test-broken", small_lesson("sphere", "welzl", 3).replace("count = 24", "count = 0"));
 });
 after(stop);
@@ -37,7 +40,7 @@ text = "It is fitted around the points."
 `;
 
 for (const [dim, volumes] of kEach) {
-  for (const [volume, algorithm] of Object.entries(volumes)) {
+  for (const volume of Object.keys(volumes)) {
     test(`a lesson of the volume ${volume} in ${dim}-D opens, steps to its end and shows it`, async (t) => {
       const id = `test-${volume}-${dim}`;
       const page = await visit(t, `?lesson=${id}&step=0`);

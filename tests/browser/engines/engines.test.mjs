@@ -1,6 +1,6 @@
 // Every lesson in Firefox and in WebKit: the trace of the native program, a stage that is drawn, stepped, dragged by a
-// handle and answered. The pixels are looked at in one lesson of each kind. All else about the page is tested in Chromium.
-// Needs a screen and a session bus.
+// handle and answered. The pixels are looked at in one lesson of each kind. All else about the page is tested in
+// Chromium. Needs a screen and a session bus.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { after, before, describe, test } from "node:test";
@@ -18,23 +18,33 @@ const kLeastDrawn = 2000; // pixels that are not the ground's
 const kMostWaits = 200; // presses until a lesson asks
 const kRoot = fileURLToPath(new URL("../../../", import.meta.url));
 
-// From the first moment on, whatever the page complains of is kept. The drivers cannot give both engines such a script: it
-// is of the site.
+// From the first moment on, whatever the page complains of is kept. The drivers cannot give both engines such a script:
+// it is of the site.
 const kListen = `window.complaints = [];
-addEventListener("error", (event) => complaints.push(event.message ?? "a file did not arrive: " + (event.target.src ?? event.target.href)), true);
+addEventListener("error", ({ message, target }) =>
+  complaints.push(message ?? "a file did not arrive: " + (target.src ?? target.href)), true);
 addEventListener("unhandledrejection", ({ reason }) => complaints.push(String(reason)));
-addEventListener("securitypolicyviolation", (event) => complaints.push(event.violatedDirective + " forbids " + (event.blockedURI || event.sample)));
-for (const error = console.error; console.error === error;) console.error = (...said) => (complaints.push(said.join(" ")), error(...said));`;
+addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) =>
+  complaints.push(violatedDirective + " forbids " + (blockedURI || sample)));
+for (const error = console.error; console.error === error;)
+  console.error = (...said) => (complaints.push(said.join(" ")), error(...said));`;
 
 const site = await serve_site();
 after(() => site.close());
 site.add.set("listen.js", kListen);
-site.add.set("index.html", (await (await fetch(site.url)).text()).replace("<head>", '<head><script src="listen.js"></script>'));
+site.add.set(
+  "index.html",
+  (await (await fetch(site.url)).text()).replace("<head>", '<head><script src="listen.js"></script>'),
+);
 const every = await lessons(site);
 const looked_at = new Set((await kinds(site)).map(({ id }) => id));
 // "LESSON STEPS HASH" a line: of all runs that a lesson offers.
-const native = new Map(execFileSync(process.env.SNUG ?? `${kRoot}build/release/snug`, ["trace-hash"], { encoding: "utf8" })
-  .trim().split("\n").map((line) => [line.split(" ")[0], line]));
+const native = new Map(
+  execFileSync(process.env.SNUG ?? `${kRoot}build/release/snug`, ["trace-hash"], { encoding: "utf8" })
+    .trim()
+    .split("\n")
+    .map((line) => [line.split(" ")[0], line]),
+);
 
 /** One page of an engine, as a hand, an eye and a script have it. */
 class Page {
@@ -42,7 +52,7 @@ class Page {
   constructor(engine) {
     this.#engine = engine;
   }
-  /** Opens an address of the site, in the page that stands there where one does, and waits until the lesson is drawn. */
+  /** Opens an address of the site, in the page that stands there where one does, and waits until it is drawn. */
   async open(query) {
     if (await this.ask("Boolean(window.snug)")) {
       await this.ask(`(complaints.length = 0, snug.restart(${JSON.stringify(query)}))`);
@@ -64,10 +74,17 @@ class Page {
   async until(expression, what) {
     const held = await this.ask(`new Promise((resolve) => {
       const late = performance.now() + ${kPatience};
-      const look = () => ((${expression}) ? resolve(true) : performance.now() > late ? resolve(false) : setTimeout(look, 20));
+      const look = () => {
+        if (${expression}) resolve(true);
+        else if (performance.now() > late) resolve(false);
+        else setTimeout(look, 20);
+      };
       look();
     })`);
-    if (!held) assert.fail(`waited in vain until ${what}; the page complains: ${JSON.stringify(await this.ask("window.complaints"))}`);
+    if (!held)
+      assert.fail(
+        `waited in vain until ${what}; the page complains: ${JSON.stringify(await this.ask("window.complaints"))}`,
+      );
   }
   /** Until the browser has come round several times, and no frame was drawn. */
   async still() {
@@ -87,7 +104,10 @@ class Page {
   }
   async press(key, ...held) {
     const ids = [...held, key].map((name) => kKeys[name] ?? name);
-    const actions = [...ids.map((value) => ({ type: "keyDown", value })), ...ids.reverse().map((value) => ({ type: "keyUp", value }))];
+    const actions = [
+      ...ids.map((value) => ({ type: "keyDown", value })),
+      ...ids.reverse().map((value) => ({ type: "keyUp", value })),
+    ];
     await this.#engine.perform([{ type: "key", id: "keyboard", actions }]);
   }
   /** Presses at the first place of the stage, goes on over the others, and lets go. */
@@ -96,17 +116,39 @@ class Page {
     await this.still();
   }
   async point(...places) {
-    const move = ([x, y]) => ({ type: "pointerMove", origin: "viewport", x: Math.round(x), y: Math.round(y), duration: 20 });
+    const move = ([x, y]) => ({
+      type: "pointerMove",
+      origin: "viewport",
+      x: Math.round(x),
+      y: Math.round(y),
+      duration: 20,
+    });
     const pause = { type: "pause", duration: 40 }; // a frame in which the stage sees where the pointer is
-    await this.#engine.perform([{ type: "pointer", id: "mouse", parameters: { pointerType: "mouse" }, actions: [move(places[0]), pause,
-      { type: "pointerDown", button: 0 }, pause, ...places.slice(1).flatMap((place) => [move(place), pause]), { type: "pointerUp", button: 0 }] }]);
+    await this.#engine.perform([
+      {
+        type: "pointer",
+        id: "mouse",
+        parameters: { pointerType: "mouse" },
+        actions: [
+          move(places[0]),
+          pause,
+          { type: "pointerDown", button: 0 },
+          pause,
+          ...places.slice(1).flatMap((place) => [move(place), pause]),
+          { type: "pointerUp", button: 0 },
+        ],
+      },
+    ]);
   }
   async picture() {
     return read_png(await this.#engine.screenshot());
   }
   /** Where an element is seen: {x, y, width, height}. */
   place(selector) {
-    return this.ask(`(({ x, y, width, height }) => ({ x, y, width, height }))(document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect())`);
+    return this.ask(
+      `(({ x, y, width, height }) => ({ x, y, width, height }))(
+        document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect())`,
+    );
   }
   async click(selector) {
     await this.ask(`document.querySelector(${JSON.stringify(selector)}).scrollIntoView({ block: "center" })`);
@@ -115,8 +157,8 @@ class Page {
   }
 }
 
-/** The line of a lesson that is open as `snug trace-hash` prints it: in every situation every algorithm is chosen, and its
- *  run's hash folded in (FNV-1a). */
+/** The line of a lesson that is open as `snug trace-hash` prints it: in every situation every algorithm is chosen, and
+ *  its run's hash folded in (FNV-1a). */
 async function line_of(page, id) {
   const runs = await page.ask(`(() => {
     const select = document.getElementById("algorithm");
@@ -136,14 +178,15 @@ async function line_of(page, id) {
   })()`);
   let hash = 0xcbf29ce484222325n;
   for (const { trace } of runs)
-    for (let bits = BigInt(`0x${trace}`), byte = 0; byte < 8; ++byte, bits >>= 8n) hash = BigInt.asUintN(64, (hash ^ (bits & 0xffn)) * 0x100000001b3n);
+    for (let bits = BigInt(`0x${trace}`), byte = 0; byte < 8; ++byte, bits >>= 8n)
+      hash = BigInt.asUintN(64, (hash ^ (bits & 0xffn)) * 0x100000001b3n);
   return `${id} ${runs.reduce((sum, { steps }) => sum + steps, 0)} ${hash.toString(16).padStart(16, "0")}`;
 }
 
 const given = (now) => now.outcomes.filter((outcome) => !outcome.skipped);
 
-/** Drags a handle, and takes it back. picture: as the page looks before, if pixels are looked at. A point inside of all others may change no run:
- *  then one on the outside is dragged as well. */
+/** Drags a handle, and takes it back. picture: as the page looks before, if pixels are looked at. A point inside of all
+ *  others may change no run: then one on the outside is dragged as well. */
 async function drags(page, picture) {
   const before = await page.state();
   const handles = await page.ask("snug.handles()");
@@ -157,9 +200,12 @@ async function drags(page, picture) {
     ++drags;
     if ((await page.state()).trace !== before.trace) break;
   }
-  const moved = (await page.ask("snug.handles()")).some(({ id, x, y }) => handles.some((old) => old.id === id && Math.hypot(x - old.x, y - old.y) > 10));
+  const moved = (await page.ask("snug.handles()")).some(({ id, x, y }) =>
+    handles.some((old) => old.id === id && Math.hypot(x - old.x, y - old.y) > 10),
+  );
   assert.ok(moved || (await page.state()).trace !== before.trace, "what was dragged has moved, or has changed the run");
-  if (picture) assert.ok(difference(picture, await page.picture(), await page.place("#stage")) > 200, "and the stage shows it");
+  if (picture)
+    assert.ok(difference(picture, await page.picture(), await page.place("#stage")) > 200, "and the stage shows it");
   for (; drags > 0; --drags) await page.press("z", "Control");
   await page.until(`!snug.state().canUndo && snug.state().trace === "${before.trace}"`, "it is as before the drag");
 }
@@ -184,8 +230,14 @@ async function steps_to_a_question(page) {
 /** Answers with the mouse: chooses, and taps what is chosen once more. A number is typed. */
 async function answers(page, asked) {
   // Decided, or wrong at the first of two tries.
-  const answered = `snug.state().outcomes.some((each) => each.question === ${JSON.stringify(asked.id)}) || Boolean(snug.state().asked?.tried)`;
-  const tap = asked.field === "Number" ? null : asked.choices.length > 0 ? () => page.click(".predict .choices .button") : await tap_on_stage(page, asked);
+  const answered = `snug.state().outcomes.some((each) => each.question === ${JSON.stringify(asked.id)})
+    || Boolean(snug.state().asked?.tried)`;
+  const tap =
+    asked.field === "Number"
+      ? null
+      : asked.choices.length > 0
+        ? () => page.click(".predict .choices .button")
+        : await tap_on_stage(page, asked);
   if (asked.field === "Number") {
     await page.click(".predict input");
     await page.press("7");
@@ -195,7 +247,10 @@ async function answers(page, asked) {
   for (let i = 1; asked.ordered && i < asked.choices.length; ++i) // an order is whole when everything has its place
     await page.ask(`document.querySelectorAll(".predict .choices .button")[${i}].click()`);
   if (asked.many || asked.ordered) await page.click(".predict .button.primary");
-  else if (!(await page.ask(answered))) await page.ask("new Promise((later) => setTimeout(later, 400))").then(tap); // two taps, no double click
+  else if (!(await page.ask(answered))) {
+    await page.ask("new Promise((later) => setTimeout(later, 400))"); // two taps, no double click
+    await tap();
+  }
   await page.until(answered, "the answer is taken");
 }
 
@@ -219,7 +274,10 @@ async function tap_on_stage(page, asked) {
 function is_drawn_on(picture, stage) {
   const [ground, ...drawn] = colors_of(picture, stage);
   const painted = drawn.reduce((sum, [, count]) => sum + count, 0);
-  assert.ok(painted > kLeastDrawn && drawn.length > 8, `of ${ground[1] + painted} pixels ${painted} are drawn on, in ${drawn.length} colours`);
+  assert.ok(
+    painted > kLeastDrawn && drawn.length > 8,
+    `of ${ground[1] + painted} pixels ${painted} are drawn on, in ${drawn.length} colours`,
+  );
 }
 
 for (const [name, driver] of Object.entries(kEngines)) {
@@ -229,18 +287,28 @@ for (const [name, driver] of Object.entries(kEngines)) {
     after(() => engine?.close());
 
     for (const { id } of every) {
-      test(`${name}: ${id} runs as it does natively and is drawn, dragged, stepped and answered`, { timeout: 180_000 }, async () => {
-        const page = new Page(engine);
-        await page.open(`?lesson=${id}&step=0`);
-        const picture = looked_at.has(id) ? await page.picture() : null;
-        if (picture) is_drawn_on(picture, await page.place("#stage"));
-        await play(page, picture);
-        assert.equal(await line_of(page, id), native.get(id), "every run is the native program's");
-        // Firefox says so where a size that was watched changed once more in the same frame, which is no fault.
-        assert.deepEqual((await page.ask("complaints")).filter((said) => !said.startsWith("ResizeObserver loop completed")), []);
-        const foreign = await page.ask(`performance.getEntriesByType("resource").map((each) => each.name).filter((each) => !each.startsWith(${JSON.stringify(site.url)}) && !/^(data|blob):/.test(each))`);
-        assert.deepEqual(foreign, []);
-      });
+      test(
+        `${name}: ${id} runs as it does natively and is drawn, dragged, stepped and answered`,
+        { timeout: 180_000 },
+        async () => {
+          const page = new Page(engine);
+          await page.open(`?lesson=${id}&step=0`);
+          const picture = looked_at.has(id) ? await page.picture() : null;
+          if (picture) is_drawn_on(picture, await page.place("#stage"));
+          await play(page, picture);
+          assert.equal(await line_of(page, id), native.get(id), "every run is the native program's");
+          // Firefox says so where a size that was watched changed once more in the same frame, which is no fault.
+          assert.deepEqual(
+            (await page.ask("complaints")).filter((said) => !said.startsWith("ResizeObserver loop completed")),
+            [],
+          );
+          const foreign = await page.ask(
+            `performance.getEntriesByType("resource").map((each) => each.name).filter((each) =>
+              !each.startsWith(${JSON.stringify(site.url)}) && !/^(data|blob):/.test(each))`,
+          );
+          assert.deepEqual(foreign, []);
+        },
+      );
     }
   });
 }

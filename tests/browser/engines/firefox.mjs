@@ -1,4 +1,5 @@
-// Firefox, driven by WebDriver BiDi (https://w3c.github.io/webdriver-bidi/). It needs a screen: headless it has no WebGL.
+// Firefox, driven by WebDriver BiDi (https://w3c.github.io/webdriver-bidi/). It needs a screen: headless it has no
+// WebGL.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -8,10 +9,18 @@ import WebSocket from "ws";
 const kPatience = 60_000; // milliseconds, for an answer as for the start
 // Nothing of the browser's own asks for anything; and a screen drawn by the processor counts as one.
 const kPreferences = {
-  "app.normandy.enabled": false, "browser.safebrowsing.malware.enabled": false, "browser.safebrowsing.phishing.enabled": false,
-  "browser.shell.checkDefaultBrowser": false, "browser.startup.homepage": "about:blank", "browser.startup.page": 0,
-  "datareporting.policy.dataSubmissionEnabled": false, "extensions.update.enabled": false, "network.captive-portal-service.enabled": false,
-  "network.connectivity-service.enabled": false, "services.settings.server": "data:,", "toolkit.telemetry.enabled": false,
+  "app.normandy.enabled": false,
+  "browser.safebrowsing.malware.enabled": false,
+  "browser.safebrowsing.phishing.enabled": false,
+  "browser.shell.checkDefaultBrowser": false,
+  "browser.startup.homepage": "about:blank",
+  "browser.startup.page": 0,
+  "datareporting.policy.dataSubmissionEnabled": false,
+  "extensions.update.enabled": false,
+  "network.captive-portal-service.enabled": false,
+  "network.connectivity-service.enabled": false,
+  "services.settings.server": "data:,",
+  "toolkit.telemetry.enabled": false,
   "webgl.force-enabled": true,
 };
 
@@ -55,9 +64,17 @@ async function connect(address) {
 
 export async function launch(width, height) {
   const profile = mkdtempSync(join(tmpdir(), "snug-firefox-"));
-  writeFileSync(join(profile, "user.js"), Object.entries(kPreferences).map(([name, value]) => `user_pref("${name}", ${JSON.stringify(value)});\n`).join(""));
-  const child = spawn(process.env.SNUG_FIREFOX ?? "firefox-esr", ["--profile", profile, "--no-remote", "--new-instance", "--remote-debugging-port", "0", "about:blank"],
-    { stdio: ["ignore", "ignore", "pipe"] });
+  writeFileSync(
+    join(profile, "user.js"),
+    Object.entries(kPreferences)
+      .map(([name, value]) => `user_pref("${name}", ${JSON.stringify(value)});\n`)
+      .join(""),
+  );
+  const child = spawn(
+    process.env.SNUG_FIREFOX ?? "firefox-esr",
+    ["--profile", profile, "--no-remote", "--new-instance", "--remote-debugging-port", "0", "about:blank"],
+    { stdio: ["ignore", "ignore", "pipe"] },
+  );
   const ended = new Promise((resolve) => child.on("exit", resolve));
   const { send, close } = await connect(await address_of(child));
   await send("session.new", { capabilities: {} });
@@ -66,8 +83,11 @@ export async function launch(width, height) {
   return {
     open: (url) => send("browsingContext.navigate", { context, url, wait: "interactive" }),
     async evaluate(expression) {
-      const { type, result, exceptionDetails } = await send("script.evaluate", { expression: `(async () => JSON.stringify(await (${expression})) ?? "null")()`,
-        target: { context }, awaitPromise: true });
+      const { type, result, exceptionDetails } = await send("script.evaluate", {
+        expression: `(async () => JSON.stringify(await (${expression})) ?? "null")()`,
+        target: { context },
+        awaitPromise: true,
+      });
       if (type !== "success") throw new Error(exceptionDetails.text);
       return JSON.parse(result.value);
     },

@@ -1,4 +1,5 @@
-// WebKitGTK's MiniBrowser, driven by WebDriver (https://www.w3.org/TR/webdriver2/). It needs a screen and a session bus.
+// WebKitGTK's MiniBrowser, driven by WebDriver (https://www.w3.org/TR/webdriver2/). It needs a screen and a session
+// bus.
 import { spawn } from "node:child_process";
 import { createServer } from "node:net";
 import { existsSync, readdirSync } from "node:fs";
@@ -9,13 +10,16 @@ const kPatience = 60_000; // milliseconds
 function mini_browser() {
   const places = readdirSync("/usr/lib").map((folder) => `/usr/lib/${folder}/webkit2gtk-4.1/MiniBrowser`);
   const found = process.env.SNUG_WEBKIT ?? places.find((place) => existsSync(place));
-  if (!found) throw new Error("there is no MiniBrowser of webkit2gtk-4.1: install libwebkit2gtk-4.1-0, or name it in SNUG_WEBKIT");
+  if (!found)
+    throw new Error(
+      "there is no MiniBrowser of webkit2gtk-4.1: install libwebkit2gtk-4.1-0, or name it in SNUG_WEBKIT",
+    );
   return found;
 }
 
 const free_port = () => new Promise((resolve) => {
   const server = createServer().listen(0, "127.0.0.1", () => {
-    const { port } = server.address();
+    const { port } = /** @type {import("node:net").AddressInfo} */ (server.address());
     server.close(() => resolve(port));
   });
 });
@@ -30,31 +34,50 @@ async function listening(url) {
 export async function launch(width, height) {
   const binary = mini_browser();
   const port = await free_port();
-  const root = process.getuid() === 0 ? { WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: "1" } : {}; // its sandbox needs a user who is not
-  const child = spawn("WebKitWebDriver", [`--port=${port}`, "--host=127.0.0.1"], { stdio: "ignore", env: { ...process.env, ...root } });
+  // The browser's sandbox needs a user who is not root.
+  const root = process.getuid() === 0 ? { WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: "1" } : {};
+  const child = spawn("WebKitWebDriver", [`--port=${port}`, "--host=127.0.0.1"], {
+    stdio: "ignore",
+    env: { ...process.env, ...root },
+  });
   child.on("error", (error) => console.error(error.message));
   const ended = new Promise((resolve) => child.on("exit", resolve).on("error", resolve));
   const driver = `http://127.0.0.1:${port}`;
   await listening(driver);
   const send = async (method, path, body) => {
-    const answer = await fetch(`${driver}/session${path}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(kPatience) });
+    const answer = await fetch(`${driver}/session${path}`, {
+      method,
+      body: body && JSON.stringify(body),
+      signal: AbortSignal.timeout(kPatience),
+    });
     const { value } = await answer.json();
     if (!answer.ok) throw new Error(`${value.error}: ${value.message}`);
     return value;
   };
-  const { sessionId } = await send("POST", "", { capabilities: { alwaysMatch: { pageLoadStrategy: "eager", timeouts: { script: kPatience },
-    "webkitgtk:browserOptions": { binary, args: ["--automation"] } } } });
+  const { sessionId } = await send("POST", "", {
+    capabilities: {
+      alwaysMatch: {
+        pageLoadStrategy: "eager",
+        timeouts: { script: kPatience },
+        "webkitgtk:browserOptions": { binary, args: ["--automation"] },
+      },
+    },
+  });
   const of_session = (method, path, body) => send(method, `/${sessionId}${path}`, body);
   const evaluate = async (expression) => {
     const script = `const done = arguments[arguments.length - 1];
-      (async () => JSON.stringify(await (${expression})) ?? "null")().then((value) => done({ value }), (error) => done({ error: String(error) }));`;
+      (async () => JSON.stringify(await (${expression})) ?? "null")()
+        .then((value) => done({ value }), (error) => done({ error: String(error) }));`;
     const { value, error } = await of_session("POST", "/execute/async", { script, args: [] });
     if (error) throw new Error(error);
     return JSON.parse(value);
   };
   // The window has bars of its own: it grows until the page has the size.
   const [inner, rect] = [await evaluate("[innerWidth, innerHeight]"), await of_session("GET", "/window/rect")];
-  await of_session("POST", "/window/rect", { width: rect.width + width - inner[0], height: rect.height + height - inner[1] });
+  await of_session("POST", "/window/rect", {
+    width: rect.width + width - inner[0],
+    height: rect.height + height - inner[1],
+  });
   return {
     open: (url) => of_session("POST", "/url", { url }),
     evaluate,
