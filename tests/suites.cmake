@@ -1,5 +1,5 @@
 # What CTest runs: `ctest -j3 --test-dir build/release`, or one of them with -R core.fit, those of a label with -L desktop.
-# Labels: native, wasm or sanitize; command, desktop, browser; alone: beside no other.
+# Labels: native, wasm or sanitize; command, desktop, page, browser; alone: beside no other.
 if(EMSCRIPTEN)
   set(kind wasm)
 elseif(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
@@ -67,6 +67,9 @@ if(kind STREQUAL native)
   snug_suite(app COMMAND $<TARGET_FILE:snug_app_tests> --no-colors=1)
   snug_suite(format COMMAND tests/format.sh)
   snug_suite(subjects COMMAND tests/subjects.sh)
+  snug_suite(javascript COMMAND tests/javascript.sh)
+  file(GLOB files CONFIGURE_DEPENDS page/*.test.mjs) # what of the page needs neither a browser nor the program
+  snug_suites(page page FILES ${files} LAUNCHER ${node_test})
   snug_suite(course_pictures COMMAND ${SNUG_PYTHON} assets/course_pictures.py)
   file(GLOB files CONFIGURE_DEPENDS command/*.test.mjs)
   snug_suites(command command MEASURING cost_table FILES ${files} LAUNCHER ${node_test})

@@ -1,27 +1,56 @@
 // What window.snug.state() tells is what web/README.md says: key for key, at rest, asked, tried, told and at the end.
+// And what the program gives the page is what tsc takes it to be.
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { answer, assert, go_on, kinds, start, state, stop, until, visit } from "./support.mjs";
+import { misfits } from "./misfits.mjs";
+import { answer, assert, go_on, kinds, serve_site, start_on, state, stop, until, visit } from "./support.mjs";
 
-before(start);
+/** The site, but that the page's door to the program is its window's as well. */
+async function serve_with_door() {
+  const site = await serve_site();
+  const glue = await (await fetch(`${site.url}snug.js`)).text();
+  const shown = "export default async (given) => (window.door = await create_snug(given));";
+  assert.match(glue, /export default create_snug;/);
+  site.add.set("snug.js", glue.replace("export default create_snug;", shown));
+  return site;
+}
+
+before(() => start_on(serve_with_door));
 after(stop);
 
 const kReadme = readFileSync(new URL("../../web/README.md", import.meta.url), "utf8");
 /** The rows of the table with that heading, each as the texts of its cells. */
-const rows = (heading) => kReadme.split(`| ${heading} |`)[1].split("\n\n")[0].trimEnd().split("\n").slice(2).map((row) => row.split("|").slice(1, -1));
+const rows = (heading) =>
+  kReadme
+    .split(`| ${heading} |`)[1]
+    .split("\n\n")[0]
+    .trimEnd()
+    .split("\n")
+    .slice(2)
+    .map((row) => row.split("|").slice(1, -1));
 /** The names in a cell, but for those that are its values, in brackets. */
 const names = (cell) => [...cell.replace(/\([^)]*\)/g, "").matchAll(/`(\w+)`/g)].map(([, name]) => name);
 const kState = rows("key | what it is").flatMap(([keys]) => names(keys));
 const kParts = Object.fromEntries(rows("in | keys").map(([part, keys]) => [names(part)[0], names(keys)]));
+const kTypes = ["PageState[\"asked\"]", "Told", "PageState"];
 const same = (object, keys, what) => assert.deepEqual(Object.keys(object).sort(), [...keys].sort(), what);
 
 test("the state of every kind of lesson has the keys that its table lists, and no other", async (t) => {
   const covered = ["cost-chart", "cost-volumes", "lecture-claims", "which-volume"]; // by charts, or by small pictures
+  const given = [];
   for (const { id } of await kinds()) {
-    const now = await state(await visit(t, `?lesson=${id}&step=0`));
+    const page = await visit(t, `?lesson=${id}&step=0`);
+    const now = await state(page);
     same(now, kState, id);
     assert.equal(Boolean(now.cover), covered.includes(id), id);
+    const [lesson, shared, words] = await page.evaluate(() => {
+      const { door } = window;
+      return [door.lesson(), door.shared_rows(), door.words()];
+    });
+    given.push({ type: "PageState", value: now }, { type: "Lesson", value: lesson });
+    given.push({ type: "SharedRows", value: shared }, { type: "SharedWords", value: words });
   }
+  assert.equal(misfits(given), "");
 });
 
 test("a question, its tries, its outcome and the count have the keys that are listed", async (t) => {
@@ -41,6 +70,7 @@ test("a question, its tries, its outcome and the count have the keys that are li
   same(now.outcomes[0], kParts.outcomes);
   same(now.predictions[0], kParts.predictions);
   same(now.tally, kParts.tally);
+  assert.equal(misfits([again, now.outcome, now].map((value, i) => ({ type: kTypes[i], value }))), "");
   assert.deepEqual(now.tally, { right: 1, second: 1, wrong: 0, skipped: 0, open: now.questions - 1 });
   await go_on(page);
 });
