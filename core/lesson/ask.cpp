@@ -15,6 +15,8 @@
 namespace snug::lesson {
 namespace {
 
+constexpr std::string_view kOf = "{of}";
+
 bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
 
 /// The index of the n-th step of that name that counts; the number of steps if there is none.
@@ -202,7 +204,9 @@ void put_words(Asked& asked, bool own_run) {
   const Question& question = *asked.question;
   asked.own_run = own_run;
   const auto words = [&](const std::string& here, const std::string& anywhere) {
-    return in_words_of(asked.dim, own_run && !here.empty() ? here : anywhere);
+    std::string text = in_words_of(asked.dim, own_run && !here.empty() ? here : anywhere);
+    if (const std::size_t at = text.find(kOf); at != std::string::npos) text.replace(at, kOf.size(), asked.of);
+    return text;
   };
   asked.prompt = words(question.prompt_here, question.prompt);
   asked.because = words(question.because_here, question.because);

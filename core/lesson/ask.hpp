@@ -33,6 +33,7 @@ struct Asked {
   const Asking* asking = nullptr;
   std::string prompt;  // in words for the points' dimension: a circle in space is a sphere
   std::string because;
+  std::string of;        // what it is about, which takes the place of {of} in both: "P7", "x + y"
   bool own_run = false;  // whether the run is the lesson's own: words about its handles are said of no other
   int dim = 2;
   int step = 0;                                    // the player's place where it is asked, or kAnytime
@@ -70,6 +71,13 @@ struct Truth {
 /// The keys, like those of figures, of a method's result in the final comparison, and of which method is best.
 inline constexpr std::string_view kResultFigure = "result", kComparedFigure = "compared";
 
+/// A mistake that many make, as a rule that decides in the right one's place.
+struct WrongRule {
+  std::string_view name;  // as exercises say: "nearest"
+  /// What somebody answers who follows it; none where it decides nothing.
+  std::optional<Answer> (*decides)(const Asked& asked, const Run& run);
+};
+
 /// Something that can be asked of a step.
 struct Asking {
   std::string_view name;  // as lesson files say: "leaves"
@@ -82,6 +90,10 @@ struct Asking {
   std::string_view figure = {};
   /// Reads keys of its own from a lesson's file; null for none.
   void (*read)(TomlTable& table, Question& question) = nullptr;
+  /// By how much it is decided: how far what is right is ahead of all else, as a share of the extent of what stands on
+  /// the stage; 0 at a tie. Null: an exercise cannot ask for it.
+  double (*margin)(const Asked& asked, const Run& run) = nullptr;
+  std::span<const WrongRule> rules = {};
 };
 
 /// Something that can be asked of a fact; the fact is empty if the question is not about a step.

@@ -237,13 +237,41 @@ Truth cheapest_truth(const Asked& asked, const Run& run) {
   return truth;
 }
 
+/// A number is right within its tolerance, and no other is near to it.
+double number_margin(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
+
+/// How far the sizes that are nearest to each other are apart, as a share of the larger one.
+double order_margin(const Asked& asked, const Run& run) {
+  std::vector<double> sizes = sizes_of(asked, run);
+  std::sort(sizes.begin(), sizes.end());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < sizes.size(); ++i) least = std::min(least, (sizes[i] - sizes[i - 1]) / sizes[i]);
+  return least;
+}
+
+/// The order the wrong way round.
+std::optional<Answer> reversed_order(const Asked& asked, const Run& run) {
+  Truth truth = order_truth(asked, run);
+  return Answer{.kind = Answer::Kind::kOrder, .list = {truth.choices.rbegin(), truth.choices.rend()}};
+}
+constexpr std::array kOrderRules{WrongRule{"reversed", &reversed_order}};
+
 constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points", &offer_all_points, &point_truth},
     kChoice{.name = "choice", .offer = &offer_choices, .truth = &choice_truth, .read = &read_choices},
     kSequence{.name = "sequence", .offer = &offer_sequence, .truth = &sequence_truth, .read = &read_sequence},
     kFigure{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_figure},
-    kNumber{.name = "number", .offer = &offer_number, .truth = &number_truth, .read = &read_number},
+    kNumber{.name = "number",
+            .offer = &offer_number,
+            .truth = &number_truth,
+            .read = &read_number,
+            .margin = &number_margin},
     kTightest{.name = "tightest", .offer = &offer_methods, .truth = &tightest_truth, .figure = kComparedFigure},
-    kTightestOrder{.name = "tightest_order", .offer = &offer_order, .truth = &order_truth, .figure = kComparedFigure},
+    kTightestOrder{.name = "tightest_order",
+                   .offer = &offer_order,
+                   .truth = &order_truth,
+                   .figure = kComparedFigure,
+                   .margin = &order_margin,
+                   .rules = kOrderRules},
     kCheapest{.name = "cheapest", .offer = &offer_methods, .truth = &cheapest_truth},
     kCheapestOrder{.name = "cheapest_order", .offer = &offer_order, .truth = &cost_order_truth};
 

@@ -8,6 +8,7 @@
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
+#include "lesson/read_lesson.hpp"
 #include "lesson/read_situations.hpp"
 #include "lesson/read_view.hpp"
 #include "lesson/subjects.hpp"
@@ -405,14 +406,21 @@ void add_case_words(Lesson& lesson) {
   lesson.sections.push_back({.title = "Where it was seen", .blocks = {plain_block(words)}});
 }
 
-/// The file's name without folders and .toml.
+}  // namespace
+
 std::string id_of(std::string_view name) {
   name.remove_prefix(std::min(name.find_last_of("/\\") + 1, name.size()));
   if (name.size() > 5 && name.substr(name.size() - 5) == ".toml") name.remove_suffix(5);
   return std::string(name);
 }
 
-}  // namespace
+std::optional<Lesson> read_as_written(const toml::table& toml, std::string_view name, Complaints& complaints) {
+  Lesson lesson;
+  lesson.id = id_of(name);
+  const auto stages = read(toml, lesson, complaints);
+  if (!stages || !check_lesson(lesson, toml, {Checked::kAsWritten, nullptr, *stages}, complaints)) return std::nullopt;
+  return lesson;
+}
 
 Draft read_draft(std::string_view text, std::string_view name, Checked checked, const io::PointFile* mesh) {
   Complaints complaints(name);

@@ -21,7 +21,19 @@ inline constexpr std::string_view kAnswerWord = "Answer", kSkipWord = "Skip", kP
                                   kWaitingWord = "More questions wait under", kNextLessonWord = "Next lesson",
                                   kToTaskWord = "To the task", kCloseWord = "Close";
 
+// Of exercises.
+inline constexpr std::string_view kHandInWord = "Hand in", kAnotherInstanceWord = "Another instance",
+                                  kToLessonWord = "To the lesson", kTakeBackWord = "Take back",
+                                  kYourMarkWord = "Your mark", kDecisionWord = "Your decision",
+                                  kExercisesWord = "Exercises for a mark",
+                                  kExercisesSay =
+                                      "You decide in the algorithm’s place, on an instance of your own. Each decision "
+                                      "is marked, a mistake is told at once, and a new instance is a press away. What "
+                                      "you do stays on this device until you hand it in.";
+
 /// After a wrong answer that has a second try; and after the "next" key at a question.
+inline constexpr std::string_view kStageIsFixed = "in an exercise, the stage stays as it is";
+inline constexpr std::string_view kNoSkipping = "In an exercise, each decision is made before the run goes on.";
 inline constexpr std::string_view kTryAgain = "Not that one. Try once more.",
                                   kTryOrderAgain = "Not in that order. Try once more.",
                                   kTryThoseAgain = "Not those. Try once more.",

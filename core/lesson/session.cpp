@@ -20,6 +20,7 @@ tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io:
   }
   Session session(std::move(lesson), std::move(places));
   session.clock_ = clock;
+  session.opened_at_ = clock != nullptr ? clock() : 0;
   if (auto made = session.make_room_for(*session.now_); !made) return tl::unexpected(std::move(made.error()));
   session.subject_changed();
   session.step_ = 0;
@@ -66,6 +67,7 @@ Done Session::choose(int slot, std::string_view name) {
     return tl::unexpected(InputError{.what = "there is no algorithm " + std::string(name)});
   if (method != nullptr && !now_->suits(*method)) return tl::unexpected(InputError{.what = now_->refusal(*method)});
   if (method == this->method(slot)) return {};
+  if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   const bool at_end = step_ == steps();
   use(slot, method);
   run_again(slot);
@@ -122,7 +124,7 @@ void Session::subject_changed() {
 }
 
 bool Session::turn(std::string_view name, bool on) {
-  if (!now_->turn(name, on, view())) return false;
+  if (conduct_.decides || !now_->turn(name, on, view())) return false;
   results_.clear();
   run_again(0);
   run_again(1);

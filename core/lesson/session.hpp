@@ -20,6 +20,21 @@
 
 namespace snug::lesson {
 
+/// An answer that was given: right or not, and at which try.
+struct Given {
+  std::string question;  // its id
+  Answer answer;
+  bool right = false;
+  double seconds = 0;  // since the lesson was opened; 0 without a clock
+};
+
+/// How answers are taken. An exercise lets the student decide in the algorithm's place: choosing an answer gives it,
+/// the run goes on by itself to what is decided next, and what stands on the stage cannot be changed.
+struct Conduct {
+  bool decides = false;  // whether it is such an exercise; and then
+  bool told = true;      // whether each answer is told at once, or all of them at the end
+};
+
 class Session {
  public:
   /// mesh: the one that lesson.points.mesh names, if any. clock: times the effects. Errors: those of the subject's
@@ -202,6 +217,15 @@ class Session {
   /// Scatters to the next seed that raises a question, and asks there whatever was answered elsewhere, from the first
   /// step on, as one entry of undo. The answers given so far are kept. Returns false if none of the next hundred does.
   bool practise();
+  /// Sets how answers are taken, before the first is given.
+  void conduct(Conduct conduct);
+  [[nodiscard]] const Conduct& conduct() const { return conduct_; }
+  /// Every answer that was given, in order; those to a question that was taken back are not among them.
+  [[nodiscard]] const std::vector<Given>& given() const { return given_; }
+  /// Gives an answer as commit does: a wrong first one may have a second try. Returns false as `answer` does.
+  bool propose(const Answer& answer) { return give(answer, false); }
+  /// Where answers are told at the end only: takes the last one back, and goes to where it is asked.
+  bool take_back();
   /// Every question of this run in the timeline's order, without those whose step the run does not have.
   [[nodiscard]] const std::vector<Asked>& questions() const { return asked_; }
   /// Gives a final answer and goes to the step that decides it, so that prediction and result can be compared. Returns
@@ -212,7 +236,8 @@ class Session {
   void play_answers(bool on) { play_answers_ = on; }
   /// Chooses an answer; choosing it again gives it. If a question takes many choices, selects or deselects one. Returns
   /// false if nothing is asked, or if this cannot be an answer: answer_says then tells what can.
-  bool pick(const Answer& answer);
+  /// gives: whether an exercise takes it at once, as it takes a tap; a key that goes through the answers does not.
+  bool pick(const Answer& answer, bool gives = true);
   /// The same for a handle by its typed name ("B2", "p7").
   bool pick(std::string_view name);
   /// The chosen answer to the open question; null if there is none.
@@ -373,6 +398,7 @@ class Session {
   [[nodiscard]] const Asked* open_at(int step) const;
   [[nodiscard]] const Outcome* outcome_of(const std::string& question) const;
   [[nodiscard]] Outcome judged(const Asked& asked, const Answer& answer) const;
+  void go_to_next_decision();
   bool give(const Answer& answer, bool for_good);
   bool pick_one_more(const Asked& question, const Answer& chosen);
   bool pick_number(const Asked& question, std::string_view typed);
@@ -406,6 +432,9 @@ class Session {
   std::vector<Asked> asked_;
   std::vector<std::string> moved_;
   std::vector<Outcome> outcomes_;
+  Conduct conduct_;
+  std::vector<Given> given_;
+  double opened_at_ = 0;            // by the clock, ns
   std::size_t task_ = 0;            // the one in hand
   bool task_started_ = false;       // and whether nothing but what it leaves to be moved was changed since
   mutable std::vector<bool> done_;  // which tasks were done

@@ -38,6 +38,7 @@ Done Session::become(std::unique_ptr<Subject> next) {
 }
 
 Done Session::become(Snapshot next) {
+  if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   if (Done patient = has_time_for(*next.subject); !patient) return patient;
   if (Done made = make_room_for(*next.subject); !made) return made;
   end_drag();
@@ -73,6 +74,7 @@ Snapshot Session::exchange(Snapshot next) {
 
 Done Session::move(Index i, const Point3& to) {
   if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
+  if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   if (!may_move(i)) return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
   if (!drag_.subject) {
     const bool started = task_started_;
@@ -191,6 +193,7 @@ tl::expected<Grade, InputError> Session::solve_task(std::size_t task) {
 }
 
 bool Session::may_move(Index i) const {
+  if (conduct_.decides) return false;
   if (!task_started_) return true;
   const std::vector<std::string>& only = lesson_->tasks[task_].only;
   return only.empty() || is_among(only, name_of(i));

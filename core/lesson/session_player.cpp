@@ -18,6 +18,14 @@ std::vector<Mark> marks_of(const Run& run, const std::vector<Asked>& questions) 
   return marks;
 }
 
+/// Where the marks end while something is to be decided: those to come would tell what is right.
+int last_mark(const std::vector<Asked>& questions, int steps, auto is_open) {
+  int last = steps;
+  for (const Asked& asked : questions)
+    if (asked.step != Asked::kAnytime && is_open(asked)) last = std::min(last, asked.step);
+  return last;
+}
+
 }  // namespace
 
 /// Computes the gates and marks of a new run. at_end: whether the player was at the old run's end.
@@ -46,6 +54,11 @@ void Session::stand(int step) {
   previewing_ = false;
   if (step >= shown_at_) deciding_ = false;
   if (!deciding_ && step != shown_at_) shown_outcome_ = -1;
+  if (conduct_.decides) {
+    const int last = last_mark(asked_, steps(), [&](const Asked& asked) { return is_open(*asked.question); });
+    marks_ = marks_of(run(0), asked_);
+    std::erase_if(marks_, [&](const Mark& mark) { return mark.step > last; });
+  }
   unpick();
   ++revision_;
 }

@@ -119,6 +119,7 @@ bool Session::skip() { return give({}, false); }
 
 bool Session::pass_by() {
   if (asked() == nullptr) return false;
+  if (conduct_.decides) return refuse(std::string(kNoSkipping)), true;
   if (skips_next_) return skip();
   unpick();
   answer_says_ = kPressToSkip;
@@ -131,7 +132,7 @@ const Answer* Session::tried() const {
   return tried_ && question != nullptr && question->question->id == tried_->question ? &tried_->answer : nullptr;
 }
 
-bool Session::pick(const Answer& chosen) {
+bool Session::pick(const Answer& chosen, bool gives) {
   const Asked* question = asked();
   if (question == nullptr || chosen.kind == Answer::Kind::kSkipped) return false;
   if (question->many || question->ordered) return pick_one_more(*question, chosen);
@@ -139,6 +140,7 @@ bool Session::pick(const Answer& chosen) {
   if (!answers(*question, chosen))
     return point && question->on_stage ? refuse(no_target_text(name_of(chosen.value), target_names())) : false;
   if (tried() != nullptr && same_answer(*question, *tried(), chosen)) return refuse(std::string(kTriedAlready));
+  if (conduct_.decides && gives) return propose(chosen);
   if (picked_ && same_answer(*question, *picked_, chosen)) return commit();
   unpick();
   picked_ = chosen;
@@ -213,7 +215,7 @@ bool Session::pick(std::string_view name) {
   for (Index i = 0; i < size(); ++i) {
     if (plain_name(name_of(i)) != typed) continue;
     const Answer meant{Answer::Kind::kPoint, i};
-    return (picked_ && same_answer(*question, *picked_, meant)) || pick(meant);
+    return (picked_ && same_answer(*question, *picked_, meant)) || pick(meant, false);
   }
   return refuse(no_such_name_text(name, target_names()));
 }
@@ -301,9 +303,13 @@ bool Session::answer(const Answer& answer) { return give(answer, true); }
 bool Session::give(const Answer& answer, bool for_good) {
   const Asked* question = asked();
   if (question == nullptr || !answers(*question, answer)) return false;
+  if (conduct_.decides && answer.kind == Answer::Kind::kSkipped) return refuse(std::string(kNoSkipping));
   Outcome outcome_now = judged(*question, answer);
   const bool second = tried() != nullptr;
-  if (standing_of(&outcome_now) == Standing::kWrong && !for_good && !second && has_second_try(*question)) {
+  const double seconds = clock_ != nullptr ? (clock_() - opened_at_) * 1e-9 : 0;
+  given_.push_back({question->question->id, answer, outcome_now.right, seconds});
+  const bool again = !for_good && !second && conduct_.told && has_second_try(*question);
+  if (standing_of(&outcome_now) == Standing::kWrong && again) {
     tried_ = Tried{question->question->id, answer};
     unpick();
     answer_says_ = question->ordered ? kTryOrderAgain : question->many ? kTryThoseAgain : kTryAgain;
@@ -326,8 +332,38 @@ bool Session::give(const Answer& answer, bool for_good) {
   deciding_ = shown_at_ - step_ > 1;
   if (!deciding_) stand(shown_at_);
   ++revision_;
-  if (for_good || !play_answers_) decide();
+  if (for_good || !play_answers_ || conduct_.decides) decide();
+  if (conduct_.decides && (outcome.right || !conduct_.told)) acknowledge();
   return true;
+}
+
+void Session::conduct(Conduct conduct) {
+  conduct_ = conduct;
+  if (!conduct.decides) return;
+  past_.clear(), future_.clear();  // what led to this stage cannot be undone
+  step_ = -1;                      // so that it stands anew, with the marks of an exercise
+  go_to_next_decision();
+}
+
+/// What is routine is done for the student.
+void Session::go_to_next_decision() {
+  int to = steps();
+  for (const Asked& asked : asked_)
+    if (asked.step >= step_ && is_open(*asked.question)) to = std::min(to, asked.step);
+  stand(to);
+}
+
+bool Session::take_back() {
+  if (!conduct_.decides || conduct_.told || given_.empty()) return false;
+  const std::string last = given_.back().question;
+  const auto asked =
+      std::find_if(asked_.begin(), asked_.end(), [&](const Asked& one) { return one.question->id == last; });
+  std::erase_if(outcomes_, [&](const Outcome& outcome) { return outcome.question == last; });
+  given_.pop_back();  // each has one try
+  shown_outcome_ = -1;
+  summary_closed_ = false;
+  stand(asked->step);
+  return ++revision_, true;
 }
 
 /// Where an outcome is told: where it is decided. If another question is open where it was asked, there instead, for
@@ -352,6 +388,7 @@ bool Session::acknowledge() {
   if (outcome() == nullptr) return false;
   shown_outcome_ = -1;
   ++revision_;
+  if (conduct_.decides) go_to_next_decision();
   return true;
 }
 
@@ -434,6 +471,7 @@ void Session::take_up_answers(std::vector<Outcome> outcomes) {
 
 void Session::forget_answers() {
   outcomes_.clear();
+  given_.clear();
   moved_.clear();
   unpick();
   tried_.reset();

@@ -208,7 +208,7 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
       "radius_checked or finished: pair_chosn; did you mean pair_chosen?",
       "small.toml:32:1: ritter does not take step ball_grown 2 times on these points",
       "small.toml:46:8: \"asks\" is none of point, points, choice, sequence, figure, number, tightest, tightest_order, "
-      "cheapest, cheapest_order or grows: grow; did you mean grows?",
+      "cheapest, cheapest_order, next_outside or grows: grow; did you mean grows?",
       "small.toml:50:1: there is another question with the id growth, in line 32",
       "small.toml:57:10: \"answer\" is none of one or three: two",
       "small.toml:67:1: [[task]] has no key \"hints\": did you mean \"hint\"?",

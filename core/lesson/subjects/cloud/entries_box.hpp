@@ -61,7 +61,9 @@ Truth sign_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<fit::ProductsAdded<double, 3>> : FitEntry {
   using Fact = fit::ProductsAdded<double, 3>;
-  static constexpr std::array kAskings{Asking{"sign", &offer_signs, &sign_truth}, kGrows};
+  static constexpr std::array kAskings{
+      Asking{.name = "sign", .offer = &offer_signs, .truth = &sign_truth, .margin = &sign_margin, .rules = kSignRules},
+      kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::string offset;
     for (int i = 0; i < where.dim(); ++i) offset += (i > 0 ? ", " : "") + coordinate_text(fact.offset[i]);
@@ -268,6 +270,7 @@ struct Entry<fit::CornerMovedOut> : FitEntry {
 template <>
 struct Entry<fit::SlabFound> : FitEntry {
   using Fact = fit::SlabFound;
+  static constexpr std::array kAskings{kExtremes, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "Slab " + std::to_string(fact.slab + 1) + " lies between " + where.name(fact.least) + " and " +
            where.name(fact.greatest) + ", the extremes along " + where.run.slab_name(where.i, fact.slab) + ".";

@@ -65,6 +65,7 @@ struct Entry<fit::PointsAssigned> : FitEntry {
 template <>
 struct Entry<fit::EyeChosen> : FitEntry {
   using Fact = fit::EyeChosen;
+  static constexpr std::array kAskings{kEye, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.point) + " is farthest from its " + (where.dim() == 2 ? "edge" : "facet") + ", at " +
            number_text(fact.distance) + ": it becomes a vertex.";

@@ -33,6 +33,7 @@ using FitWhere = FitRun::Where;
 template <>
 struct Entry<fit::ExtremesFound<double, 3>> : FitEntry {
   using Fact = fit::ExtremesFound<double, 3>;
+  static constexpr std::array kAskings{kExtremes, kGrows};
   static std::string sentence(const Fact&, const FitWhere& where) {
     const bool plane = where.dim() == 2;
     return std::string("The extreme points are found: the ") +
@@ -79,6 +80,7 @@ struct Entry<fit::PairChosen> : FitEntry {
 template <>
 struct Entry<fit::FarthestFound> : FitEntry {
   using Fact = fit::FarthestFound;
+  static constexpr std::array kAskings{kFarthest, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) +
            ", so it sets the radius.";
@@ -91,6 +93,7 @@ struct Entry<fit::FarthestFound> : FitEntry {
 template <>
 struct Entry<fit::PointExamined> : FitEntry {
   using Fact = fit::PointExamined;
+  static constexpr std::array kAskings{kSide, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string point = where.name(fact.point);
     if (!where.step().has_volume)
@@ -122,6 +125,7 @@ struct Entry<fit::PointExamined> : FitEntry {
 template <>
 struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   using Fact = fit::BallGrown<double, 3>;
+  static constexpr std::array kAskings{kNextOutside, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string gap = where.run.is_rounding(where.i) ? "no more than rounding"
                                                            : number_text(where.run.gap_to(fact.point, fact.before));
@@ -248,6 +252,7 @@ struct Entry<fit::AllChecked> : FitEntry {
 template <>
 struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
+  static constexpr std::array kAskings{kNextOutside, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     if (where.before() == nullptr)  // the core was set by hand
       return where.name(fact.farthest) + " is the farthest of all points from the core: the radius reaches to it.";
@@ -269,7 +274,7 @@ struct Entry<fit::RadiusChecked> : FitEntry {
 template <>
 struct Entry<fit::SupportReplaced> : FitEntry {
   using Fact = fit::SupportReplaced;
-  static constexpr std::array kAskings{kLeaves, kGrows};
+  static constexpr std::array kAskings{kFarthest, kLeaves, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::vector<Index> gone;
     for (const Index i : fact.before)

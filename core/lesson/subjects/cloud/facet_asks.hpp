@@ -1,7 +1,7 @@
 // Questions that an edge, a face or a slab answers.
 #pragma once
 
-#include "lesson/facts.hpp"
+#include "lesson/subjects/cloud/decisions.hpp"
 
 namespace snug::lesson {
 
@@ -18,8 +18,10 @@ Truth smaller_truth(const Asked& asked, const Run& run);
 const char* offer_narrowest(Asked& asked, const Run& run);
 Truth narrowest_truth(const Asked& asked, const Run& run);
 
-inline constexpr Asking kFaces{"faces", &offer_faces, &faces_truth},
-    kHullEdge{"edge", &offer_hull_edges, &hull_edge_truth}, kSmaller{"smaller", &offer_yes_no, &smaller_truth},
+inline constexpr Asking kFaces{
+    .name = "faces", .offer = &offer_faces, .truth = &faces_truth, .margin = &faces_margin, .rules = kFacesRules},
+    kHullEdge{"edge", &offer_hull_edges, &hull_edge_truth},
+    kSmaller{.name = "smaller", .offer = &offer_yes_no, .truth = &smaller_truth, .margin = &smaller_margin},
     kSlab{"slab", &offer_narrowest, &narrowest_truth};
 
 }  // namespace snug::lesson

@@ -74,7 +74,8 @@ Truth grows_truth(const Asked& asked, const Run& run) {
 /// The choices of "sign".
 constexpr int kRaises = 0, kLowers = 1, kSame = 2;
 
-const char* offer_signs(Asked& asked, const Run&) {
+const char* offer_signs(Asked& asked, const Run& run) {
+  asked.of = asked.subject->name_of(fact_of<ProductsAdded<double, 3>>(asked, run).point);
   for (const char* choice : {"It grows", "It shrinks", "It stays the same"}) asked.add_choice(choice);
   return nullptr;
 }

@@ -1,7 +1,7 @@
 // What can be asked of the facts of fitters, besides "point" and "choice".
 #pragma once
 
-#include "lesson/facts.hpp"
+#include "lesson/subjects/cloud/decisions.hpp"
 
 namespace snug::lesson {
 
@@ -30,8 +30,14 @@ Truth first_wrong_truth(const Asked& asked, const Run& run);
 int after_recursion(const Run& run, int fact);
 
 inline constexpr Asking kGrows{"grows", &offer_yes_no, &grows_truth, &after_recursion};
-inline constexpr Asking kLeaves{"leaves", &offer_support, &leaves_truth, &after_recursion};
-inline constexpr Asking kAxis{"axis", &offer_axes, &axis_truth};
+inline constexpr Asking kLeaves{.name = "leaves",
+                                .offer = &offer_support,
+                                .truth = &leaves_truth,
+                                .decided = &after_recursion,
+                                .margin = &leaves_margin,
+                                .rules = kLeavesRules};
+inline constexpr Asking kAxis{
+    .name = "axis", .offer = &offer_axes, .truth = &axis_truth, .margin = &axis_margin, .rules = kAxisRules};
 inline constexpr Asking kBetter{
     .name = "better", .offer = &offer_yes_no, .truth = &better_truth, .figure = kResultFigure};
 inline constexpr Asking kHolds{"holds", &offer_counts, &holds_truth};

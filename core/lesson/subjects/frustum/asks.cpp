@@ -1,4 +1,8 @@
 // What can be asked about a test of a box against a frustum.
+#include <algorithm>
+#include <limits>
+
+#include "lesson/decide.hpp"
 #include "lesson/subjects/frustum/entries.hpp"
 
 namespace snug::lesson {
@@ -70,6 +74,7 @@ std::string rejected_words(const std::string& body) {
 
 const char* offer_vertices(Asked& asked, const Run& run) {
   if (!of_box(plane_of(asked, run))) return "\"p_vertex\" and \"n_vertex\" are asked of boxes";
+  asked.of = plane_name(asked.dim, plane_of(asked, run).plane);
   if (plane_of(asked, run).skipped) return "\"p_vertex\" and \"n_vertex\" cannot be asked of a skipped plane";
   asked.stage_points = vertices_of(asked.dim, 0);
   for (int vertex = 0; vertex < 1 << asked.dim; ++vertex)
@@ -84,6 +89,7 @@ const char* offer_cullings(Asked& asked, const Run&) {
 }
 
 const char* offer_plane_sides(Asked& asked, const Run& run) {
+  asked.of = plane_name(asked.dim, plane_of(asked, run).plane);
   if (!of_point(plane_of(asked, run), run)) return offer_cullings(asked, run);
   for (const std::string_view side : kPointSides) asked.add_choice(std::string(side));
   return nullptr;
@@ -124,6 +130,68 @@ Truth culling_verdict_truth(const Asked& asked, const Run& run) {
                                              plane_names(asked.dim, result.crossing) +
                                              " and is not entirely outside any.");
   return culling_truth(result.verdict, "This test says " + culling_name(result.verdict) + ".");
+}
+
+// ---- margins and wrong rules --------------------------------------------------------------------------------
+
+namespace {
+
+/// How far the nearer of a volume's two farthest points is from a plane.
+double nearest_to(const query::PlaneTested<double, 3>& tested) {
+  return std::min(std::abs(tested.p_distance), std::abs(tested.n_distance));
+}
+
+}  // namespace
+
+/// How far the p-vertex is ahead of its neighbour along the normal; the n-vertex lies as far behind.
+double vertex_margin(const Asked& asked, const Run& run) {
+  const auto& tested = plane_of(asked, run);
+  const Rows planes = asked.subject->planes();
+  const std::vector<double>& row = planes[tested.plane];
+  Scores along;
+  for (const Index handle : vertices_of(asked.dim, 0)) {
+    double value = 0;
+    for (int i = 0; i < asked.dim; ++i) value += row[i] * asked.subject->at(handle)[i];
+    along.add(static_cast<int>(handle), value);
+  }
+  return along.lead() / extent_of(*asked.subject);
+}
+
+std::optional<Answer> vertex_against(const Asked& asked, const Run& run) {
+  return by_choice(plane_of(asked, run).n_vertex);
+}
+std::optional<Answer> vertex_along(const Asked& asked, const Run& run) {
+  return by_choice(plane_of(asked, run).p_vertex);
+}
+
+double plane_side_margin(const Asked& asked, const Run& run) {
+  return nearest_to(plane_of(asked, run)) / extent_of(*asked.subject);
+}
+
+std::optional<Answer> side_of_center(const Asked& asked, const Run& run) {
+  const auto& tested = plane_of(asked, run);
+  const bool out = tested.p_distance + tested.n_distance > 0;
+  return by_choice(static_cast<int>(out ? Culling::kOutside : Culling::kInside));
+}
+std::optional<Answer> side_of_p_vertex(const Asked& asked, const Run& run) {
+  return by_choice(static_cast<int>(plane_of(asked, run).p_distance > 0 ? Culling::kOutside : Culling::kInside));
+}
+
+double culling_margin(const Asked& asked, const Run& run) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& entry : frustum_run(run).trace())
+    if (const auto* tested = std::get_if<query::PlaneTested<double, 3>>(&entry.step.fact); tested && !tested->skipped)
+      least = std::min(least, nearest_to(*tested));
+  return least / extent_of(*asked.subject);
+}
+
+/// As if a box were outside as soon as one of its vertices is.
+std::optional<Answer> any_vertex_outside(const Asked&, const Run& run) {
+  bool out = false;
+  for (const auto& entry : frustum_run(run).trace())
+    if (const auto* tested = std::get_if<query::PlaneTested<double, 3>>(&entry.step.fact))
+      out = out || tested->p_distance > 0;
+  return by_choice(static_cast<int>(out ? Culling::kOutside : Culling::kInside));
 }
 
 }  // namespace snug::lesson

@@ -20,6 +20,19 @@ Truth p_vertex_truth(const Asked& asked, const Run& run);
 Truth n_vertex_truth(const Asked& asked, const Run& run);
 Truth plane_side_truth(const Asked& asked, const Run& run);
 Truth culling_verdict_truth(const Asked& asked, const Run& run);
+double vertex_margin(const Asked& asked, const Run& run);  // of the p- and of the n-vertex: both lie opposite
+std::optional<Answer> vertex_against(const Asked& asked, const Run& run);  // the n-vertex for the p-vertex
+std::optional<Answer> vertex_along(const Asked& asked, const Run& run);    // the p-vertex for the n-vertex
+double plane_side_margin(const Asked& asked, const Run& run);
+std::optional<Answer> side_of_center(const Asked& asked, const Run& run);
+std::optional<Answer> side_of_p_vertex(const Asked& asked, const Run& run);
+double culling_margin(const Asked& asked, const Run& run);
+std::optional<Answer> any_vertex_outside(const Asked& asked, const Run& run);
+inline constexpr std::array kPVertexRules{WrongRule{"opposite", &vertex_against}};
+inline constexpr std::array kNVertexRules{WrongRule{"opposite", &vertex_along}};
+inline constexpr std::array kPlaneSideRules{WrongRule{"center", &side_of_center},
+                                            WrongRule{"p_vertex", &side_of_p_vertex}};
+inline constexpr std::array kVerdictRules{WrongRule{"any_outside", &any_vertex_outside}};
 
 /// Whether a plane was tested against a box, by its vertices; else against a ball or a point, by its centre.
 [[nodiscard]] inline bool of_box(const query::PlaneTested<double, 3>& fact) { return fact.p_vertex >= 0; }
@@ -31,9 +44,21 @@ Truth culling_verdict_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   using Fact = query::PlaneTested<double, 3>;
-  static constexpr std::array kAskings{Asking{"p_vertex", &offer_vertices, &p_vertex_truth},
-                                       Asking{"n_vertex", &offer_vertices, &n_vertex_truth},
-                                       Asking{"plane_side", &offer_plane_sides, &plane_side_truth}};
+  static constexpr std::array kAskings{Asking{.name = "p_vertex",
+                                              .offer = &offer_vertices,
+                                              .truth = &p_vertex_truth,
+                                              .margin = &vertex_margin,
+                                              .rules = kPVertexRules},
+                                       Asking{.name = "n_vertex",
+                                              .offer = &offer_vertices,
+                                              .truth = &n_vertex_truth,
+                                              .margin = &vertex_margin,
+                                              .rules = kNVertexRules},
+                                       Asking{.name = "plane_side",
+                                              .offer = &offer_plane_sides,
+                                              .truth = &plane_side_truth,
+                                              .margin = &plane_side_margin,
+                                              .rules = kPlaneSideRules}};
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     std::string plane = plane_name(where.dim(), fact.plane) + " plane: ";
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
@@ -88,8 +113,12 @@ struct Entry<query::CornerTested<double, 3>> : EntryDefaults {
 template <>
 struct Entry<query::Classified> : EntryDefaults {
   using Fact = query::Classified;
-  static constexpr std::array kAskings{
-      Asking{.name = "verdict", .offer = &offer_cullings, .truth = &culling_verdict_truth, .figure = "verdict"}};
+  static constexpr std::array kAskings{Asking{.name = "verdict",
+                                              .offer = &offer_cullings,
+                                              .truth = &culling_verdict_truth,
+                                              .figure = "verdict",
+                                              .margin = &culling_margin,
+                                              .rules = kVerdictRules}};
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     using query::Culling;
     const query::CullResult& result = fact.result;

@@ -1,4 +1,7 @@
 // What can be asked about a test of two boxes.
+#include <limits>
+
+#include "lesson/decide.hpp"
 #include "lesson/formula.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
 #include "lesson/subjects/pair/entries.hpp"
@@ -54,6 +57,27 @@ Truth entries_b_truth(const Asked& asked, const Run& run) {
   return entries_truth(asked, &RowEntries::rotation_b, &RowFormulas::radius_b, run);
 }
 
+const char* offer_of_axis(Asked& asked, const Run& run) {
+  const auto& fact = pair_run(run).trace()[asked.fact].step.fact;
+  if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&fact)) asked.of = axis_text(asked.dim, axis->axis);
+  if (const auto* slab = std::get_if<query::SlabTested>(&fact)) asked.of = axis_name(slab->direction);
+  return offer_yes_no(asked, run);
+}
+
+double separates_margin(const Asked& asked, const Run& run) {
+  const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
+  return axis.skipped ? 0 : std::abs(axis.axis.gap) / extent_of(*asked.subject);
+}
+
+std::optional<Answer> without_b(const Asked& asked, const Run& run) {
+  const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
+  return by_choice(axis.distance > axis.radius_a ? kYes : kNo);
+}
+std::optional<Answer> with_full_widths(const Asked& asked, const Run& run) {
+  const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
+  return by_choice(axis.distance > 2 * (axis.radius_a + axis.radius_b) ? kYes : kNo);
+}
+
 Truth separates_truth(const Asked& asked, const Run& run) {
   const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
   if (axis.skipped) return no("The edges are parallel, so their cross product gives no axis.");
@@ -68,6 +92,34 @@ Truth slab_truth(const Asked& asked, const Run& run) {
   if (!slab.separates) return no("The intervals overlap.");
   const double gap = std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
   return yes("The intervals are " + gap_text(gap) + " apart.");
+}
+
+/// How far the intervals are from touching.
+double slab_margin(const Asked& asked, const Run& run) {
+  const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
+  const double gap = std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
+  return std::abs(gap) / extent_of(*asked.subject);
+}
+
+std::optional<Answer> one_way(const Asked& asked, const Run& run) {
+  const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
+  return by_choice(slab.greatest_a < slab.least_b ? kYes : kNo);
+}
+/// As if intervals overlapped only where one contains the other.
+std::optional<Answer> contained_only(const Asked& asked, const Run& run) {
+  const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
+  const bool in_a = slab.least_a <= slab.least_b && slab.greatest_b <= slab.greatest_a;
+  const bool in_b = slab.least_b <= slab.least_a && slab.greatest_a <= slab.greatest_b;
+  return by_choice(in_a || in_b ? kNo : kYes);
+}
+
+double cores_margin(const Asked& asked, const Run& run) {
+  const auto& cores = *std::get_if<query::CoresCompared>(&pair_run(run).trace()[asked.fact].step.fact);
+  return std::abs(cores.distance - cores.radii) / extent_of(*asked.subject);
+}
+std::optional<Answer> without_radii(const Asked& asked, const Run& run) {
+  const auto& cores = *std::get_if<query::CoresCompared>(&pair_run(run).trace()[asked.fact].step.fact);
+  return by_choice(cores.distance > 0 ? kYes : kNo);
 }
 
 Truth cores_truth(const Asked& asked, const Run& run) {
@@ -179,6 +231,36 @@ Truth which_axis_truth(const Asked& asked, const Run& run) {
   truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the only axis that separates the boxes."
                                              : "These axes separate the boxes: " + truth.happened + ".";
   return truth;
+}
+
+/// The test that came nearest to a tie.
+double all_axes_margin(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= asked.fact; ++i)
+    if (const auto* axis = axis_of(steps, i); axis != nullptr && !axis->skipped)
+      least = std::min(least, std::abs(axis->axis.gap));
+  return least / extent_of(*asked.subject);
+}
+
+double penetration_margin(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  Scores gaps;
+  for (int i = 0; i < asked.fact; ++i)
+    if (const auto* axis = axis_of(steps, i); axis != nullptr && !axis->skipped) gaps.add(i, axis->axis.gap);
+  return gaps.lead() / extent_of(*asked.subject);
+}
+
+double overlap_margin(const Asked& asked, const Run& run) {
+  const PairSteps steps = pair_run(run).trace();
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < asked.fact; ++i) {
+    if (const auto* slab = std::get_if<query::SlabTested>(&steps[i].step.fact))
+      least = std::min(least, std::abs(std::max(slab->least_b - slab->greatest_a, slab->least_a - slab->greatest_b)));
+    if (const auto* cores = std::get_if<query::CoresCompared>(&steps[i].step.fact))
+      least = std::min(least, std::abs(cores->distance - cores->radii));
+  }
+  return least / extent_of(*asked.subject);
 }
 
 }  // namespace snug::lesson

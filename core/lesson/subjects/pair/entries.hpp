@@ -26,7 +26,12 @@ struct Entry<query::FramesRelated<double, 3>> : EntryDefaults {
 
 /// "separates": whether the boxes are apart along it. "entries_a", "entries_b": which entries of R the projected radius
 /// of A, or of B, takes.
+const char* offer_of_axis(Asked& asked, const Run& run);
 Truth separates_truth(const Asked& asked, const Run& run);
+double separates_margin(const Asked& asked, const Run& run);
+std::optional<Answer> without_b(const Asked& asked, const Run& run);
+std::optional<Answer> with_full_widths(const Asked& asked, const Run& run);
+inline constexpr std::array kSeparatesRules{WrongRule{"only_a", &without_b}, WrongRule{"widths", &with_full_widths}};
 const char* offer_entries_a(Asked& asked, const Run& run);
 const char* offer_entries_b(Asked& asked, const Run& run);
 Truth entries_a_truth(const Asked& asked, const Run& run);
@@ -35,7 +40,11 @@ Truth entries_b_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   using Fact = query::AxisTested<double, 3>;
-  static constexpr std::array kAskings{Asking{"separates", &offer_yes_no, &separates_truth},
+  static constexpr std::array kAskings{Asking{.name = "separates",
+                                              .offer = &offer_of_axis,
+                                              .truth = &separates_truth,
+                                              .margin = &separates_margin,
+                                              .rules = kSeparatesRules},
                                        Asking{"entries_a", &offer_entries_a, &entries_a_truth},
                                        Asking{"entries_b", &offer_entries_b, &entries_b_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
@@ -119,13 +128,19 @@ const char* offer_first_axis(Asked& asked, const Run& run);
 Truth first_axis_of_test(const Asked& asked, const Run& run);
 const char* offer_least_penetration(Asked& asked, const Run& run);
 Truth least_penetration_truth(const Asked& asked, const Run& run);
+double all_axes_margin(const Asked& asked, const Run& run);
+double penetration_margin(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<query::Verdict<double, 3>> : EntryDefaults {
   using Fact = query::Verdict<double, 3>;
-  static constexpr std::array kAskings{Asking{"which_axis", &offer_tested_axes, &which_axis_truth},
-                                       Asking{"first_axis", &offer_first_axis, &first_axis_of_test},
-                                       Asking{"least_penetration", &offer_least_penetration, &least_penetration_truth}};
+  static constexpr std::array kAskings{
+      Asking{.name = "which_axis", .offer = &offer_tested_axes, .truth = &which_axis_truth, .margin = &all_axes_margin},
+      Asking{"first_axis", &offer_first_axis, &first_axis_of_test},
+      Asking{.name = "least_penetration",
+             .offer = &offer_least_penetration,
+             .truth = &least_penetration_truth,
+             .margin = &penetration_margin}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto& [overlap, tests, axis] = fact.result;
     const std::string name = name_of_axis(axis, where);
@@ -154,8 +169,16 @@ struct Entry<query::Verdict<double, 3>> : EntryDefaults {
 
 /// "separates" asks about an interval, "apart" about two cores or the end result: yes or no.
 Truth slab_truth(const Asked& asked, const Run& run);
+double slab_margin(const Asked& asked, const Run& run);
+std::optional<Answer> one_way(const Asked& asked, const Run& run);
+std::optional<Answer> contained_only(const Asked& asked, const Run& run);
+inline constexpr std::array kSlabRules{WrongRule{"one_way", &one_way}, WrongRule{"contained", &contained_only}};
 Truth cores_truth(const Asked& asked, const Run& run);
+double cores_margin(const Asked& asked, const Run& run);
+std::optional<Answer> without_radii(const Asked& asked, const Run& run);
+inline constexpr std::array kCoresRules{WrongRule{"no_radii", &without_radii}};
 Truth overlap_truth(const Asked& asked, const Run& run);
+double overlap_margin(const Asked& asked, const Run& run);
 /// "first_axis": the first axis whose intervals are apart; the choices are the coordinate axes, and none.
 const char* offer_coordinate_axes(Asked& asked, const Run& run);
 Truth first_axis_truth(const Asked& asked, const Run& run);
@@ -189,7 +212,8 @@ Truth first_axis_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::SlabTested> : EntryDefaults {
   using Fact = query::SlabTested;
-  static constexpr std::array kAskings{Asking{"separates", &offer_yes_no, &slab_truth}};
+  static constexpr std::array kAskings{Asking{
+      .name = "separates", .offer = &offer_of_axis, .truth = &slab_truth, .margin = &slab_margin, .rules = kSlabRules}};
   static std::string sentence(const Fact& fact, const PairWhere&) {
     const auto interval = [&](double least, double greatest) {
       return "[" + bound_text(fact, least) + ", " + bound_text(fact, greatest) + "]";
@@ -208,7 +232,11 @@ struct Entry<query::SlabTested> : EntryDefaults {
 template <>
 struct Entry<query::CoresCompared> : EntryDefaults {
   using Fact = query::CoresCompared;
-  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &cores_truth},
+  static constexpr std::array kAskings{Asking{.name = "apart",
+                                              .offer = &offer_yes_no,
+                                              .truth = &cores_truth,
+                                              .margin = &cores_margin,
+                                              .rules = kCoresRules},
                                        Asking{"feature", &offer_features, &feature_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto [distance, radii] = number_texts_apart(fact.distance, fact.radii);
@@ -249,6 +277,11 @@ struct Entry<query::CoresCompared> : EntryDefaults {
 /// origin; "cheaper": the pair's own test or GJK.
 const char* offer_difference(Asked& asked, const Run& run);
 Truth next_vertex_truth(const Asked& asked, const Run& run);
+double next_vertex_margin(const Asked& asked, const Run& run);
+std::optional<Answer> vertex_along_v(const Asked& asked, const Run& run);
+std::optional<Answer> vertex_nearest_origin(const Asked& asked, const Run& run);
+inline constexpr std::array kNextVertexRules{WrongRule{"wrong_sign", &vertex_along_v},
+                                             WrongRule{"nearest", &vertex_nearest_origin}};
 Truth contains_origin_truth(const Asked& asked, const Run& run);
 const char* offer_own_and_gjk(Asked& asked, const Run& run);
 Truth cheaper_truth(const Asked& asked, const Run& run);
@@ -278,7 +311,11 @@ struct Entry<query::NearestFound> : EntryDefaults {
 template <>
 struct Entry<query::SupportFound> : EntryDefaults {
   using Fact = query::SupportFound;
-  static constexpr std::array kAskings{Asking{"next_vertex", &offer_difference, &next_vertex_truth}};
+  static constexpr std::array kAskings{Asking{.name = "next_vertex",
+                                              .offer = &offer_difference,
+                                              .truth = &next_vertex_truth,
+                                              .margin = &next_vertex_margin,
+                                              .rules = kNextVertexRules}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
     const double known = proved_distance(where.run.trace().first(where.i)).value_or(0);
@@ -316,7 +353,8 @@ struct Entry<query::DistanceFound> : EntryDefaults {
 template <>
 struct Entry<OverlapDecided> : EntryDefaults {
   static constexpr std::array kAskings{
-      Asking{"apart", &offer_yes_no, &overlap_truth}, Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth},
+      Asking{.name = "apart", .offer = &offer_yes_no, .truth = &overlap_truth, .margin = &overlap_margin},
+      Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth},
       Asking{.name = "cheaper", .offer = &offer_own_and_gjk, .truth = &cheaper_truth, .figure = "operations"}};
   static std::string sentence(const OverlapDecided& fact, const PairWhere& where) {
     const PairSteps steps = where.run.trace().first(static_cast<std::size_t>(where.i));

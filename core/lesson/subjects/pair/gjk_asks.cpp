@@ -1,4 +1,5 @@
 // What can be asked about GJK, and about what a test costs beside it.
+#include "lesson/decide.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/difference.hpp"
 #include "lesson/subjects/pair/entries.hpp"
@@ -30,14 +31,44 @@ const char* offer_difference(Asked& asked, const Run& run) {
   return nullptr;
 }
 
-/// Every vertex as far along -v is a right answer.
-Truth next_vertex_truth(const Asked& asked, const Run& run) {
-  const VolumePair& pair = pair_of(asked);
+namespace {
+
+/// The point of the simplex that is nearest to the origin, before a step.
+Point3 nearest_before(const Asked& asked, const Run& run) {
   Point3 v = Point3::Zero();
   for (int i = 0; i < asked.fact; ++i)
     if (const auto* nearest = std::get_if<query::NearestFound>(&pair_run(run).trace()[i].step.fact))
-      v = nearest_of(difference_points(pair, nearest->corners));
-  const auto outline = difference_outline(pair);
+      v = nearest_of(difference_points(pair_of(asked), nearest->corners));
+  return v;
+}
+
+/// The vertices of A − B by a value.
+template <class Value>
+Scores scores_of_vertices(const Asked& asked, Value value) {
+  Scores scores;
+  int choice = 0;
+  for (const DifferenceVertex& vertex : difference_outline(pair_of(asked))) scores.add(choice++, value(vertex.at));
+  return scores;
+}
+
+}  // namespace
+
+double next_vertex_margin(const Asked& asked, const Run& run) {
+  const Point3 v = nearest_before(asked, run).normalized();
+  return scores_of_vertices(asked, [&](const Point3& at) { return -v.dot(at); }).lead() / extent_of(*asked.subject);
+}
+std::optional<Answer> vertex_along_v(const Asked& asked, const Run& run) {
+  const Point3 v = nearest_before(asked, run);
+  return by_choice(scores_of_vertices(asked, [&](const Point3& at) { return v.dot(at); }).greatest());
+}
+std::optional<Answer> vertex_nearest_origin(const Asked& asked, const Run&) {
+  return by_choice(scores_of_vertices(asked, [](const Point3& at) { return at.norm(); }).least());
+}
+
+/// Every vertex as far along -v is a right answer.
+Truth next_vertex_truth(const Asked& asked, const Run& run) {
+  const Point3 v = nearest_before(asked, run);
+  const auto outline = difference_outline(pair_of(asked));
   double farthest = -std::numeric_limits<double>::infinity(), size = 0;
   for (const DifferenceVertex& vertex : outline)
     farthest = std::max(farthest, -v.dot(vertex.at)), size = std::max(size, vertex.at.norm());

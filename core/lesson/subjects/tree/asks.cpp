@@ -4,6 +4,7 @@
 #include "fit/catalogue.hpp"
 #include "geometry/sort.hpp"
 #include "geometry/tolerance.hpp"
+#include "lesson/decide.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 
 namespace snug::lesson {
@@ -91,11 +92,27 @@ const char* offer_split_axes(Asked& asked, const Run& run) {
   const auto* split = std::get_if<hierarchy::SplitChosen>(&fact);
   if (split != nullptr && split->axis == kNoIndex)
     return "\"split_axis\" cannot be asked where all centres are in one place";
+  asked.of = tree_run(run).name_of(tree_run(run).forest(asked.fact), tree_run(run).branch_of(asked.fact));
   for (const int axis : {0, 1}) asked.add_choice(axis_letter(axis));
   return nullptr;
 }
+namespace {
+
+/// The least cost of a split along an axis.
+double cheapest_along(const hierarchy::SplitsPriced& fact, int axis) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int border = 1; border <= fact.borders(); ++border) least = std::min(least, fact.cost_at(axis, border));
+  return least;
+}
+
+}  // namespace
+
 Truth priced_axis_truth(const Asked& asked, const Run& run) {
-  return axis_truth(fact_of<hierarchy::SplitsPriced>(asked, run).axis, "The cheapest split is along ");
+  const auto& fact = fact_of<hierarchy::SplitsPriced>(asked, run);
+  Truth truth = axis_truth(fact.axis, "The cheapest split is along ");
+  const auto [x, y] = number_texts_apart(cheapest_along(fact, 0), cheapest_along(fact, 1));
+  truth.sentence += " The cheapest border along x costs " + x + " tests, along y " + y + ".";
+  return truth;
 }
 Truth split_axis_truth(const Asked& asked, const Run& run) {
   return axis_truth(fact_of<hierarchy::SplitChosen>(asked, run).axis, "The node is split along ");
@@ -188,6 +205,34 @@ Truth pair_apart_truth(const Asked& asked, const Run& run) {
   const auto& fact = fact_of<hierarchy::PairTested>(asked, run);
   const std::string what = fact.bodies ? "The two boxes " : "The boxes of the two nodes ";
   return fact.overlap ? no(what + "overlap.") : yes(what + "are apart along an axis.");
+}
+
+// ---- margins and wrong rules --------------------------------------------------------------------------------
+
+/// As a share of the cheaper one's cost.
+double priced_axis_margin(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<hierarchy::SplitsPriced>(asked, run);
+  const double x = cheapest_along(fact, 0), y = cheapest_along(fact, 1);
+  return std::abs(x - y) / std::min(x, y);
+}
+std::optional<Answer> longest_axis(const Asked& asked, const Run& run) {
+  const auto& fact = fact_of<hierarchy::SplitsPriced>(asked, run);
+  return by_choice(fact.high[0] - fact.low[0] >= fact.high[1] - fact.low[1] ? 0 : 1);
+}
+
+double pair_margin(const Asked& asked, const Run& run) {
+  Scores sizes;
+  for (const Pair& pair : pairs_before(tree_run(run).forest(asked.fact))) sizes.add(0, -pair.size);
+  return sizes.lead() / extent_of(*asked.subject);
+}
+std::optional<Answer> nearest_centers(const Asked& asked, const Run& run) {
+  const Forest& forest = tree_run(run).forest(asked.fact);
+  const auto center = [&](Index branch) { return Point2((forest.at(branch).box.min + forest.at(branch).box.max) / 2); };
+  Scores distances;
+  int choice = 0;
+  for (const Pair& pair : pairs_offered(asked, run))
+    distances.add(choice++, (center(pair.left) - center(pair.right)).norm());
+  return by_choice(distances.least());
 }
 
 }  // namespace snug::lesson

@@ -13,9 +13,15 @@ using TreeWhere = TreeRun::Where;
 
 const char* offer_split_axes(Asked& asked, const Run& run);
 Truth priced_axis_truth(const Asked& asked, const Run& run);
+double priced_axis_margin(const Asked& asked, const Run& run);
+std::optional<Answer> longest_axis(const Asked& asked, const Run& run);
+inline constexpr std::array kPricedRules{WrongRule{"longest", &longest_axis}};
 Truth split_axis_truth(const Asked& asked, const Run& run);
 const char* offer_pairs(Asked& asked, const Run& run);
 Truth pair_truth(const Asked& asked, const Run& run);
+double pair_margin(const Asked& asked, const Run& run);
+std::optional<Answer> nearest_centers(const Asked& asked, const Run& run);
+inline constexpr std::array kPairRules{WrongRule{"centers", &nearest_centers}};
 const char* offer_places(Asked& asked, const Run& run);
 Truth beside_truth(const Asked& asked, const Run& run);
 Truth rotates_truth(const Asked& asked, const Run& run);
@@ -43,7 +49,11 @@ Truth loses_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<hierarchy::SplitsPriced> : EntryDefaults {
   using Fact = hierarchy::SplitsPriced;
-  static constexpr std::array kAskings{Asking{"split_axis", &offer_split_axes, &priced_axis_truth}};
+  static constexpr std::array kAskings{Asking{.name = "split_axis",
+                                              .offer = &offer_split_axes,
+                                              .truth = &priced_axis_truth,
+                                              .margin = &priced_axis_margin,
+                                              .rules = kPricedRules}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const auto priced = std::count_if(fact.costs.begin(), fact.costs.end(), [](double c) { return std::isfinite(c); });
     return capital(where.beside_name(fact.node)) + ": of " + std::to_string(priced) +
@@ -98,7 +108,8 @@ struct Entry<hierarchy::LeafMade> : EntryDefaults {
 template <>
 struct Entry<hierarchy::NodesMerged> : EntryDefaults {
   using Fact = hierarchy::NodesMerged;
-  static constexpr std::array kAskings{Asking{"pair", &offer_pairs, &pair_truth}};
+  static constexpr std::array kAskings{
+      Asking{.name = "pair", .offer = &offer_pairs, .truth = &pair_truth, .margin = &pair_margin, .rules = kPairRules}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     if (where.run.is_by_hand())
       return where.name_before(fact.left) + " and " + where.name_before(fact.right) +

@@ -1,0 +1,33 @@
+#include "lesson/decide.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace snug::lesson {
+
+double extent_of(const Subject& subject) {
+  if (subject.size() == 0) return 1;
+  Point3 least = subject.at(0), greatest = least;
+  for (Index i = 1; i < subject.size(); ++i)
+    least = least.cwiseMin(subject.at(i)), greatest = greatest.cwiseMax(subject.at(i));
+  const double length = (greatest - least).norm();
+  return length > 0 ? length : 1;
+}
+
+int Scores::greatest() const { return of[std::max_element(values.begin(), values.end()) - values.begin()]; }
+int Scores::least() const { return of[std::min_element(values.begin(), values.end()) - values.begin()]; }
+
+double Scores::lead() const {
+  if (values.size() < 2) return std::numeric_limits<double>::infinity();
+  std::vector<double> sorted = values;
+  std::partial_sort(sorted.begin(), sorted.begin() + 2, sorted.end(), std::greater<>());
+  return sorted[0] - sorted[1];
+}
+
+Answer by_handles(std::vector<int> handles) {
+  std::sort(handles.begin(), handles.end());
+  handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
+  return {.kind = Answer::Kind::kPoints, .list = std::move(handles)};
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,30 @@
+// What decisions of exercises share: how far what is right is ahead, and what a wrong rule picks.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lesson/ask.hpp"
+
+namespace snug::lesson {
+
+/// The length of the diagonal of the box around all handles, scene units; 1 if they are all in one place.
+[[nodiscard]] double extent_of(const Subject& subject);
+
+/// A value for each handle or choice, of which the greatest is right.
+struct Scores {
+  std::vector<int> of;  // handles or choices
+  std::vector<double> values;
+  void add(int one, double value) { of.push_back(one), values.push_back(value); }
+  [[nodiscard]] int greatest() const;
+  [[nodiscard]] int least() const;
+  /// How far the greatest is ahead of the next; infinity if there is no other.
+  [[nodiscard]] double lead() const;
+};
+
+[[nodiscard]] inline Answer by_handle(int handle) { return {Answer::Kind::kPoint, handle}; }
+[[nodiscard]] inline Answer by_choice(int choice) { return {Answer::Kind::kChoice, choice}; }
+/// Several handles, each once.
+[[nodiscard]] Answer by_handles(std::vector<int> handles);
+
+}  // namespace snug::lesson

@@ -1,0 +1,105 @@
+#include "lesson/exercise/attempt.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "io/text.hpp"
+
+namespace snug::lesson {
+namespace {
+
+using AnswerKind = Answer::Kind;
+
+std::string list_text(const std::vector<int>& list) {
+  std::string text;
+  for (const int entry : list) text += (text.empty() ? "" : ".") + std::to_string(entry);
+  return text;
+}
+
+std::string text_of(const Answer& answer) {
+  switch (answer.kind) {
+    case AnswerKind::kPoint: return 'p' + std::to_string(answer.value);
+    case AnswerKind::kChoice: return 'c' + std::to_string(answer.value);
+    case AnswerKind::kPoints: return 'l' + list_text(answer.list);
+    case AnswerKind::kOrder: return 'o' + list_text(answer.list);
+    case AnswerKind::kNumber: {
+      std::array<char, 40> digits{};
+      std::snprintf(digits.data(), digits.size(), "n%.17g", answer.number);
+      return digits.data();
+    }
+    case AnswerKind::kSkipped: break;
+  }
+  return "s";
+}
+
+std::optional<int> whole_of(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
+  return value;
+}
+
+/// Cuts off what stands before a separator, or all.
+std::string_view take_until(std::string_view& rest, char separator) {
+  const std::size_t at = rest.find(separator);
+  const std::string_view part = rest.substr(0, at);
+  rest.remove_prefix(at == std::string_view::npos ? rest.size() : at + 1);
+  return part;
+}
+
+std::optional<Answer> answer_of(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  const char kind = text.front();
+  text.remove_prefix(1);
+  if (kind == 's') return text.empty() ? std::optional(Answer()) : std::nullopt;
+  if (kind == 'p' || kind == 'c') {
+    const auto value = whole_of(text);
+    return value ? std::optional(Answer{kind == 'p' ? AnswerKind::kPoint : AnswerKind::kChoice, *value}) : std::nullopt;
+  }
+  if (kind == 'n') {
+    const auto number = io::parse_number(text);
+    return number && std::isfinite(*number) ? std::optional(Answer{.kind = AnswerKind::kNumber, .number = *number})
+                                            : std::nullopt;
+  }
+  if (kind != 'l' && kind != 'o') return std::nullopt;
+  Answer answer{.kind = kind == 'l' ? AnswerKind::kPoints : AnswerKind::kOrder};
+  while (!text.empty()) {
+    const auto entry = whole_of(take_until(text, '.'));
+    if (!entry) return std::nullopt;
+    answer.list.push_back(*entry);
+  }
+  return answer;
+}
+
+}  // namespace
+
+std::string text_of(const Made& made) {
+  std::string text(static_cast<std::size_t>(made.hints), '?');
+  for (std::size_t i = 0; i < made.tries.size(); ++i) text += (i > 0 ? ">" : "") + text_of(made.tries[i]);
+  std::array<char, 32> seconds{};
+  std::snprintf(seconds.data(), seconds.size(), "@%.1f", made.seconds);
+  return text += seconds.data();
+}
+
+tl::expected<Made, InputError> made_of(std::string_view text) {
+  const auto wrong = tl::unexpected(InputError{.what = "is no decision: \"" + std::string(text) + '"'});
+  Made made;
+  std::string_view rest = text;
+  for (; rest.starts_with('?'); rest.remove_prefix(1)) ++made.hints;
+  std::string_view tries = take_until(rest, '@');
+  const auto seconds = io::parse_number(rest);
+  if (made.hints > kMostHints || !seconds || !(*seconds >= 0) || !std::isfinite(*seconds)) return wrong;
+  made.seconds = *seconds;
+  while (!tries.empty()) {
+    const auto answer = answer_of(take_until(tries, '>'));
+    if (!answer || made.tries.size() == 2) return wrong;
+    made.tries.push_back(*answer);
+  }
+  if (made.tries.empty() && made.hints == 0) return wrong;
+  return made;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,56 @@
+// An exercise: the student decides in an algorithm's place, on an instance made from a seed, for a mark. The format of
+// its file is documented in lessons/README.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/lesson.hpp"
+
+namespace snug::lesson {
+
+/// What the student is told who follows a wrong rule (WrongRule).
+struct RuleWords {
+  std::string name;
+  std::string says;
+  FilePlace place;  // in the file, for errors
+};
+
+/// One of the things that the student decides, each time that the run comes to it. The question itself, with its
+/// prompt and its reason, is that of the same number in Exercise::stage.
+struct Decision {
+  std::string hint;
+  bool at_once = false;  // whether it is asked right after the decision before it, and what lies between is played then
+  int least = 1;         // how often it comes at least
+  bool balanced = false;   // whether of half the instances all right answers are the same, and of the others not
+  bool skip_ties = false;  // whether what is too near to a tie is left to the program, or passes the seed over
+  std::vector<RuleWords> rules;
+};
+
+struct Exercise {
+  std::string id;      // the file's name without .toml
+  Lesson stage;        // what stands on it, the algorithm, and in its sections what is asked
+  std::string lesson;  // the id of the one that teaches it
+  std::vector<Decision> decisions;
+  bool told_at_once = true;   // or all at the end
+  double apart = 0;           // no decision is nearer to a tie than this share of the extent (Asking::margin)
+  int least = 1, most = 100;  // how many decisions an instance has
+  std::uint64_t hash = 0;     // of the file's text
+};
+
+/// What could be read of an exercise's file, and what is wrong with it.
+struct ExerciseDraft {
+  std::vector<FileError> mistakes;  // in the order of the file
+  Exercise exercise;                // sound if there are none
+};
+
+/// Reads an exercise's file. name: for errors and for the id. Mistakes, each with its line and column: those of a
+/// lesson's file; a fact that cannot be decided; a wrong rule that there is not.
+[[nodiscard]] ExerciseDraft read_exercise(std::string_view toml, std::string_view name);
+
+/// The price of so many hints: a quarter of the decision's mark, half of it, all of it.
+inline constexpr int kMostHints = 3;
+
+}  // namespace snug::lesson

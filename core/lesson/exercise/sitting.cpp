@@ -1,0 +1,263 @@
+#include "lesson/exercise/sitting.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/random.hpp"
+#include "lesson/names.hpp"
+
+namespace snug::lesson {
+namespace {
+
+/// Half of what could be answered, the right answers among it, in words: "One of these is right: P3; P7; P9."
+std::string narrowed(const Asked& asked, const Run& run, std::uint64_t seed) {
+  const Truth truth = asked.asking->truth(asked, run);
+  if (asked.number) return {};
+  const bool handles = asked.choices.empty();
+  std::vector<int> all(asked.choices.size());
+  std::iota(all.begin(), all.end(), 0);
+  if (handles) all.assign(asked.stage_points.begin(), asked.stage_points.end());
+  if (handles && all.empty()) all.resize(asked.subject->size()), std::iota(all.begin(), all.end(), 0);
+  const auto is_right = [&](int one) {
+    return handles ? std::find(truth.points.begin(), truth.points.end(), one) != truth.points.end()
+                   : std::find(truth.choices.begin(), truth.choices.end(), one) != truth.choices.end();
+  };
+  const auto right = std::stable_partition(all.begin(), all.end(), is_right) - all.begin();
+  if (std::ssize(all) - right < 2) return {};
+  Random random(seed);
+  for (auto left = std::ssize(all); left > right + 1; --left)
+    std::swap(all[left - 1], all[right + random.below(static_cast<std::uint32_t>(left - right))]);
+  all.resize(right + std::max<std::ptrdiff_t>((std::ssize(all) - right) / 2, 1));
+  std::sort(all.begin(), all.end());
+  std::vector<std::string> names;
+  for (const int one : all) names.push_back(handles ? asked.subject->name_of(one) : asked.choices[one]);
+  return (asked.many ? "The whole answer is among these: " : "One of these is right: ") + listed(names, ", ") + '.';
+}
+
+/// "The answer: P9."
+std::string told(const Asked& asked, const Run& run) {
+  const Truth truth = asked.asking->truth(asked, run);
+  if (asked.many || truth.choices.size() < 2) return "The answer: " + truth.happened + '.';
+  std::vector<std::string> right;
+  for (const int choice : truth.choices) right.push_back(asked.choices[choice]);
+  return "The answer: " + one_of(right) + '.';
+}
+
+std::string hint_text(const Exercise& exercise, const Session& session, std::size_t at, int hint) {
+  const Asked& asked = session.questions()[at];
+  if (hint == 0) return exercise.decisions[decision_of(exercise, *asked.question)].hint;
+  const std::string half = hint == 1 ? narrowed(asked, session.run(0), session.seed() + at) : std::string();
+  return half.empty() ? told(asked, session.run(0)) : half;
+}
+
+/// How many hints there are: where half of the answers would be one, the second tells it.
+int hints_for(const Session& session, std::size_t at) {
+  const Asked& asked = session.questions()[at];
+  return narrowed(asked, session.run(0), session.seed() + at).empty() ? kMostHints - 1 : kMostHints;
+}
+
+/// A hint that tells the answer costs all of the mark.
+double price_of(const Session& session, std::size_t at, int hints) {
+  return hints > 0 && hints == hints_for(session, at) ? 1 : kHintPrices[hints];
+}
+
+/// The answers to one question, in order.
+std::vector<const Given*> given_to(const Session& session, const Question& question) {
+  std::vector<const Given*> all;
+  for (const Given& given : session.given())
+    if (given.question == question.id) all.push_back(&given);
+  return all;
+}
+
+/// A wrong answer other than that one; a right one if there is none.
+Answer some_wrong(const Asked& asked, const Run& run, const Answer& other) {
+  const auto is_wrong = [&](const Answer& one) {
+    return answers(asked, one) && !judge(asked, one, run).right && !same_answer(asked, one, other);
+  };
+  Answer right = model_answer(asked, run);
+  if (asked.number)
+    return right.number = std::max(right.number, other.number) + 1 + 10 * asked.question->tolerance, right;
+  if (asked.ordered) return std::reverse(right.list.begin(), right.list.end()), right;
+  for (int i = 0; i < std::ssize(asked.choices); ++i)
+    if (const Answer one{Answer::Kind::kChoice, asked.many ? 1 << i : i}; is_wrong(one)) return one;
+  for (Index i = 0; i < asked.subject->size(); ++i) {
+    const Answer one = asked.many ? Answer{.kind = Answer::Kind::kPoints, .list = {static_cast<int>(i)}}
+                                  : Answer{Answer::Kind::kPoint, static_cast<int>(i)};
+    if (is_wrong(one)) return one;
+  }
+  return right;
+}
+
+}  // namespace
+
+std::size_t Sitting::at(const Session& session) const {
+  const std::vector<Asked>& all = session.questions();
+  if (const Outcome* told = session.outcome())
+    if (const Asked* now = session.question_of(*told)) return static_cast<std::size_t>(now - all.data());
+  // Wherever in the run one looks back.
+  const auto is_open = [&](const Asked& one) { return standing_of(session.outcome_of(one)) == Standing::kOpen; };
+  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_open) - all.begin());
+}
+
+std::vector<Marked> Sitting::marked(const Session& session) const {
+  const bool tells = exercise_->told_at_once || finished(session);
+  std::vector<Marked> all;
+  for (std::size_t i = 0; i < session.questions().size(); ++i) {
+    const Asked& asked = session.questions()[i];
+    Marked one{&asked, tells ? standing_of(session.outcome_of(asked)) : Standing::kOpen, hints_[i], 0};
+    const auto tries = given_to(session, *asked.question);
+    if (!tries.empty() && tries.back()->right)
+      one.mark = std::max((tries.size() == 1 ? 1 : 0.5) - price_of(session, i, hints_[i]), 0.0);
+    all.push_back(one);
+  }
+  return all;
+}
+
+double Sitting::mark(const Session& session) const {
+  double sum = 0;
+  for (const Marked& one : marked(session)) sum += one.mark;
+  return sum;
+}
+
+bool Sitting::take_hint(const Session& session) {
+  const std::size_t now = at(session);
+  if (session.asked() == nullptr || now == hints_.size() || hints_[now] == hints_for(session, now)) return false;
+  ++hints_[now];
+  return true;
+}
+
+std::vector<std::string> Sitting::hints(const Session& session) const {
+  std::vector<std::string> texts;
+  const std::size_t now = at(session);
+  if (now == hints_.size() || session.asked() == nullptr) return texts;
+  for (int i = 0; i < hints_[now]; ++i) texts.push_back(hint_text(*exercise_, session, now, i));
+  return texts;
+}
+
+double Sitting::next_price(const Session& session) const {
+  const std::size_t now = at(session);
+  if (session.asked() == nullptr || now == hints_.size() || hints_[now] == hints_for(session, now)) return 0;
+  return price_of(session, now, hints_[now] + 1) - price_of(session, now, hints_[now]);
+}
+
+/// The words of the wrong rule that gives this answer; null for none.
+const std::string* Sitting::rule_of(const Session& session, const Asked& asked, const Answer& answer) const {
+  const std::string* best = nullptr;
+  int most = -1;
+  for (const RuleWords& words : exercise_->decisions[decision_of(*exercise_, *asked.question)].rules) {
+    const WrongRule* rule = find_rule(asked, words.name);
+    const auto decided = rule->decides(asked, session.run(0));
+    if (!decided || !same_answer(asked, *decided, answer)) continue;
+    int before = 0;  // how many wrong answers it explains
+    for (const Given& given : session.given())
+      for (const Asked& other : session.questions()) {
+        if (given.right || other.question->id != given.question || other.asking != asked.asking) continue;
+        const auto there = rule->decides(other, session.run(0));
+        before += there && same_answer(other, *there, given.answer);
+      }
+    if (before > most) best = &words.says, most = before;
+  }
+  return best;
+}
+
+std::string Sitting::rule_says(const Session& session) const {
+  if (session.given().empty() || session.given().back().right || !exercise_->told_at_once) return {};
+  const Given& last = session.given().back();
+  const std::size_t now = at(session);
+  if (now == hints_.size() || session.questions()[now].question->id != last.question) return {};
+  const std::string* says = rule_of(session, session.questions()[now], last.answer);
+  return says != nullptr ? *says : std::string();
+}
+
+std::vector<std::string> Sitting::rules_followed(const Session& session) const {
+  std::vector<std::string> all;
+  const Run& run = session.run(0);
+  for (std::size_t kind = 0; kind < exercise_->decisions.size(); ++kind)
+    for (const RuleWords& words : exercise_->decisions[kind].rules) {
+      int differs = 0, follows = 0;
+      for (const Asked& asked : session.questions()) {
+        if (decision_of(*exercise_, *asked.question) != kind) continue;
+        const auto decided = find_rule(asked, words.name)->decides(asked, run);
+        const auto tries = given_to(session, *asked.question);
+        if (!decided || tries.empty() || judge(asked, *decided, run).right) continue;
+        ++differs;
+        follows += same_answer(asked, *decided, tries.front()->answer);
+      }
+      if (differs >= 2 && follows == differs) all.push_back(words.says);
+    }
+  return all;
+}
+
+Attempt Sitting::attempt(const Session& session) const {
+  Attempt attempt{exercise_->id, exercise_->hash, seed_, {}};
+  for (std::size_t i = 0; i < session.questions().size(); ++i) {
+    Made made{hints_[i], {}, 0};
+    for (const Given* given : given_to(session, *session.questions()[i].question))
+      made.tries.push_back(given->answer), made.seconds = given->seconds;
+    if (made.tries.empty() && made.hints == 0) break;
+    attempt.made.push_back(std::move(made));
+  }
+  return attempt;
+}
+
+tl::expected<void, InputError> Sitting::take_up(Session& session, const Attempt& attempt) {
+  const auto refuse = [](std::size_t i, const std::string& why) {
+    return tl::unexpected(InputError{.what = "decision " + std::to_string(i + 1) + ' ' + why});
+  };
+  for (std::size_t i = 0; i < attempt.made.size(); ++i) {
+    if (finished(session)) return refuse(i, "is one too many: there are " + std::to_string(of()));
+    for (int hint = 0; hint < attempt.made[i].hints; ++hint)
+      if (!take_hint(session)) return refuse(i, "has more hints than there are");
+    for (const Answer& answer : attempt.made[i].tries)
+      if (answer.kind == Answer::Kind::kSkipped || at(session) != i || !session.propose(answer))
+        return refuse(i, "cannot be answered like that");
+    while (session.acknowledge()) {
+    }
+    if (at(session) == i && i + 1 < attempt.made.size()) return refuse(i, "was not made to its end");
+  }
+  return {};
+}
+
+tl::expected<Graded, InputError> grade(std::shared_ptr<const Exercise> exercise, const Attempt& attempt) {
+  const auto instance = make_instance(*exercise, attempt.seed);
+  if (!instance) return tl::unexpected(instance.error());
+  auto session = open_instance(*exercise, *instance);
+  if (!session) return tl::unexpected(session.error());
+  Sitting sitting(std::move(exercise), attempt.seed, *session);
+  if (const auto taken = sitting.take_up(*session, attempt); !taken) return tl::unexpected(taken.error());
+  // What was not finished earns what was decided, told or not.
+  Graded graded{0, sitting.of(), static_cast<int>(session->given().empty() ? 0 : sitting.at(*session))};
+  graded.mark = sitting.mark(*session);
+  return graded;
+}
+
+tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::uint64_t seed, int wrong,
+                                                std::string_view rule) {
+  const auto instance = make_instance(exercise, seed);
+  if (!instance) return tl::unexpected(instance.error());
+  const auto session = open_instance(exercise, *instance);
+  if (!session) return tl::unexpected(session.error());
+  const std::vector<Asked>& all = session->questions();
+  if (wrong > std::ssize(all))
+    return tl::unexpected(InputError{.what = "there are only " + std::to_string(all.size()) + " decisions"});
+  Attempt attempt{exercise.id, exercise.hash, seed, {}};
+  const Run& run = session->run(0);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Answer answer = model_answer(all[i], run);
+    if (static_cast<int>(i) + 1 == wrong) {
+      const WrongRule* known = find_rule(all[i], rule);
+      const auto decided = known != nullptr ? known->decides(all[i], run) : std::nullopt;
+      if (!rule.empty() && (!decided || judge(all[i], *decided, run).right))
+        return tl::unexpected(InputError{.what = "decision " + std::to_string(wrong) + " has no wrong rule " +
+                                                 std::string(rule) + " that decides otherwise"});
+      answer = rule.empty() ? some_wrong(all[i], run, {}) : *decided;
+    }
+    const bool right = judge(all[i], answer, run).right;
+    attempt.made.push_back({0, {answer}, 0});
+    if (!right && exercise.told_at_once && has_second_try(all[i]))
+      attempt.made.back().tries.push_back(some_wrong(all[i], run, answer));
+  }
+  return attempt;
+}
+
+}  // namespace snug::lesson

@@ -1,0 +1,88 @@
+// A student at an exercise: hints, marks, and what is said to a decision. The decisions themselves are the session's.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "lesson/exercise/attempt.hpp"
+#include "lesson/exercise/instance.hpp"
+
+namespace snug::lesson {
+
+/// What became of a decision, for the list of all of them.
+struct Marked {
+  const Asked* asked = nullptr;
+  Standing standing = Standing::kOpen;  // open: not made yet, or not told before the end
+  int hints = 0;
+  double mark = 0;  // 1 at the first try, a half at the second, less the price of hints
+};
+
+class Sitting {
+ public:
+  /// session: one that open_instance gave for this seed. It is not kept: each call is given it again, for it may move.
+  Sitting(std::shared_ptr<const Exercise> exercise, std::uint64_t seed, const Session& session)
+      : exercise_(std::move(exercise)), seed_(seed), hints_(session.questions().size()) {}
+
+  [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+
+  /// The number of the open decision, counted from 0, while another's outcome is shown, that of this; as many as there
+  /// are at the end.
+  [[nodiscard]] std::size_t at(const Session& session) const;
+  [[nodiscard]] bool finished(const Session& session) const { return at(session) == hints_.size(); }
+  /// All decisions, in order.
+  [[nodiscard]] std::vector<Marked> marked(const Session& session) const;
+  /// The mark so far, in quarters, of one for each decision; where nothing is told before the end, it is not to be
+  /// shown before.
+  [[nodiscard]] double mark(const Session& session) const;
+  [[nodiscard]] int of() const { return static_cast<int>(hints_.size()); }
+
+  /// Takes the next hint for the open decision. Returns false if there is none.
+  bool take_hint(const Session& session);
+  /// The hints taken for it, in words.
+  [[nodiscard]] std::vector<std::string> hints(const Session& session) const;
+  /// What the next one costs, a share of the decision's mark; 0 for none left.
+  [[nodiscard]] double next_price(const Session& session) const;
+
+  /// What is said of the wrong rule that the last answer follows; empty if it follows none, or is right. Of several
+  /// rules it is the one that explains most of what was decided before.
+  [[nodiscard]] std::string rule_says(const Session& session) const;
+  /// At the end: the wrong rules that explain each decision in which they differ from what is right, if there are at
+  /// least two of these.
+  [[nodiscard]] std::vector<std::string> rules_followed(const Session& session) const;
+
+  [[nodiscard]] Attempt attempt(const Session& session) const;
+  /// Makes the decisions of an attempt, as far as they can be made. Errors: it has more than there are, or one that is
+  /// no answer to what is asked.
+  tl::expected<void, InputError> take_up(Session& session, const Attempt& attempt);
+
+ private:
+  [[nodiscard]] const std::string* rule_of(const Session& session, const Asked& asked, const Answer& answer) const;
+
+  std::shared_ptr<const Exercise> exercise_;
+  std::uint64_t seed_;
+  std::vector<int> hints_;  // taken for each decision
+};
+
+/// The prices of the hints, shares of a decision's mark: of one, of two, of all.
+inline constexpr std::array<double, kMostHints + 1> kHintPrices{0, 0.25, 0.5, 1};
+
+struct Graded {
+  double mark = 0;
+  int of = 0;
+  int decided = 0;
+};
+/// Replays every decision on the instance of its seed. Errors: those of make_instance and take_up.
+[[nodiscard]] tl::expected<Graded, InputError> grade(std::shared_ptr<const Exercise> exercise, const Attempt& attempt);
+
+/// An attempt that is right everywhere, but for one decision (counted from 1, 0 for none), which follows a wrong rule,
+/// or without one is any wrong answer. Errors: those of make_instance; there is no such decision or rule, or the rule
+/// is right there.
+[[nodiscard]] tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::uint64_t seed, int wrong,
+                                                              std::string_view rule);
+
+}  // namespace snug::lesson
