@@ -12,6 +12,7 @@ namespace snug::desktop {
 struct WindowOptions {
   std::string folder;                 // of the lessons; empty for the one beside the program
   std::string lesson;                 // its id, or its file; empty for the first
+  std::string exercise;               // its id, to open instead of a lesson; empty for none
   lesson::Standpoint at;              // where in it; empty for where it was left, or for its start in a picture
   std::optional<std::uint64_t> seed;  // none: the lesson's own
   std::string points_file;            // a file shown instead of the lesson's points; empty for none

@@ -86,8 +86,9 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
   app.set_version_flag("--version", SNUG_VERSION);
   app.require_subcommand(0, 1);
   Commands commands{app, open_window, {}};
-  for (const auto add : {add_window, add_fit, add_algorithms, add_cases, add_update, add_overlap, add_cull, add_cost,
-                         add_which, add_chart, add_scene, add_lesson, add_trace_hash, add_render})
+  for (const auto add :
+       {add_window, add_fit, add_algorithms, add_cases, add_update, add_overlap, add_cull, add_cost, add_which,
+        add_chart, add_scene, add_lesson, add_exercise, add_grade, add_trace_hash, add_render})
     add(commands);
   try {
     app.parse(joined_numbers(argc, argv));

@@ -75,6 +75,8 @@ void add_which(Commands& commands);
 void add_chart(Commands& commands);
 void add_scene(Commands& commands);
 void add_lesson(Commands& commands);
+void add_exercise(Commands& commands);
+void add_grade(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
 

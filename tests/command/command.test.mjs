@@ -483,7 +483,7 @@ test("every mistake of a lesson is told, in its order, and warnings beside them"
   assert.deepEqual(err.trimEnd().split("\n"), [
     `snug: many.toml:${line("titel")}:1: the lesson has no key "titel": did you mean "title"?`,
     `snug: many.toml:${line("minutes")}:11: "minutes" must be from 1 to 240`,
-    `snug: many.toml:${line("pont")}:8: "asks" is none of point, points, choice, sequence, figure, number, tightest, tightest_order, cheapest, cheapest_order or grows: pont; did you mean point?`,
+    `snug: many.toml:${line("pont")}:8: "asks" is none of point, points, choice, sequence, figure, number, tightest, tightest_order, cheapest, cheapest_order, farthest or grows: pont; did you mean point?`,
     `snug: many.toml:${line("P7")}:41: warning: "text" speaks of P7, which is not there: the last one is P4`,
   ]);
   const warned = snug(["lesson", "check", write("warned.toml", text.replace("Drag an outer point", "Drag P7"))]);

@@ -1,0 +1,292 @@
+// snug grade: replays the decisions of result files, and reports what they earn.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "desktop/cli/command.hpp"
+#include "desktop/cli/exercise_files.hpp"
+#include "desktop/cli/progress.hpp"
+#include "lesson/exercise/sitting.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::desktop {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeOptions {
+  std::string folder;
+  std::vector<std::string> paths;
+  bool csv = false, json = false, by_student = false, alike = false;
+};
+
+/// A row of the report: an attempt, or a file of which none could be read.
+struct Row {
+  std::string file, student, exercise;
+  std::uint64_t seed = 0;
+  double mark = 0;
+  int of = 0;
+  std::optional<double> claimed;
+  std::string status = "ok", says;
+  std::vector<std::string> decisions;  // without their times
+  std::vector<std::string> timed;
+};
+
+/// Whether a version, numbers with dots between them, comes before another.
+bool is_before(const std::string& a, const std::string& b) {
+  const auto parts = [](const std::string& version) {
+    std::vector<int> numbers(1);
+    for (const char c : version) {
+      if (c == '.') numbers.push_back(0);
+      else if (c >= '0' && c <= '9' && numbers.back() < 100'000) numbers.back() = 10 * numbers.back() + (c - '0');
+    }
+    return numbers;
+  };
+  return parts(a) < parts(b);
+}
+
+using Exercises = std::map<std::string, std::shared_ptr<const lesson::Exercise>>;
+
+void grade_row(Row& row, const Claimed& claimed, const std::string& version, const Exercises& exercises) {
+  const auto be = [&](const char* status, std::string says) { row.status = status, row.says = std::move(says); };
+  const lesson::Attempt& attempt = claimed.attempt;
+  row.exercise = attempt.exercise, row.seed = attempt.seed, row.claimed = claimed.mark;
+  for (const lesson::Made& made : attempt.made) {
+    row.timed.push_back(text_of(made));
+    row.decisions.push_back(row.timed.back().substr(0, row.timed.back().find('@')));
+  }
+  const auto known = exercises.find(attempt.exercise);
+  if (known == exercises.end()) return be("foreign", "there is no such exercise here");
+  if (known->second->hash != attempt.hash) {
+    const std::string was = "the exercise was another when this was done";
+    if (is_before(version, SNUG_VERSION)) return be("older", was);
+    if (is_before(SNUG_VERSION, version)) return be("newer", was);
+    return be("foreign", was);
+  }
+  const auto graded = lesson::grade(known->second, attempt);
+  if (!graded) return be("damaged", graded.error().what);
+  row.mark = graded->mark, row.of = graded->of;
+  if (!claimed.mark) be("differs", "it claims no mark");
+  else if (*claimed.mark != graded->mark) be("differs", "it claims what it does not earn");
+}
+
+std::vector<Row> grade_file(const std::string& path, const Exercises& exercises) {
+  const auto bad = [&](const char* status, std::string says) {
+    Row row{.file = path};
+    row.status = status, row.says = std::move(says);
+    return std::vector<Row>{row};
+  };
+  const auto text = read_file(path);
+  if (!text) return bad("damaged", text.error().what);
+  const auto file = read_result(*text);
+  if (!file) return bad(file.error().foreign ? "foreign" : "damaged", file.error().what);
+  if (file->format != kResultFormat)
+    return bad(file->format > kResultFormat ? "newer" : "older", "its format is " + std::to_string(file->format));
+  std::vector<Row> rows;
+  for (const auto& claimed : file->attempts) {
+    Row row{.file = path, .student = file->student};
+    if (claimed) grade_row(row, *claimed, file->version, exercises);
+    else row.status = "damaged", row.says = claimed.error();
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// The files themselves, and those of folders, by name.
+tl::expected<std::vector<std::string>, InputError> files_in(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : fs::recursive_directory_iterator(path, error))
+      if (entry.is_regular_file() && entry.path().extension() == ".json") inside.push_back(entry.path().string());
+    if (error) return tl::unexpected(InputError{.what = error.message(), .file = path});
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+Json json_of(const Row& row) {
+  Json json{{"file", row.file},
+            {"student", row.student},
+            {"exercise", row.exercise},
+            {"seed", row.seed},
+            {"mark", row.mark},
+            {"of", row.of},
+            {"claimed", row.claimed ? Json(*row.claimed) : Json()},
+            {"status", row.status}};
+  if (!row.says.empty()) json["says"] = row.says;
+  return json;
+}
+
+using Cells = std::vector<std::string>;
+
+std::string number(double value) { return lesson::plain_number(value); }
+
+Cells cells_of(const Row& row) {
+  return {row.file,
+          row.student,
+          row.exercise,
+          row.exercise.empty() ? "" : std::to_string(row.seed),
+          number(row.mark),
+          std::to_string(row.of),
+          row.claimed ? number(*row.claimed) : "",
+          row.status};
+}
+
+/// One row a student: the best attempt at each exercise counts.
+std::vector<Cells> by_student(const std::vector<Row>& rows) {
+  std::map<std::string, std::map<std::string, const Row*>> best;
+  std::map<std::string, std::string> status;
+  std::vector<std::string> order;
+  for (const Row& row : rows) {
+    const std::string who = row.student.empty() ? row.file : row.student;
+    if (best.find(who) == best.end()) order.push_back(who), status[who] = "ok";
+    const Row*& own = best[who][row.exercise];
+    if (row.status != "ok") status[who] = row.status;
+    if (row.of > 0 && (own == nullptr || row.mark * own->of > own->mark * row.of)) own = &row;
+  }
+  std::vector<Cells> table;
+  for (const std::string& who : order) {
+    double mark = 0;
+    int of = 0, exercises = 0;
+    for (const auto& [exercise, row] : best[who])
+      if (row != nullptr) mark += row->mark, of += row->of, ++exercises;
+    table.push_back({who, std::to_string(exercises), number(mark), std::to_string(of), status[who]});
+  }
+  return table;
+}
+
+/// A cell as CSV has it. What a spreadsheet would take for a formula is a text.
+std::string csv_cell(std::string cell) {
+  if (!cell.empty() && std::string_view("=+-@\t\r").find(cell.front()) != std::string_view::npos) cell.insert(0, "'");
+  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string as_csv(const std::vector<Cells>& table) {
+  std::string text;
+  for (const Cells& cells : table)
+    for (std::size_t i = 0; i < cells.size(); ++i) text += csv_cell(cells[i]) + (i + 1 < cells.size() ? ',' : '\n');
+  return text;
+}
+
+std::string as_table(const std::vector<Cells>& table) {
+  std::vector<std::size_t> widths(table.front().size());
+  for (const Cells& cells : table)
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+  std::string text;
+  for (const Cells& cells : table) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      line += cells[i] + (i + 1 < cells.size() ? std::string(widths[i] - cells[i].size() + 2, ' ') : "");
+    text += line + '\n';
+  }
+  return text;
+}
+
+/// A pair of attempts that a teacher may want to look at.
+struct Alike {
+  const Row* a;
+  const Row* b;
+  const char* why;
+};
+
+constexpr std::size_t kTelling = 3;  // fewer equal decisions are chance
+
+std::vector<Alike> alike(const std::vector<Row>& rows) {
+  std::vector<Alike> pairs;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = i + 1; k < rows.size(); ++k) {
+      const Row &a = rows[i], &b = rows[k];
+      if (a.exercise.empty() || a.exercise != b.exercise || a.decisions.size() < kTelling) continue;
+      if (a.seed == b.seed && a.timed == b.timed) pairs.push_back({&a, &b, "the same attempt, times included"});
+      else if (a.seed != b.seed && a.decisions == b.decisions)
+        pairs.push_back({&a, &b, "equal decisions on different instances"});
+    }
+  return pairs;
+}
+
+CommandResult report_alike(const std::vector<Row>& rows, const GradeOptions& options) {
+  Printed printed;
+  std::vector<Cells> table{{"file", "other", "exercise", "why"}};
+  for (const auto& [a, b, why] : alike(rows)) {
+    printed.text += line_of({{"file", a->file}, {"other", b->file}, {"exercise", a->exercise}, {"why", why}});
+    table.push_back({a->file, b->file, a->exercise, why});
+  }
+  if (options.csv) printed.text = as_csv(table);
+  else if (!options.json)
+    printed.text = (table.size() > 1 ? as_table(table) : "No two attempts are alike.\n") +
+                   std::string("This is a hint for a teacher, and no verdict: students may work together, or hand in a "
+                               "file twice.\n");
+  return printed;
+}
+
+CommandResult run_grade(const GradeOptions& options) {
+  const auto known = read_exercises(options.folder);
+  if (!known) return bad_input(known.error());
+  Exercises exercises;
+  for (const ExerciseFile& file : *known) exercises[file.exercise->id] = file.exercise;
+  const auto files = files_in(options.paths);
+  if (!files) return bad_input(files.error());
+  std::vector<Row> rows;
+  Progress progress("Grading", static_cast<int>(files->size()));
+  for (const std::string& path : *files) {
+    for (Row& row : grade_file(path, exercises)) rows.push_back(std::move(row));
+    progress.advance();
+  }
+  if (options.alike) return report_alike(rows, options);
+  Printed printed;
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "ok"; })) printed.status = 1;
+  for (const Row& row : rows)
+    if (!row.says.empty())
+      printed.warnings.push_back(
+          {row.status + ": " + row.says + (row.exercise.empty() ? "" : " (" + row.exercise + ')'), row.file});
+  std::vector<Cells> table{{"file", "student", "exercise", "seed", "mark", "of", "claimed", "status"}};
+  for (const Row& row : rows) table.push_back(cells_of(row));
+  if (options.by_student) {
+    table = by_student(rows);
+    table.insert(table.begin(), {"student", "exercises", "mark", "of", "status"});
+  }
+  if (options.json && options.by_student)
+    for (std::size_t i = 1; i < table.size(); ++i)
+      printed.text += line_of({{"student", table[i][0]},
+                               {"exercises", std::stoi(table[i][1])},
+                               {"mark", std::stod(table[i][2])},
+                               {"of", std::stoi(table[i][3])},
+                               {"status", table[i][4]}});
+  else if (options.json)
+    for (const Row& row : rows) printed.text += line_of(json_of(row));
+  else printed.text = options.csv ? as_csv(table) : as_table(table);
+  return printed;
+}
+
+}  // namespace
+
+void add_grade(Commands& commands) {
+  CLI::App& command = *commands.app.add_subcommand("grade", "Grade the result files of exercises");
+  command.footer(
+      "Replays every decision of each file on the instance of its seed: a row an exercise, with file, student,\n"
+      "exercise, seed, mark, of, claimed and status. Status is ok; differs, if it claims what it does not earn;\n"
+      "damaged; foreign, if it is no result file or of no exercise here; older or newer, if the exercise was another\n"
+      "then. Every other file is graded all the same; exit status 1 if any is not ok, with the reason on standard\n"
+      "error. A result file is no signature: it proves that these decisions earn this mark on this instance.");
+  const auto options = add_command<GradeOptions>(commands, command, run_grade);
+  command.add_option("FILE", options->paths, "Result files, or folders of them (*.json)")->required();
+  const auto csv = command.add_flag("--csv", options->csv, "Comma-separated values");
+  command.add_flag("--json", options->json, "JSON Lines")->excludes(csv);
+  command.add_flag("--by-student", options->by_student,
+                   "A row a student: the sum of the best attempts at each exercise");
+  command.add_flag("--alike", options->alike, "List attempts that are alike: a hint for a teacher, never a verdict");
+  command.add_option("--lessons", options->folder, "Folder of the lessons; by default the one beside the program");
+}
+
+}  // namespace snug::desktop

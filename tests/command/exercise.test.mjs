@@ -1,0 +1,128 @@
+// snug exercise and snug grade: instances, result files, and a folder of them, some damaged or edited.
+import assert from "node:assert/strict";
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { folder, good, json_lines, read, refused, snug, write } from "./support.mjs";
+
+const kIds = json_lines(good(["exercise", "list"])).map(({ exercise }) => exercise);
+
+test("the exercises are listed, with the sets that they belong to", () => {
+  const all = json_lines(good(["exercise", "list"]));
+  assert.ok(all.length >= 15);
+  for (const one of all) assert.deepEqual(Object.keys(one), ["exercise", "kind", "title", "minutes", "set", "sets", "lesson", "file"]);
+});
+
+test("an instance is the same bytes each time", () => {
+  const text = good(["exercise", "make", "be-ritter", "--seed", "7"]);
+  assert.equal(good(["exercise", "make", "be-ritter", "--seed", "7"]), text);
+  const [made] = json_lines(text);
+  assert.equal(made.seed, 7);
+  assert.equal(made.of, made.decisions);
+  assert.equal(made.instance.handles.length, 12);
+  assert.notEqual(good(["exercise", "make", "be-ritter", "--seed", "8"]), text);
+  refused(["exercise", "make", "be-riter"], /there is no exercise "be-riter"/);
+});
+
+test("a model attempt earns every mark, one wrong decision costs one", () => {
+  for (const id of kIds) {
+    const [right] = json_lines(good(["exercise", "answer", id, "--seed", "3"]));
+    assert.equal(right.attempts[0].mark, right.attempts[0].of, id);
+    const [wrong] = json_lines(good(["exercise", "answer", id, "--seed", "3", "--wrong", "1"]));
+    assert.equal(wrong.attempts[0].mark, wrong.attempts[0].of - 1, id);
+  }
+  const [ruled] = json_lines(good(["exercise", "answer", "be-quickhull", "--wrong", "1=nearest"]));
+  assert.equal(ruled.attempts[0].mark, ruled.attempts[0].of - 1);
+  refused(["exercise", "answer", "be-quickhull", "--wrong", "1=farthest"], /no wrong rule farthest/);
+  refused(["exercise", "answer", "be-quickhull", "--wrong", "99"], /there are only \d+ decisions/);
+  refused(["exercise", "answer", "be-quickhull", "--wrong", "x"], /--wrong takes the number of a decision/);
+});
+
+test("the promise is checked on many seeds", () => {
+  for (const { exercise, kept, seeds, nearest, promised } of json_lines(good(["exercise", "check", "--seeds", "40"]))) {
+    assert.deepEqual([kept, seeds], [true, 40], exercise);
+    assert.ok(nearest >= promised, exercise);
+  }
+});
+
+/** A result file of a folder of its own; change(result): edits it. */
+function hand_in(name, id, seed, student, change = () => {}) {
+  const [result] = json_lines(good(["exercise", "answer", id, "--seed", String(seed), "--student", student]));
+  change(result);
+  write(name, JSON.stringify(result));
+}
+
+test("a folder of 200 result files is graded, whatever is wrong with twenty of them", () => {
+  mkdirSync(join(folder, "class"));
+  const spoilt = { differs: 5, damaged: 8, foreign: 3, older: 2, newer: 2 };
+  const edits = {
+    differs: [(it) => (it.attempts[0].mark += 1), (it) => delete it.attempts[0].mark, (it) => (it.attempts[0].mark = 0),
+      (it) => (it.attempts[0].decisions.pop()), (it) => (it.attempts[0].mark = "full")],
+    damaged: [(it) => (it.attempts[0].decisions[0] = "zz"), (it) => (it.attempts[0].decisions = 7), (it) => (it.attempts[0].seed = -1),
+      (it) => (it.attempts[0].hash = "12"), (it) => (it.attempts = {}), (it) => (it.attempts[0].decisions[0] = "p9999@1.0"),
+      (it) => it.attempts[0].decisions.push(...it.attempts[0].decisions), null],
+    foreign: [(it) => delete it.snug_result, (it) => (it.attempts[0].exercise = "be-nobody"), (it) => (it.attempts[0].hash = "0".repeat(16))],
+    older: [(it) => (it.attempts[0].hash = "0".repeat(16), it.version = "0.0.1"), (it) => (it.snug_result = 0)],
+    newer: [(it) => (it.attempts[0].hash = "0".repeat(16), it.version = "99.0"), (it) => (it.snug_result = 2)],
+  };
+  let n = 0;
+  const add = (change) => {
+    const name = `class/student-${String(n).padStart(3, "0")}.json`;
+    if (change === null) write(name, "{ \"snug_result\": 1,");
+    else hand_in(name, kIds[n % kIds.length], n, `Student ${n}`, change);
+    n += 1;
+  };
+  for (const [status, count] of Object.entries(spoilt)) {
+    assert.equal(edits[status].length, count);
+    for (const change of edits[status]) add(change);
+  }
+  while (n < 200) add();
+  const { out, err, status } = snug(["grade", "class", "--json"]);
+  assert.equal(status, 1);
+  const rows = json_lines(out);
+  assert.equal(rows.length, 200);
+  const counts = {};
+  for (const row of rows) (counts[row.status] ??= []).push(row);
+  for (const [kind, count] of Object.entries(spoilt)) assert.equal(counts[kind]?.length, count, `${kind}\n${err}`);
+  assert.equal(counts.ok.length, 180);
+  for (const row of counts.ok) assert.deepEqual([row.mark, row.claimed], [row.of, row.of]);
+  assert.equal(err.trimEnd().split("\n").length, 20);
+  const csv = snug(["grade", "class", "--csv"]).out.trimEnd().split("\n");
+  assert.equal(csv[0], "file,student,exercise,seed,mark,of,claimed,status");
+  assert.equal(csv.length, 201);
+});
+
+test("a student's best attempts count, and a name is no formula", () => {
+  hand_in("a.json", "be-quickhull", 4, "=1+1", (it) => {
+    const [other] = json_lines(good(["exercise", "answer", "be-quickhull", "--seed", "5", "--wrong", "1"]));
+    it.attempts.push(...other.attempts);
+  });
+  const [, row] = good(["grade", "a.json", "--by-student", "--csv"]).split("\n");
+  const [{ attempts }] = [JSON.parse(read("a.json"))];
+  assert.equal(row, `'=1+1,1,${attempts[0].of},${attempts[0].of},ok`);
+});
+
+test("what is alike is told, as a hint and no verdict", () => {
+  hand_in("one.json", "covariance-signs", 4, "One");
+  write("two.json", read("one.json").replace("One", "Two"));
+  hand_in("three.json", "covariance-signs", 5, "Three", (it) => {
+    it.attempts[0].decisions = JSON.parse(read("one.json")).attempts[0].decisions;
+  });
+  const text = good(["grade", "one.json", "two.json", "three.json", "--alike"]);
+  assert.match(text, /one\.json +two\.json +covariance-signs +the same attempt, times included/);
+  assert.match(text, /one\.json +three\.json +covariance-signs +equal decisions on different instances/);
+  assert.match(text, /This is a hint for a teacher, and no verdict/);
+});
+
+test("a set is printed on paper, a sheet and a solution for each seed", () => {
+  const { out, err, status } = snug(["exercise", "print", "geometry", "--seeds", "2", "-o", "sheets"]);
+  assert.equal(status, 0);
+  assert.match(err, /warning: merge-bottom-up: what stands on its stage is not drawn on paper yet/);
+  const files = json_lines(out).map(({ file }) => file);
+  assert.ok(files.length >= 28);
+  const [sheet, solution] = ["", "-solution"].map((part) => read(`sheets/be-ritter-2${part}.svg`));
+  assert.match(sheet, />Name: _+</);
+  assert.doesNotMatch(sheet, /lies outside, by/);
+  assert.match(solution, /P\d+\. P\d+ is the next in the list that lies outside, by/);
+  refused(["exercise", "print", "nothing", "-o", "sheets"], /there is no exercise "nothing"/);
+});
