@@ -57,6 +57,7 @@ struct App::State {
   std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them on demand
   Look look;
   std::optional<lesson::Session> session;
+  std::optional<lesson::Sitting> sitting;              // at the exercise that is open
   std::map<std::string, lesson::KeptAnswers> answers;  // those of lessons that were left, by id
   const SubjectRow* subject = nullptr;                 // the session's subject, and its view
   std::unique_ptr<SubjectView> view;
@@ -99,6 +100,7 @@ struct App::State {
   void draw_stage(const Rect& rect);
   void invite(const Rect& rect);
   [[nodiscard]] std::optional<Rect> handle_to_drag(const Rect& rect);
+  void open(lesson::Session next, bool anew);
   void forget();
   void set_speed(int by);
   void toggle_play();
@@ -195,7 +197,10 @@ bool App::State::go_on(std::string_view name) {
   const lesson::Asked* const asked = session->asked();
   const bool gate = asked != nullptr && (asked->step != lesson::Asked::kAnytime || name == "next_mark");
   if (steps && gate) return session->pass_by();
+  if (name == "hint") return sitting && sitting->take_hint(*session);
+  if (name == "take_back") return session->take_back();
   if (name == "predict_again") {
+    if (sitting) return false;
     forget();
     if (session->lesson().subject->asks_of_steps) session->first();
     return true;
@@ -261,10 +266,11 @@ bool App::State::choose_target(int by) {
   if (targets.empty() || session->asked()->many) return false;  // of many, each is tapped or named
   const auto n = static_cast<std::ptrdiff_t>(targets.size());
   const lesson::Answer* picked = session->picked();
+  if (picked == nullptr) picked = session->tried();
   const bool any = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
   const std::ptrdiff_t at = any ? std::find(targets.begin(), targets.end(), picked->value) - targets.begin() : -1;
   const std::ptrdiff_t next = at < 0 ? (by > 0 ? 0 : n - 1) : (at + by + n) % n;
-  if (next != at) static_cast<void>(session->pick({lesson::Answer::Kind::kPoint, targets[next]}));
+  if (next != at) static_cast<void>(session->pick({lesson::Answer::Kind::kPoint, targets[next]}, false));
   return true;
 }
 
@@ -384,21 +390,38 @@ const std::string& App::graphics_error() const { return state_->gl.error(); }
 tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io::PointFile> mesh, bool anew) {
   auto session = lesson::Session::open(std::move(lesson), std::move(mesh), state_->platform.clock);
   if (!session) return tl::unexpected(std::move(session.error()));
-  if (const auto& left = state_->session) state_->answers[left->lesson().id] = {left->outcomes(), left->done_tasks()};
-  state_->session.emplace(std::move(*session));
-  const lesson::KeptAnswers& answers = state_->answers[state_->session->lesson().id];
-  lesson::take_up(*state_->session, answers);
-  state_->subject = &subject_of(state_->session->lesson());
-  state_->view = state_->subject->view();
-  state_->cover = state_->subject->cover != nullptr ? state_->subject->cover(state_->platform) : nullptr;
-  if (anew) state_->stage.open_anew(*state_->session, *state_->view);
-  else state_->stage.open(*state_->session, *state_->view);
-  state_->stage.light("");
-  state_->playing = false;
-  state_->watched_pause = 0;
-  state_->settle = kSettleFrames;
+  state_->open(std::move(*session), anew);
+  lesson::take_up(*state_->session, state_->answers[state_->session->lesson().id]);
   invite(lesson::Invitations::kAll);
   return {};
+}
+
+tl::expected<void, InputError> App::open_exercise(std::shared_ptr<const lesson::Exercise> exercise,
+                                                  std::uint64_t seed) {
+  const auto instance = make_instance(*exercise, seed);
+  if (!instance) return tl::unexpected(instance.error());
+  auto session = open_instance(*exercise, *instance, state_->platform.clock);
+  if (!session) return tl::unexpected(std::move(session.error()));
+  state_->open(std::move(*session), false);
+  state_->sitting.emplace(std::move(exercise), seed, *state_->session);
+  invite(lesson::Invitations::kAll);
+  return {};
+}
+lesson::Sitting* App::sitting() { return state_->sitting ? &*state_->sitting : nullptr; }
+
+void App::State::open(lesson::Session next, bool anew) {
+  if (session && !sitting) answers[session->lesson().id] = {session->outcomes(), session->done_tasks()};
+  sitting.reset();
+  session.emplace(std::move(next));
+  subject = &subject_of(session->lesson());
+  view = subject->view();
+  cover = subject->cover != nullptr ? subject->cover(platform) : nullptr;
+  if (anew) stage.open_anew(*session, *view);
+  else stage.open(*session, *view);
+  stage.light("");
+  playing = false;
+  watched_pause = 0;
+  settle = kSettleFrames;
 }
 
 void App::keep_answers(const std::string& lesson, lesson::KeptAnswers answers) {
@@ -457,6 +480,8 @@ std::string_view App::command_of_key(std::string_view key, bool shift, bool cont
   if (state_->session && !control) {
     if (state_->session->deciding() != nullptr) return "continue";  // any key ends it
     if (key == "Enter" && state_->session->picked() != nullptr) return "commit_answer";
+    if (state_->sitting && key == "Backspace") return "take_back";
+    if (state_->sitting && (key == "h" || key == "H")) return "hint";
     if (key == "Escape" && state_->session->at_summary()) return "close_summary";
   }
   if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "lesson/exercise/sitting.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/session.hpp"
 #include "measure/rows.hpp"
@@ -99,6 +100,11 @@ class App {
   /// Opens a lesson at its start, with the answers given when it was open before. Errors: those of Session::open; the
   /// lesson that was open then stays. anew: it is the one that is open, read anew; the view of the stage stays.
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {}, bool anew = false);
+  /// Opens the instance of a seed of an exercise, with nothing decided. Errors: those of make_instance; what was open
+  /// then stays.
+  tl::expected<void, InputError> open_exercise(std::shared_ptr<const lesson::Exercise> exercise, std::uint64_t seed);
+  /// The exercise that is open; null while a lesson is.
+  [[nodiscard]] lesson::Sitting* sitting();
   /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.
   void keep_answers(const std::string& lesson, lesson::KeptAnswers answers);
   void forget_answers();
@@ -123,12 +129,12 @@ class App {
   /// move_down move_nearer move_farther (for the selected point; with "_fine" added, by a tenth), zoom_in zoom_out
   /// orbit_left orbit_right orbit_up orbit_down toggle_optimum watch_outcome continue show_answer close_summary;
   /// predict_again, which forgets the lesson's answers and starts it over; practise, which asks on another example;
-  /// review:QUESTION, which shows its outcome again; and turn:EFFECT, which does with an effect of the scene what
-  /// Session::toggle does. push lets the selected body of a scene hop. At a question, next_mark and step announce that
-  /// a second press skips it, because a clicker has no other key. At an outcome, they, play and commit_answer continue.
-  /// While the way to an outcome is played, any command ends that. watch_outcome goes back to the question and plays up
-  /// to the outcome; it fails if no steps lie between. Returns false if the name is unknown or the command impossible
-  /// now (undo with nothing to undo).
+  /// review:QUESTION, which shows its outcome again; in an exercise hint, which takes the next one, and take_back; and
+  /// turn:EFFECT, which does with an effect of the scene what Session::toggle does. push lets the selected body of a
+  /// scene hop. At a question, next_mark and step announce that a second press skips it, because a clicker has no other
+  /// key. At an outcome, they, play and commit_answer continue. While the way to an outcome is played, any command ends
+  /// that. watch_outcome goes back to the question and plays up to the outcome; it fails if no steps lie between.
+  /// Returns false if the name is unknown or the command impossible now (undo with nothing to undo).
   bool command(std::string_view name);
   /// Chooses an answer to the open question by its number, as Session::pick does. Where the last prediction about a
   /// cover was given, by this or by a command, measuring begins: it is what decides it.

@@ -368,7 +368,7 @@ std::vector<Handle> Stage::handles(const lesson::Session& session) const {
   std::vector<Handle> handles;
   if (!view_->can_move(session)) return handles;
   for (std::size_t i = 0; i < screen_.size(); ++i)
-    if (screen_[i].visible && session.may_move(static_cast<Index>(i)))
+    if (screen_[i].visible && (session.conduct().decides || session.may_move(static_cast<Index>(i))))
       handles.push_back({session.name_of(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
   return handles;
 }

@@ -281,6 +281,7 @@ void CourseScreen::draw(Shell& shell, const app::Rect& rect) {
     while (end < lessons.size() && lessons[end].chapter == lessons[i].chapter) ++end;
     if (lessons[i].is_case && i == shell.course_size()) {
       if (!lesson::is_search(asked())) {
+        draw_sets(shell, grid, y);
         y += look.px(52);
         y += draw_gallery_words(look, grid.left, y, width);
       }

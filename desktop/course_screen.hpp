@@ -48,6 +48,7 @@ class CourseScreen {
   void draw_start(Shell& shell, const app::Rect& place, float& y);
   void draw_found(Shell& shell, const app::Rect& place, float& y);
   void draw_chapter(Shell& shell, const Grid& grid, std::size_t from, std::size_t to, float& y);
+  void draw_sets(Shell& shell, const Grid& grid, float& y);
   void draw_card(Shell& shell, std::size_t lesson, const app::Rect& card);
   void draw_case(Shell& shell, std::size_t lesson, const app::Rect& card);
   void draw_picture(Shell& shell, const std::string& id, const app::Rect& place, bool all_round);

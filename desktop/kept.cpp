@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "desktop/cli/exercise_files.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/progress.hpp"
@@ -65,6 +66,13 @@ KeptLesson lesson_of(const Json& object) {
   return lesson;
 }
 
+KeptExercise exercise_of(const Json& object) {
+  KeptExercise exercise{count(object, "tries"), member(object, "mark", 0.0, &Json::is_number), count(object, "of"), {}};
+  if (const auto now = object.find("now"); now != object.end())
+    if (auto read = attempt_of(*now)) exercise.now = std::move(read->attempt);
+  return exercise;
+}
+
 /// None where a number is missing or out of range.
 std::optional<KeptView> view_of(const Json& object) {
   if (!object.is_object()) return std::nullopt;
@@ -100,6 +108,7 @@ Kept::Kept() : path_(path_of_state()) {
   works_ = !path_.empty();
   if (auto file = read()) {
     last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
+    exercises_ = std::move(file->exercises);
     view = view_read_ = file->view;
   }
   works_ = !path_.empty();
@@ -114,8 +123,11 @@ std::optional<Kept::State> Kept::read() {
   const int version = json.is_object() ? count(json, "version") : 0;
   if (version > kVersion) return path_.clear(), std::nullopt;  // the file of a later program is left as it is
   if (version != kVersion) return put_aside(), std::nullopt;
-  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}, {}};
+  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}, {}, {}};
   if (const auto look = json.find("view"); look != json.end()) state.view = view_of(*look);
+  if (const auto exercises = json.find("exercises"); exercises != json.end() && exercises->is_object())
+    for (const auto& [id, entry] : exercises->items())
+      if (entry.is_object()) state.exercises[id] = exercise_of(entry);
   const auto lessons = json.find("lessons");
   if (lessons == json.end() || !lessons->is_object()) return state;
   for (const auto& [id, entry] : lessons->items())
@@ -136,6 +148,8 @@ void Kept::merge(State file) {
   view_read_ = view;
   if (erased_) return;
   if (changed_.empty()) last_ = file.last;
+  for (auto& [id, exercise] : file.exercises)
+    if (changed_.count("exercise:" + id) == 0) exercises_[id] = std::move(exercise);
   for (auto& [id, lesson] : file.lessons) {
     if (changed_.count(id) == 0) {
       lessons_[id] = std::move(lesson);
@@ -176,8 +190,24 @@ void Kept::keep(const lesson::Session& session) {
   last_ = id;
 }
 
+const KeptExercise* Kept::exercise(const std::string& id) const {
+  const auto found = exercises_.find(id);
+  return found != exercises_.end() ? &found->second : nullptr;
+}
+
+void Kept::keep(lesson::Attempt attempt, double mark, int of, bool finished) {
+  if (attempt.made.empty()) return;
+  KeptExercise& own = exercises_[attempt.exercise];
+  changed_.insert("exercise:" + attempt.exercise);
+  if (!finished) return static_cast<void>(own.now = std::move(attempt));
+  if (own.now) ++own.tries;  // looked at again, it counts once
+  own.now.reset();
+  if (own.of == 0 || mark * own.of > own.mark * of) own.mark = mark, own.of = of;
+}
+
 void Kept::erase() {
   lessons_.clear();
+  exercises_.clear();
   changed_.clear();
   last_.clear();
   erased_ = true;
@@ -188,6 +218,10 @@ std::string Kept::text() const {
   if (view)
     state["view"] = {
         {"theme", view->theme}, {"text_scale", view->text_scale}, {"width", view->width}, {"height", view->height}};
+  for (const auto& [id, exercise] : exercises_) {
+    state["exercises"][id] = {{"tries", exercise.tries}, {"mark", exercise.mark}, {"of", exercise.of}};
+    if (exercise.now) state["exercises"][id]["now"] = json_of(*exercise.now, 0, 0);
+  }
   for (const auto& [id, lesson] : lessons_) {
     state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
                             {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
@@ -204,7 +238,8 @@ std::string Kept::text() const {
 void Kept::write() {
   if (path_.empty() || text() == written_) return;
   std::error_code error;
-  if (last_.empty() && lessons_.empty() && !view && !fs::exists(path_, error)) return;  // nothing was begun yet
+  if (last_.empty() && lessons_.empty() && exercises_.empty() && !view && !fs::exists(path_, error))
+    return;  // nothing was begun yet
   fs::create_directories(path_.parent_path(), error);
   const Lock lock(beside(path_, ".lock"));
   if (auto file = read()) merge(std::move(*file));

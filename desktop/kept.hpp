@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "lesson/exercise/attempt.hpp"
 #include "lesson/invitations.hpp"
 #include "lesson/session.hpp"
 
@@ -29,6 +30,14 @@ struct KeptLesson {
   bool done = false, task = false;
   std::string answers;     // as lesson::kept_text writes them
   lesson::StageFile file;  // the scene's file as the lesson has it, as it runs and as it was typed; empty: unchanged
+};
+
+/// An exercise: how many attempts were finished, what the best of them earned, and one that is not finished.
+struct KeptExercise {
+  int tries = 0;
+  double mark = 0;
+  int of = 0;
+  std::optional<lesson::Attempt> now;
 };
 
 /// How the window looks. width, height: in the window system's own units.
@@ -54,6 +63,10 @@ class Kept {
   [[nodiscard]] const KeptLesson* lesson(const std::string& id) const;
   /// Keeps a session's state, once something was done in it; in memory until write.
   void keep(const lesson::Session& session);
+  /// An exercise's state; null if it was not begun.
+  [[nodiscard]] const KeptExercise* exercise(const std::string& id) const;
+  /// Keeps an attempt, once something was decided in it; in memory until write.
+  void keep(lesson::Attempt attempt, double mark, int of, bool finished);
   /// Erases everything but the invitations, which are not shown again.
   void erase();
   /// Whether the file could be written the last time.
@@ -70,11 +83,13 @@ class Kept {
 
  private:
   using Lessons = std::map<std::string, KeptLesson>;
+  using Exercises = std::map<std::string, KeptExercise>;
   struct State {
     std::string last;
     int invited = 0;
     std::optional<KeptView> view;
     Lessons lessons;
+    Exercises exercises;
   };
   /// What the file says; none if it is not there, or set aside.
   [[nodiscard]] std::optional<State> read();
@@ -87,7 +102,8 @@ class Kept {
   bool works_ = true, erased_ = false;
   std::string last_, written_, set_aside_;
   Lessons lessons_;
-  std::set<std::string> changed_;  // the lessons that this window has kept
+  Exercises exercises_;
+  std::set<std::string> changed_;  // the lessons and exercises that this window has kept
   std::optional<KeptView> view_read_;
 };
 

@@ -29,6 +29,7 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   for (const auto& [tab, id] : {std::pair{Tab::kLesson, "tab lesson"}, std::pair{Tab::kPoints, "tab points"},
                                 std::pair{Tab::kFile, "tab file"}}) {
     if (tab == Tab::kFile && !shell.session().subject().file()) continue;
+    if (tab == Tab::kPoints && shell.app().sitting() != nullptr) continue;  // an exercise's stage stays as it is
     const std::string_view words = tab == Tab::kPoints ? shell.session().subject().tools().word
                                    : tab == Tab::kFile ? lesson::kFileWord
                                                        : "Lesson";
@@ -185,7 +186,7 @@ void draw_lesson(Shell& shell, Column& column) {
   follow_step(shell, now, top, bottom, reads);
   column.gap(12);
   draw_tasks(shell, column);
-  draw_playground(shell, column);
+  if (shell.app().sitting() == nullptr) draw_playground(shell, column);
   if (touch.clicked != nullptr) follow(shell, lesson::Link(*touch.clicked));  // another lesson replaces the links
 }
 

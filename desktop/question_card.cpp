@@ -7,6 +7,7 @@
 
 #include "app/marks.hpp"
 #include "desktop/column.hpp"
+#include "desktop/exercise_card.hpp"
 #include "desktop/prose.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
@@ -165,13 +166,26 @@ void draw_right_choices(Column& column, const lesson::Session& session, const le
 void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  draw_kicker(column, lesson::kPredictionWord, lesson::place_text(asked, session.questions()), Standing::kOpen);
   lesson::ProseFigures figures(session);
+  const lesson::Sitting* const sitting = shell.app().sitting();
+  const auto [words, place] = sitting != nullptr ? decision_place(*sitting, session)
+                                                 : std::pair(std::string(lesson::kPredictionWord),
+                                                             lesson::place_text(asked, session.questions()));
+  draw_kicker(column, words, place, Standing::kOpen);
+  if (sitting != nullptr) draw_before(column, *sitting, session);
   draw_prompt(column, asked.prompt, figures, kPromptWriting);
+  if (sitting != nullptr) draw_hints(column, *sitting, session);
   column.gap(10);
-  const std::array row{RowButton{"commit", lesson::kAnswerWord, ButtonKind::kPrimary,
-                                 session.picked() != nullptr && answers(asked, *session.picked())},
-                       RowButton{"skip", lesson::kSkipWord, ButtonKind::kQuiet}};
+  const bool ready = session.picked() != nullptr && answers(asked, *session.picked());
+  const std::string hint = sitting != nullptr ? hint_words(sitting->next_price(session)) : std::string();
+  std::vector<RowButton> row;
+  // A choice is given by choosing it.
+  if (sitting == nullptr || asked.on_stage || asked.many || asked.ordered || asked.number)
+    row.push_back({"commit_answer", lesson::kAnswerWord, ButtonKind::kPrimary, ready});
+  if (sitting == nullptr) row.push_back({"skip_question", lesson::kSkipWord, ButtonKind::kQuiet});
+  if (sitting != nullptr && !session.conduct().told && !session.given().empty())
+    row.push_back({"take_back", lesson::kTakeBackWord, ButtonKind::kQuiet});
+  if (!hint.empty()) row.push_back({"hint", hint, ButtonKind::kQuiet});
   const Choices choices = choices_of(session, asked);
   const int chosen = column.buttons("choice", choices.words, choices.chosen);
   const float beside = column.row_taken();
@@ -189,13 +203,13 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   const int clicked = draw_row(last, says, color, row);
   column.gap(last.y() - column.y());
   if (chosen >= 0) shell.app().pick_choice(chosen);
-  else if (clicked == 0) shell.app().command("commit_answer");
-  else if (clicked == 1) shell.app().command("skip_question");
+  else if (clicked >= 0) shell.app().command(row[clicked].id);
 }
 
-void draw_said(Column& column, const lesson::Outcome& outcome) {
+void draw_said(Column& column, const lesson::Session& session, const lesson::Outcome& outcome) {
   if (outcome.skipped) return;
-  column.words(std::string(lesson::kPredictionWord) + ": " + outcome.predicted, Face::kSemiBold, 15);
+  const std::string_view what = session.conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
+  column.words(std::string(what) + ": " + outcome.predicted, Face::kSemiBold, 15);
   column.gap(4);
 }
 
@@ -206,7 +220,7 @@ void draw_deciding(Column& column, const lesson::Session& session, const lesson:
               asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(), Standing::kOpen);
   lesson::ProseFigures figures(session);
   if (asked != nullptr) draw_prompt(column, asked->prompt, figures, kPromptWriting), column.gap(6);
-  draw_said(column, outcome);
+  draw_said(column, session, outcome);
   column.words(lesson::kWatching, Face::kRegular, 13, column.look()->muted);
 }
 
@@ -221,7 +235,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   lesson::ProseFigures figures(session);
   if (asked != nullptr)
     draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
-  draw_said(column, outcome);
+  draw_said(column, session, outcome);
   if (session.answer_shown() && asked != nullptr && !asked->choices.empty() && !asked->ordered) {
     draw_right_choices(column, session, *asked, outcome);
   } else if (session.answer_shown()) {
@@ -232,6 +246,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   }
   column.words(outcome.says);
   if (!outcome.because.empty()) column.gap(4), draw_prompt(column, outcome.because, figures, {15, 22});
+  if (const lesson::Sitting* const sitting = shell.app().sitting()) draw_rule(column, *sitting, session);
   column.gap(12);
   std::vector<RowButton> row;
   std::vector<std::string_view> commands;
@@ -258,15 +273,11 @@ std::vector<Waiting> waiting_in(const lesson::Session& session) {
   return all;
 }
 
-/// The card at the lesson's end: each prediction leads back to its reason. The caller does what was clicked, after
-/// drawing the card.
-std::string draw_summary(Shell& shell, Column& column) {
+/// Each question in a line that leads back to its reason. Returns the command of the line that was clicked.
+std::string draw_lines(Shell& shell, Column& column, const std::vector<lesson::Marked>& marked) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   std::string command;
-  draw_kicker(column, lesson::kSummaryWord, {}, Standing::kOpen);
-  column.words(session.score(), Face::kRegular, 16);
-  column.gap(8);
   int number = 0;
   lesson::ProseFigures figures(session);
   for (const lesson::Asked& asked : session.questions()) {
@@ -286,7 +297,10 @@ std::string draw_summary(Shell& shell, Column& column) {
     if (right) app::tick(column.list(), mark, 5, look->optimum, 2);
     else if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
     else column.list()->AddLine({mark.x - 4, mark.y}, {mark.x + 4, mark.y}, look->muted, 2);
-    const std::string_view stands = lesson::standing_text(outcome);
+    const std::string line =
+        (marked.empty() ? std::string() : std::to_string(number) + ". ") + std::string(lesson::short_prompt(prompt));
+    const std::string stands =
+        marked.empty() ? std::string(lesson::standing_text(outcome)) : mark_words(marked[number - 1]);
     const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
     app::text_right(column.list(), look, Face::kSemiBold, 13,
                     {column.x() + column.width(), app::middle_of(middle, look.px(13))},
@@ -295,12 +309,40 @@ std::string draw_summary(Shell& shell, Column& column) {
                             : look->muted,
                     stands);
     app::text(column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))},
-              look->ink,
-              app::shortened(look, Face::kRegular, 14, lesson::short_prompt(prompt), column.width() - width - 40));
+              look->ink, app::shortened(look, Face::kRegular, 14, line, column.width() - width - 40));
     column.gap(height);
   }
   app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
   column.gap(12);
+  return command;
+}
+
+/// The card at an exercise's end.
+std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting) {
+  const lesson::Session& session = shell.session();
+  draw_kicker(column, lesson::kYourMarkWord, {}, Standing::kOpen);
+  column.words(lesson::plain_number(sitting.mark(session)) + " of " + std::to_string(sitting.of()), Face::kSemiBold,
+               24);
+  if (const std::string best = shell.best_says(); !best.empty())
+    column.words(best, Face::kRegular, 13, column.look()->muted);
+  for (const std::string& says : sitting.rules_followed(session)) column.gap(4), column.words(says, Face::kRegular, 14);
+  column.gap(8);
+  std::string command = draw_lines(shell, column, sitting.marked(session));
+  const std::array row{RowButton{"hand_in", lesson::kHandInWord}, RowButton{"to_lesson", lesson::kToLessonWord},
+                       RowButton{"another", lesson::kAnotherInstanceWord, ButtonKind::kPrimary}};
+  const int clicked = draw_row(column, {}, 0, row);
+  return clicked < 0 ? command : row[clicked].id;
+}
+
+/// The card at the lesson's end: each prediction leads back to its reason. The caller does what was clicked, after
+/// drawing the card.
+std::string draw_summary(Shell& shell, Column& column) {
+  const lesson::Session& session = shell.session();
+  const app::Look& look = column.look();
+  draw_kicker(column, lesson::kSummaryWord, {}, Standing::kOpen);
+  column.words(session.score(), Face::kRegular, 16);
+  column.gap(8);
+  std::string command = draw_lines(shell, column, {});
   // While questions wait, the main button leads to them, and not to the next lesson.
   const std::vector<Waiting> waiting = waiting_in(session);
   if (waiting.size() > 1) {
@@ -342,6 +384,9 @@ void lead_on(Shell& shell, const std::string& command) {
     shell.tell(shell.session().choose(0, command.substr(kAsk.size()))), shell.app().command("first");
   else if (command.starts_with(kSituation))
     shell.tell(shell.session().show_situation(command.substr(kSituation.size())));
+  else if (command == "hand_in") shell.hand_in();
+  else if (command == "another") shell.open_exercise(shell.app().sitting()->exercise().id, std::nullopt);
+  else if (command == "to_lesson") shell.open_at_place(std::string(shell.app().sitting()->exercise().lesson));
   else if (command == "next") shell.open_at_place(*shell.beside(1));
   else if (command == "task") shell.tab = Shell::Tab::kLesson, shell.text_shown = shell.task_wanted = true;
   else if (!command.empty()) shell.app().command(command);
@@ -355,7 +400,9 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
   const lesson::Outcome *deciding = session.deciding(), *outcome = session.outcome();
   const float before = shell.foot;
   shell.foot = 0;
-  if (asked == nullptr && deciding == nullptr && outcome == nullptr && !session.at_summary()) {
+  const lesson::Sitting* const sitting = shell.app().sitting();
+  const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary();
+  if (asked == nullptr && deciding == nullptr && outcome == nullptr && !over) {
     shell.measured_anew = shell.measured_anew || before != 0;
     return;
   }
@@ -378,7 +425,7 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     if (asked != nullptr) draw_question(shell, column, *asked);
     else if (deciding != nullptr) draw_deciding(column, session, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
-    else command = draw_summary(shell, column);
+    else command = sitting != nullptr ? draw_mark(shell, column, *sitting) : draw_summary(shell, column);
     shell.foot = std::ceil(column.y() - top + 32) + kBelow;
     if (shell.foot != before) ImGui::SetScrollY(0);  // it says something else
     ImGui::SetCursorScreenPos({column.x(), column.y() + 15});

@@ -20,16 +20,6 @@ std::string mesh_path(const std::string& name) {
   return (program_folder() / "assets" / "meshes" / (name + ".ply")).string();
 }
 
-/// A new file in a folder: stem.csv, stem-2.csv, stem-3.csv …, the first that does not exist; nothing is overwritten.
-std::filesystem::path new_name(const std::filesystem::path& folder, const std::string& stem,
-                               const std::string& extension) {
-  std::error_code ignored;
-  std::filesystem::path path = folder / (stem + extension);
-  for (int n = 2; std::filesystem::exists(path, ignored); ++n)
-    path = folder / (stem + "-" + std::to_string(n) + extension);
-  return path;
-}
-
 }  // namespace
 
 Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::optional<Drafts> drafts)
@@ -172,9 +162,10 @@ void Shell::keep(bool dragging) {
     kept_.invited = followed;
     kept_.write();
   }
-  if (dragging || lessons_[open_].is_case) return;  // a case is not worked through
+  if (dragging || (app_.sitting() == nullptr && lessons_[open_].is_case)) return;  // a case is not worked through
   if (app_.playing() || session().revision() == kept_revision_) return;
   kept_revision_ = session().revision();
+  if (app_.sitting() != nullptr) return keep_exercise();
   kept_.keep(session());
   kept_.write();
 }
@@ -224,6 +215,19 @@ void Shell::use_dropped(const std::vector<std::string>& paths) {
   notice += " One file is taken at a time; not opened: " + others + ".";
 }
 
+std::string Shell::new_file(const std::string& stem, const std::string& extension) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::current_path(error);
+  if (error || !std::filesystem::exists(folder, error)) {
+    notice = "Not saved: the folder that Snug was started in is no longer there. Start Snug in another one.";
+    return {};
+  }
+  std::filesystem::path path = folder / (stem + extension);
+  for (int n = 2; std::filesystem::exists(path, error); ++n)
+    path = folder / (stem + "-" + std::to_string(n) + extension);
+  return path.string();
+}
+
 void Shell::save_cover(std::string_view format) {
   const app::Cover& cover = *app_.cover();
   const bool picture = format == "png";
@@ -233,13 +237,8 @@ void Shell::save_cover(std::string_view format) {
     notice = "Not saved: nothing has been measured yet.";
     return;
   }
-  std::error_code gone;
-  const std::filesystem::path folder = std::filesystem::current_path(gone);
-  if (gone || !std::filesystem::exists(folder, gone)) {
-    notice = "Not saved: the folder that Snug was started in is no longer there. Start Snug in another one.";
-    return;
-  }
-  const std::string path = new_name(folder, app_.cover()->file_name(), "." + std::string(format)).string();
+  const std::string path = new_file(app_.cover()->file_name(), "." + std::string(format));
+  if (path.empty()) return;
   if (picture) return static_cast<void>(picture_wanted = path);  // drawn after this frame
   const auto written = write_file(path, text);
   if (tell(written)) notice = "Saved as " + path + ".";

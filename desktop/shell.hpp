@@ -11,6 +11,7 @@
 #include "app/app.hpp"
 #include "app/focus.hpp"
 #include "desktop/cli/drafts.hpp"
+#include "desktop/cli/exercise_files.hpp"
 #include "desktop/course_screen.hpp"
 #include "desktop/kept.hpp"
 
@@ -38,7 +39,7 @@ class Shell {
   [[nodiscard]] std::size_t course_size() const;
 
   /// The title of the open lesson's chapter.
-  [[nodiscard]] const std::string& chapter() const { return lessons_[open_].chapter; }
+  [[nodiscard]] std::string chapter() const { return app_.sitting() != nullptr ? "Exercise" : lessons_[open_].chapter; }
 
   [[nodiscard]] const Kept& kept() const { return kept_; }
 
@@ -79,6 +80,21 @@ class Shell {
   /// Saves what the cover shows as a new file in the folder that the program was started in; the notice says which
   /// file, or why it failed. format: one of the cover's.
   void save_cover(std::string_view format);
+
+  // ---- exercises (shell_exercises.cpp) ----------------------------------------------------------
+  /// Takes the exercises and their sets, which the first screen lists.
+  void take_exercises(std::vector<ExerciseFile> exercises, std::vector<lesson::ExerciseSet> sets);
+  [[nodiscard]] const std::vector<lesson::ExerciseSet>& sets() const { return sets_; }
+  /// Null if there is none of that id.
+  [[nodiscard]] const lesson::Exercise* exercise(const std::string& id) const;
+  /// Opens an exercise: on the instance of a seed, or else on a fresh one; the attempt that was left goes on.
+  tl::expected<void, InputError> open_exercise(const std::string& id, std::optional<std::uint64_t> seed);
+  /// Opens it as it was left, or on a fresh instance.
+  void go_on_with_exercise(const std::string& id);
+  /// Saves the attempt as a result file in the folder that the program was started in; the notice says which.
+  void hand_in();
+  /// "Best 8 of 9 in 3 tries"; empty after one.
+  [[nodiscard]] std::string best_says() const;
 
   // ---- lessons that are being written (shell_drafts.cpp) ------------------------------------
   [[nodiscard]] bool writing() const { return drafts_.has_value(); }
@@ -139,6 +155,10 @@ class Shell {
 
  private:
   void take_files();
+  void keep_exercise();
+  /// A new file in the folder that the program was started in: stem.csv, stem-2.csv, stem-3.csv …, the first that does
+  /// not exist; nothing is overwritten. Empty, with a notice, if the folder is gone.
+  [[nodiscard]] std::string new_file(const std::string& stem, const std::string& extension);
   [[nodiscard]] const std::string& of_strip() const;
   void read_again();
 
@@ -146,6 +166,8 @@ class Shell {
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_
+  std::vector<ExerciseFile> exercises_;
+  std::vector<lesson::ExerciseSet> sets_;
   std::optional<std::size_t> came_from_;
   std::optional<Drafts> drafts_;
   std::string waited_for_;  // the id of a lesson that cannot be drawn yet

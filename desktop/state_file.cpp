@@ -99,6 +99,17 @@ void add_places(Json& state, Shell& shell, float scale) {
     state["handles"].push_back({{"id", handle.id}, {"x", handle.x * scale}, {"y", handle.y * scale}});
 }
 
+/// Null while a lesson is open.
+Json exercise_state(Shell& shell) {
+  const lesson::Sitting* const sitting = shell.app().sitting();
+  if (sitting == nullptr) return {};
+  const lesson::Session& session = shell.session();
+  return {{"exercise", sitting->exercise().id}, {"seed", sitting->seed()},
+          {"decision", sitting->at(session)},   {"decisions", sitting->of()},
+          {"mark", sitting->mark(session)},     {"finished", sitting->finished(session)},
+          {"hints", sitting->hints(session)}};
+}
+
 Json lesson_state(Shell& shell, float scale) {
   const app::App& app = shell.app();
   const lesson::Session& session = shell.session();
@@ -111,6 +122,7 @@ Json lesson_state(Shell& shell, float scale) {
              {"points", lesson::count_of(session.subject())},
              {"selected", app.selected()}};
   add_answers(state, session);
+  state["exercise"] = exercise_state(shell);
   state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
   add_sliders(state, shell, scale);
   state["scalar"] = session.subject().in_float() ? "float" : "double";

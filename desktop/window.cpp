@@ -391,6 +391,10 @@ std::string first_lesson(const Shell& shell, const WindowOptions& options) {
 }
 
 int open_first(Shell& shell, const WindowOptions& options) {
+  if (!options.exercise.empty()) {
+    const auto opened = shell.open_exercise(options.exercise, options.seed);
+    return opened ? 0 : stop(opened.error().message());
+  }
   const bool picture = !options.screenshot.empty();
   const bool bare = options.at.empty() && !options.seed && options.points_file.empty() && !picture;
   const std::string id = first_lesson(shell, options);
@@ -475,6 +479,8 @@ int run_window(const WindowOptions& options) {
   if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
   restore_view(app.settings(), kept.view);
   Shell shell(app, std::move(lessons->files), std::move(kept), std::move(lessons->drafts));
+  if (auto exercises = read_exercises(options.folder))
+    if (auto sets = read_sets_of(options.folder)) shell.take_exercises(*std::move(exercises), *std::move(sets));
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;

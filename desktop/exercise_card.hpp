@@ -1,0 +1,26 @@
+// What the card of a question has beyond it in an exercise.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "desktop/column.hpp"
+#include "lesson/exercise/sitting.hpp"
+
+namespace snug::desktop {
+
+/// "Decision 3 of 9", "mark 1.5".
+[[nodiscard]] std::pair<std::string, std::string> decision_place(const lesson::Sitting& sitting,
+                                                                 const lesson::Session& session);
+/// What became of the decision before, if it was right: it is told beside the next one.
+void draw_before(Column& column, const lesson::Sitting& sitting, const lesson::Session& session);
+/// The wrong rule that a first wrong answer follows, and the hints that were taken.
+void draw_hints(Column& column, const lesson::Sitting& sitting, const lesson::Session& session);
+/// The wrong rule that the answer follows.
+void draw_rule(Column& column, const lesson::Sitting& sitting, const lesson::Session& session);
+/// "Hint for 0.25 of the mark"; empty if there is none left.
+[[nodiscard]] std::string hint_words(double price);
+/// "0.5, 1 hint"
+[[nodiscard]] std::string mark_words(const lesson::Marked& marked);
+
+}  // namespace snug::desktop

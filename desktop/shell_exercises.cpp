@@ -1,0 +1,65 @@
+// The window's exercises: opened, kept, and handed in.
+#include <random>
+
+#include "desktop/cli/files.hpp"
+#include "desktop/shell.hpp"
+#include "lesson/figures.hpp"
+
+namespace snug::desktop {
+
+void Shell::take_exercises(std::vector<ExerciseFile> exercises, std::vector<lesson::ExerciseSet> sets) {
+  exercises_ = std::move(exercises), sets_ = std::move(sets);
+}
+
+const lesson::Exercise* Shell::exercise(const std::string& id) const {
+  for (const ExerciseFile& file : exercises_)
+    if (file.exercise->id == id) return file.exercise.get();
+  return nullptr;
+}
+
+tl::expected<void, InputError> Shell::open_exercise(const std::string& id, std::optional<std::uint64_t> seed) {
+  if (app_.session() != nullptr) keep();
+  std::shared_ptr<const lesson::Exercise> known;
+  for (const ExerciseFile& file : exercises_)
+    if (file.exercise->id == id) known = file.exercise;
+  if (known == nullptr) return tl::unexpected(InputError{.what = "there is no exercise \"" + id + '"'});
+  const std::uint64_t own = seed ? *seed : std::random_device()();
+  const auto opened = app_.open_exercise(known, own);
+  if (!tell(opened)) return opened;
+  hint_of = -1, typed = {}, unread = true, task_wanted = false, course_shown = false;
+  side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear(), tab = Tab::kLesson;
+  kept_revision_ = session().revision();
+  const KeptExercise* const kept = kept_.exercise(id);
+  if (kept != nullptr && kept->now && kept->now->seed == own && kept->now->hash == known->hash)
+    tell(app_.sitting()->take_up(session(), *kept->now));
+  return {};
+}
+
+void Shell::go_on_with_exercise(const std::string& id) {
+  const KeptExercise* const kept = kept_.exercise(id);
+  tell(open_exercise(id, kept != nullptr && kept->now ? std::optional(kept->now->seed) : std::nullopt));
+}
+
+void Shell::keep_exercise() {
+  const lesson::Sitting& sitting = *app_.sitting();
+  kept_.keep(sitting.attempt(session()), sitting.mark(session()), sitting.of(), sitting.finished(session()));
+  kept_.write();
+}
+
+std::string Shell::best_says() const {
+  const KeptExercise* const kept = kept_.exercise(app_.sitting()->exercise().id);
+  if (kept == nullptr || kept->tries < 2) return {};
+  return "Best " + lesson::plain_number(kept->mark) + " of " + std::to_string(kept->of) + " in " +
+         std::to_string(kept->tries) + " tries";
+}
+
+void Shell::hand_in() {
+  const lesson::Sitting& sitting = *app_.sitting();
+  const std::string path = new_file(sitting.exercise().id + "-" + std::to_string(sitting.seed()), ".json");
+  if (path.empty()) return;
+  const Json attempt = json_of(sitting.attempt(session()), sitting.mark(session()), sitting.of());
+  if (tell(write_file(path, result_text("", {attempt}))))
+    notice = "Saved as " + path + ". It is no signature: it proves that these decisions earn this mark.";
+}
+
+}  // namespace snug::desktop
