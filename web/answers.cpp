@@ -55,15 +55,7 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session, les
   return object;
 }
 
-std::string_view kind_of(const lesson::Outcome* outcome) {
-  switch (lesson::standing_of(outcome)) {
-    case lesson::Standing::kRight: return "right";
-    case lesson::Standing::kWrong: return "wrong";
-    case lesson::Standing::kSkipped: return "skipped";
-    case lesson::Standing::kOpen: break;
-  }
-  return "open";
-}
+std::string_view kind_of(const lesson::Outcome* outcome) { return kind_word(lesson::standing_of(outcome)); }
 
 val outcome_object(const lesson::Outcome& outcome, lesson::ProseFigures& figures) {
   val object = val::object();
@@ -142,6 +134,16 @@ val grade_object(const std::optional<lesson::Grade>& grade) {
 }
 
 }  // namespace
+
+std::string_view kind_word(lesson::Standing standing) {
+  switch (standing) {
+    case lesson::Standing::kRight: return "right";
+    case lesson::Standing::kWrong: return "wrong";
+    case lesson::Standing::kSkipped: return "skipped";
+    case lesson::Standing::kOpen: break;
+  }
+  return "open";
+}
 
 val target_names(const lesson::Session& session) { return array_of(session.target_names(), text); }
 

@@ -137,6 +137,36 @@ std::string put_down_points(const std::string& name) {
 }
 val cover_file(const std::string& format) { return cover_file_object(*door().app, format); }
 
+std::string read_exercise(const std::string& toml, const std::string& name) {
+  lesson::ExerciseDraft draft = lesson::read_exercise(toml, name);
+  if (!draft.mistakes.empty()) return draft.mistakes.front().error().message();
+  door().exercise = std::make_shared<const lesson::Exercise>(std::move(draft.exercise));
+  return "";
+}
+
+std::string open_exercise(double seed) {
+  if (!door().exercise) return "no exercise was read";
+  const auto opened = door().app->open_exercise(door().exercise, whole(seed));
+  if (!opened) return opened.error().message();
+  door().shared.forget();
+  return "";
+}
+
+std::string take_up_attempt(const val& decisions) {
+  lesson::Sitting* const sitting = door().app->sitting();
+  if (sitting == nullptr) return "no exercise is open";
+  lesson::Attempt attempt;
+  for (const std::string& text : emscripten::vecFromJSArray<std::string>(decisions)) {
+    const auto made = lesson::made_of(text);
+    if (!made) return made.error().message();
+    attempt.made.push_back(*made);
+  }
+  return sentence(sitting->take_up(*session(), attempt));
+}
+
+val attempt() { return attempt_object(*door().app); }
+double seed_of_name(const std::string& name) { return static_cast<double>(lesson::seed_of(name)); }
+
 void light(const std::string& mark) {
   if (door().app) door().app->light(mark);
 }

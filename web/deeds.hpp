@@ -62,6 +62,16 @@ void carry_points();
 std::string put_down_points(const std::string& name);
 val cover_file(const std::string& format);
 /// Lights a mark that the prose links to, until another, or "" for none.
+/// Reads an exercise's file for open_exercise. Returns its first mistake, "" for none.
+std::string read_exercise(const std::string& toml, const std::string& name);
+/// Opens the instance of a seed. Returns an error, "" for none.
+std::string open_exercise(double seed);
+/// Makes the decisions that an attempt has, on what was just opened. Returns an error, "" for none.
+std::string take_up_attempt(const emscripten::val& decisions);
+/// The attempt as a result file has it: {exercise, hash, seed, decisions, hints, mark, of, seconds}.
+emscripten::val attempt();
+/// The seed of a student's name.
+double seed_of_name(const std::string& name);
 void light(const std::string& mark);
 /// The first invitations, of which so many were followed before.
 void invite(int followed);

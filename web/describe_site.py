@@ -1,4 +1,4 @@
-"""describe_site.py INDEX.html SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a
+"""describe_site.py VERSION INDEX.html SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a
 static host does not tell.
 
 index.html: the page, which asks for all its modules at once: each names the next ones, and to follow them takes a round trip
@@ -7,7 +7,7 @@ a level.
 cases.json: the same of the named cases, in the folder cases beside the course: the id, title and summary of each, and where a
 program failed on it.
 course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
-whether it has a task, and the words that a search finds it by.
+whether it has a task, and the words that a search finds it by; the exercises and their sets; and the program's version.
 sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed.
 """
 
@@ -39,6 +39,20 @@ def lesson_entry(path: pathlib.Path, slides_of: dict[str, str]) -> dict:
 def case_entry(path: pathlib.Path) -> dict:
     lesson = tomllib.loads(path.read_text(encoding="utf-8"))
     return {"id": path.stem, "title": lesson["title"], "summary": lesson["summary"], "source": lesson.get("source", "")}
+
+
+def exercise_entry(path: pathlib.Path) -> dict:
+    exercise = tomllib.loads(path.read_text(encoding="utf-8"))
+    shown = {key: exercise[key] for key in ("title", "summary", "minutes")}
+    return {"id": path.stem} | shown | {"lesson": exercise["exercise"]["lesson"]}
+
+
+def sets_of(folder: pathlib.Path) -> dict:
+    """The exercises, and the sets that they stand in."""
+    exercises = {path.stem: exercise_entry(path) for path in sorted(folder.glob("*.toml")) if path.name != "sets.toml"}
+    sets = tomllib.loads((folder / "sets.toml").read_text(encoding="utf-8"))["set"] if exercises else []
+    filled = [one | {"exercises": [exercises[name] for name in one["exercises"]]} for one in sets]
+    return {"sets": filled, "exercises": list(exercises.values())}
 
 
 def slides_in(course: pathlib.Path) -> dict[str, str]:
@@ -76,11 +90,13 @@ def with_modules(first_page: pathlib.Path) -> str:
     return text.replace("<script src", links + "<script src", 1)
 
 
-def main(first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
+def main(version: str, first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     try:
         cases = course.parent / "cases"
         write(site / "cases.json", course_of(cases / course.name, {path.stem: case_entry(path) for path in cases.glob("*.toml") if path.name != course.name}))
-        write(site / "course.json", course_of(course, {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}))
+        lessons = {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}
+        exercises = sets_of(course.parent / "exercises")
+        write(site / "course.json", course_of(course, lessons) | exercises | {"version": version})
     except ValueError as error:
         sys.exit(str(error))
     (site / "index.html").write_text(with_modules(first_page), encoding="utf-8")
@@ -89,4 +105,4 @@ def main(first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, les
 
 
 if __name__ == "__main__":
-    main(*(pathlib.Path(name) for name in sys.argv[1:4]), [pathlib.Path(name) for name in sys.argv[4:]])
+    main(sys.argv[1], *(pathlib.Path(name) for name in sys.argv[2:5]), [pathlib.Path(name) for name in sys.argv[5:]])

@@ -21,8 +21,9 @@ struct Door {
   double last_frame = 0;
   std::array<float, 3> ground{};
   SharedRows shared;
-  lesson::Draft draft;                   // the lesson file that was read last
-  std::optional<io::PointFile> carried;  // the points that are on their way to the playground
+  std::shared_ptr<const lesson::Exercise> exercise;  // whose file was read last
+  lesson::Draft draft;                               // the lesson file that was read last
+  std::optional<io::PointFile> carried;              // the points that are on their way to the playground
 };
 
 [[nodiscard]] inline Door& door() {

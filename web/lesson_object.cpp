@@ -102,6 +102,7 @@ val words_object() {
   object.set("answer", text(lesson::kAnswerWord));
   object.set("skip", text(lesson::kSkipWord));
   object.set("prediction", text(lesson::kPredictionWord));
+  object.set("decision", text(lesson::kDecisionWord));
   object.set("watch", text(lesson::kWatchWord));
   object.set("again", text(lesson::kPredictAgainWord));
   object.set("practise", text(lesson::kPractiseWord));

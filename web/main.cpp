@@ -247,6 +247,11 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("scatter", &web::scatter);
   function("set_generator", &web::set_generator);
   function("set_float", &web::set_float);
+  function("read_exercise", &web::read_exercise);
+  function("open_exercise", &web::open_exercise);
+  function("take_up_attempt", &web::take_up_attempt);
+  function("attempt", &web::attempt);
+  function("seed_of_name", &web::seed_of_name);
   function("light", &web::light);
   function("invite", &web::invite);
   function("start_task", &web::start_task);

@@ -214,6 +214,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("speed", app.speed());
   object.set("previewing", session.previewing());
   set_answers(object, session);
+  object.set("exercise", exercise_object(app));
   object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
   object.set("cover", cover_object(app));
   set_algorithms(object, session);

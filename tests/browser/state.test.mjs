@@ -74,3 +74,29 @@ test("a question, its tries, its outcome and the count have the keys that are li
   assert.deepEqual(now.tally, { right: 1, second: 1, wrong: 0, skipped: 0, open: now.questions - 1 });
   await go_on(page);
 });
+
+test("an exercise and its attempt are of the types that they are taken for, from its begin to its end", async (t) => {
+  const page = await visit(t, "?exercise=aabb-overlap&seed=3");
+  const given = [];
+  const look = async () => {
+    const now = await state(page);
+    same(now, kState);
+    const parts = await page.evaluate(() => [window.snug.exercise(), window.door.attempt(), window.door.lesson()]);
+    for (const [i, type] of ["ExerciseState", "Attempt", "Lesson"].entries()) given.push({ type, value: parts[i] });
+    given.push({ type: "PageState", value: now });
+    return now;
+  };
+  await look();
+  await page.keyboard.press("h");
+  await until(page, (now) => now.exercise.hints.length === 1);
+  let { exercise } = await look();
+  for (let i = 0; i < 3 * exercise.decisions && !exercise.finished; ++i) {
+    const { asked } = await until(page, (now) => now.asked || now.outcome);
+    if (asked) await page.locator(".predict .choices .button").nth(asked.tried ? 1 : 0).click();
+    else await page.getByRole("button", { name: "Continue", exact: true }).click();
+    await until(page, (now) => now.exercise.finished || now.asked || now.outcome);
+    ({ exercise } = await look());
+  }
+  assert.ok(exercise.finished);
+  assert.equal(misfits(given), "");
+});

@@ -47,6 +47,7 @@ const kView = /** @type {View} */ ({
   beside: null,
   scalar: null,
   file: null,
+  exercise: null,
 });
 
 test("what differs from the lesson's own is written, and read again as it was", () => {
@@ -61,6 +62,14 @@ test("what differs from the lesson's own is written, and read again as it was", 
   assert.deepEqual(asked, { ...kNothing, ...own, from: "cube:20", slide: [0.5], moved, file: runs, draft });
   assert.equal(changed(file.own, runs), file.runs);
   assert.equal(changed(file.runs, draft), file.typed);
+});
+
+test("of an exercise the instance is written, and no place in it", () => {
+  const view = { ...kView, exercise: /** @type {ShownExercise} */ ({ seed: 4294967295 }) };
+  assert.equal(write_address(view, kLesson, { rows: [[1]] }, false), "?exercise=a%20lesson&seed=4294967295");
+  const { seed, ...asked } = read_address(write_address(view, kLesson, {}, true));
+  assert.equal(seed, 4294967295);
+  assert.deepEqual({ ...asked, seed: null }, { ...kNothing, exercise: "a lesson", embed: true });
 });
 
 test("a change of a text leads from one to the other; of another text it is refused", () => {

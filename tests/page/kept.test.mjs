@@ -14,7 +14,8 @@ const kEntry = {
   task: false,
 };
 const kWhole = { ...kEntry, told: null, tried: null };
-const kData = { version: 1, last: "a", invited: 3, lessons: { a: kEntry } };
+const kData = { version: 1, last: "a", invited: 3, lessons: { a: kEntry }, exercises: {}, student: "" };
+const kAttempt = { exercise: "e", hash: "0f", seed: 7, decisions: ["p1@0.5"], hints: 0, mark: 1, of: 4, seconds: 2 };
 
 /** A storage that holds a text. wrong: what it throws. */
 function storage(text = /** @type {string | null} */ (null), wrong = {}) {
@@ -58,7 +59,37 @@ test("what was tried and told is kept; erased, the invitations stay followed", (
   assert.equal(new Kept().last, "b");
   kept.keep_invited(2);
   kept.erase();
-  assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), { version: 1, last: null, invited: 3, lessons: {} });
+  assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), { ...kData, last: null, lessons: {} });
+});
+
+test("an attempt is kept until it is finished; then it counts once, and the best stays", () => {
+  storage();
+  const kept = new Kept();
+  assert.equal(kept.exercise("e"), null);
+  kept.keep_exercise(kAttempt, false);
+  assert.deepEqual(new Kept().exercise("e"), { tries: 0, best: null, now: kAttempt });
+  assert.deepEqual(kept.attempts, []);
+  const good = { ...kAttempt, mark: 3 };
+  for (const attempt of [good, good, { ...kAttempt, mark: 2 }]) kept.keep_exercise(attempt, true);
+  assert.deepEqual(kept.exercise("e"), { tries: 1, best: good, now: null });
+  kept.keep_exercise(kAttempt, false);
+  kept.keep_exercise(kAttempt, true);
+  kept.keep_student("A name");
+  assert.deepEqual(new Kept().exercise("e"), { tries: 2, best: good, now: null });
+  assert.deepEqual(new Kept().attempts, [good]);
+  kept.erase();
+  assert.deepEqual([kept.exercise("e"), kept.student], [null, "A name"]);
+});
+
+test("what was kept before there were exercises is kept; an attempt that cannot be understood is none", () => {
+  storage(JSON.stringify({ ...kData, exercises: undefined, student: undefined }));
+  assert.deepEqual([new Kept().lesson("a"), new Kept().exercise("e"), new Kept().student], [kWhole, null, ""]);
+  const wrong = [{ seed: -1 }, { mark: null }, { decisions: [7] }, { hash: 3 }].map((it) => ({ ...kAttempt, ...it }));
+  for (const now of [...wrong, null, 7]) {
+    storage(JSON.stringify({ ...kData, exercises: { e: { tries: 1, best: kAttempt, now }, f: { best: kAttempt } } }));
+    assert.deepEqual(new Kept().exercise("e"), { tries: 1, best: kAttempt, now: null });
+    assert.equal(new Kept().exercise("f"), null);
+  }
 });
 
 test("a later version's storage is left as it is", () => {

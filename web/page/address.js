@@ -38,6 +38,7 @@ export function read_address(search) {
   };
   return {
     lesson: given.get("lesson"),
+    exercise: given.get("exercise"),
     embed: given.get("embed") === "1",
     situation: given.get("situation"),
     step: whole("step"),
@@ -63,6 +64,8 @@ const own_scalar = (view, lesson) => (lesson.situations.find(({ name }) => name 
  *  @param {View} view @param {Lesson} lesson @param {SharedRows} shared @param {boolean} embed */
 export function write_address(view, lesson, shared, embed) {
   const rows = (/** @type {Rows} */ list) => list.map((row) => row.join(",")).join(";");
+  if (view.exercise)
+    return `?exercise=${encodeURIComponent(lesson.id)}&seed=${view.exercise.seed}${embed ? "&embed=1" : ""}`;
   const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
   if (!view.previewing) parts.push(`step=${view.step}`); // the preview is not a step that anyone chose
   parts.push(`seed=${view.seed}`);

@@ -3,7 +3,8 @@
 
 // The course is shown at once; a lesson stays under the veil until the program is loaded. Its largest files are asked
 // for here, before the page's modules have arrived.
-const to_lesson = new URLSearchParams(location.search).get("lesson");
+const given = new URLSearchParams(location.search);
+const to_lesson = given.get("lesson") ?? given.get("exercise");
 document.documentElement.dataset.view = to_lesson === null ? "course" : "lesson";
 
 /** @param {string} href @param {string} rel @param {string} as */
@@ -22,6 +23,9 @@ window.snug = {
   ready: new Promise((resolve) => addEventListener("snug-ready", resolve, { once: true })),
   restart: () => window.snug.ready,
   state: () => null,
+  exercise: () => null,
+  result: () => "",
+  saved: () => "nowhere",
   handles: () => [],
   frameTimes: () => [],
 };

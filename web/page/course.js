@@ -1,6 +1,7 @@
 // The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is plain HTML and
 // does not need the program, so it is shown before that has loaded.
-import { by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
+import { button, by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
+import { exercise_link, result_text, save_file } from "./exercise.js";
 import { way_into } from "./lesson_menu.js";
 /** @import { Kept } from "./kept.js" */
 
@@ -21,6 +22,12 @@ function progress_of(lesson, entry) {
   if (entry.done) return { kind: "done", words: entry.task ? "Done, task too" : "Done" };
   if (entry.answered > 0) return { kind: "begun", words: `${entry.answered} of ${lesson.questions} predictions` };
   return { kind: "begun", words: `At step ${entry.step} of ${entry.steps}` };
+}
+
+/** The best mark of an exercise. */
+function mark_words(/** @type {KeptExercise | null} */ entry) {
+  if (entry?.best) return `${entry.best.mark} of ${entry.best.of}`;
+  return entry?.now ? "Begun" : "";
 }
 
 /** A lesson that is being written has none: an empty stage is in its place. A card whose picture does not arrive still
@@ -44,6 +51,9 @@ function found_words(count, asked) {
 export class Course {
   #lessons;
   #chapters;
+  #sets;
+  #feet = /** @type {(() => void)[]} */ ([]); // each shows how far a set is done
+  #marks = /** @type {{ id: string, node: HTMLElement }[]} */ ([]); // where each exercise's mark is shown
   #kept;
   #choose;
   /** @type {Map<string, { item: HTMLElement, link: HTMLElement, says: HTMLElement, text: string }>} */
@@ -55,16 +65,25 @@ export class Course {
    *  @param {CourseFile} course @param {Kept} kept @param {GoTo} choose */
   constructor(course, kept, choose) {
     this.#chapters = course.chapters;
+    this.#sets = course.sets ?? [];
+    this.exercises = course.exercises ?? [];
+    this.version = course.version ?? "";
     this.playground = course.playground ?? "";
     this.#lessons = lessons_of(course);
     this.#kept = kept;
     this.#choose = choose;
+    const student = by_id("student");
+    student.addEventListener("change", () => kept.keep_student(student.value.trim()));
     by_id("search").addEventListener("input", () => this.#filter());
     by_id("search").addEventListener("keydown", (event) => event.key === "Escape" && this.#clear_search());
     by_id("search-clear").addEventListener("click", () => {
       this.#clear_search();
       by_id("search").focus();
     });
+  }
+
+  is_exercise(/** @type {string} */ id) {
+    return this.exercises.some((exercise) => exercise.id === id);
   }
 
   /** The same list when the course has changed. */
@@ -120,6 +139,10 @@ export class Course {
     this.#cards.clear();
     this.#sections = this.#chapters.map((chapter, i) => this.#chapter(chapter, i));
     by_id("chapters").replaceChildren(...this.#sections);
+    this.#marks = [];
+    this.#feet = [];
+    by_id("sets").replaceChildren(...this.#sets.map((set) => this.#set(set)));
+    for (const id of ["exercises", "to-exercises"]) set_hidden(by_id(id), this.#sets.length === 0);
     this.#filter();
   }
 
@@ -135,6 +158,43 @@ export class Course {
         ...this.#lessons.filter(({ id }) => ids.includes(id)).map((lesson) => this.#card(lesson)),
       ),
     );
+  }
+
+  /** A set, fit to be given as homework: its exercises in order, each with its mark. */
+  #set(/** @type {ExerciseSet} */ { id, title, lecture, exercises }) {
+    const minutes = exercises.reduce((sum, { minutes: own }) => sum + own, 0);
+    return element("section", { class: "set", "aria-labelledby": `set-${id}` },
+      element("h3", { id: `set-${id}` }, title),
+      element("p", { class: "label" }, `${lecture} · ${exercises.length} exercises · about ${minutes} min`),
+      element("ol", { class: "set-list" }, ...exercises.map((exercise) => this.#exercise_line(exercise))),
+      this.#set_foot(id, exercises),
+    );
+  }
+
+  /** The mark so far, and the way to hand in the best attempts.
+   *  @param {string} id @param {ExerciseEntry[]} exercises */
+  #set_foot(id, exercises) {
+    const says = element("p", { class: "label" });
+    const attempts = () => exercises.flatMap((exercise) => this.#kept.exercise(exercise.id)?.best ?? []);
+    const hand_in = button("Hand in", () =>
+      save_file(result_text(this.#kept.student, attempts(), this.version), `${id}.json`));
+    this.#feet.push(() => {
+      const best = attempts();
+      const mark = best.reduce((sum, own) => sum + own.mark, 0);
+      const of = best.reduce((sum, own) => sum + own.of, 0);
+      const done = `${best.length} of ${exercises.length} exercises done`;
+      set_text(says, best.length > 0 ? `Mark ${mark} of ${of}, ${done}` : `${done}`);
+      hand_in.disabled = best.length === 0;
+    });
+    return element("div", { class: "set-foot" }, says, hand_in);
+  }
+
+  #exercise_line(/** @type {ExerciseEntry} */ { id, title, summary }) {
+    const node = element("b", { class: "mark" });
+    this.#marks.push({ id, node });
+    const to = { href: exercise_link(id), onclick: followed_here(() => this.#choose(id)) };
+    const words = element("span", {}, element("b", {}, title), ` ${summary}`);
+    return element("li", {}, element("a", to, words, node));
   }
 
   #card(/** @type {CourseLesson} */ lesson) {
@@ -177,6 +237,9 @@ export class Course {
       const done = lessons.filter(({ id }) => this.#kept.lesson(id)?.done).length;
       set_text(by_id(`chapter-${i}-says`), `${done} of ${lessons.length} done`);
     }
+    for (const show of this.#feet) show();
+    by_id("student").value = this.#kept.student;
+    for (const { id, node } of this.#marks) set_text(node, mark_words(this.#kept.exercise(id)));
     this.#show_start();
     set_hidden(by_id("course-forgets"), this.#kept.works);
     set_hidden(by_id("course-damaged"), !this.#kept.set_aside);

@@ -36,7 +36,31 @@ const whole = (/** @type {any} */ entry) => ({
 });
 
 /** @returns {KeptData} */
-const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {} });
+const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {}, exercises: {}, student: "" });
+
+/** Whether it can be an attempt, as a result file has it. */
+const is_attempt = (/** @type {any} */ attempt) =>
+  Boolean(attempt) &&
+  is_text(attempt.exercise) &&
+  is_text(attempt.hash) &&
+  is_count(attempt.seed) &&
+  is_count(attempt.of) &&
+  Number.isFinite(attempt.mark) &&
+  Array.isArray(attempt.decisions) &&
+  attempt.decisions.every(is_text);
+
+/** @returns {KeptExercise} */
+const whole_exercise = (/** @type {any} */ { tries, best, now }) => ({
+  tries,
+  best: is_attempt(best) ? best : null,
+  now: is_attempt(now) ? now : null,
+});
+
+/** Exercises came later: what is kept of lessons alone is kept. */
+function exercises_in(/** @type {any} */ data) {
+  const entries = Object.entries(Object(data.exercises)).filter(([, entry]) => Boolean(entry) && is_count(entry.tries));
+  return Object.fromEntries(entries.map(([id, entry]) => [id, whole_exercise(entry)]));
+}
 
 /** The stored data, without entries that cannot be understood; null if it is a later version's. If nothing of it is any
  *  version's, it is set aside, and everything starts anew.
@@ -61,6 +85,8 @@ function understood(text) {
     last: is_text(data.last) ? data.last : null,
     invited: is_count(data.invited) ? data.invited : 0,
     lessons: Object.fromEntries(lessons),
+    exercises: exercises_in(data),
+    student: is_text(data.student) ? data.student : "",
   };
 }
 
@@ -112,13 +138,48 @@ export class Kept {
     });
   }
 
+  /** Null where it was not begun.
+   *  @param {string} id @returns {KeptExercise | null} */
+  exercise(id) {
+    return Object.hasOwn(this.#data.exercises, id) ? this.#data.exercises[id] : null;
+  }
+
+  /** Keeps an attempt. Once it is finished it counts as a try, and as the best if it earns more than those before.
+   *  @param {Attempt} attempt @param {boolean} finished */
+  keep_exercise(attempt, finished) {
+    this.#change(({ exercises }) => {
+      const { tries, best, now } = exercises[attempt.exercise] ?? { tries: 0, best: null, now: null };
+      const counted = finished && now !== null; // it is shown again, finished, after a reload: it counts once
+      const better = finished && (!best || attempt.mark * best.of > best.mark * attempt.of);
+      exercises[attempt.exercise] = {
+        tries: tries + (counted ? 1 : 0),
+        best: better ? attempt : best,
+        now: finished ? null : attempt,
+      };
+    });
+  }
+
+  /** The best attempts, for a result file. */
+  get attempts() {
+    return Object.values(this.#data.exercises).flatMap(({ best }) => best ?? []);
+  }
+
+  /** The student's name, if it was typed: it stays on the device, and makes the seed. */
+  get student() {
+    return this.#data.student;
+  }
+
+  keep_student(/** @type {string} */ name) {
+    this.#change((data) => (data.student = name));
+  }
+
   keep_invited(/** @type {number} */ count) {
     this.#change((data) => (data.invited = Math.max(data.invited, count)));
   }
 
   /** Erases everything except the count of invitations, so that they are not shown again. */
   erase() {
-    this.#change((data) => Object.assign(data, { last: null, lessons: {} }));
+    this.#change((data) => Object.assign(data, { last: null, lessons: {}, exercises: {} }));
   }
 
   /** Reads the storage again, because another tab may have written to it. */

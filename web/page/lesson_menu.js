@@ -58,7 +58,8 @@ export class LessonMenu {
 
   show(/** @type {Lesson} */ lesson) {
     this.#open_id = lesson.id;
-    set_text(by_id("picker-group"), this.#lessons.find(({ id }) => id === lesson.id)?.chapter ?? "Hard cases");
+    const of_none = document.documentElement.classList.contains("exercise") ? "Exercise" : "Hard cases";
+    set_text(by_id("picker-group"), this.#lessons.find(({ id }) => id === lesson.id)?.chapter ?? of_none);
     set_text(by_id("picker-title"), lesson.title);
   }
 

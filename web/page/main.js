@@ -6,6 +6,7 @@ import { open_door, warm_up } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
+import { Exercise, exercise_link, fresh_seed, result_text, save_file } from "./exercise.js";
 import { SceneFile } from "./file.js";
 import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
@@ -45,6 +46,8 @@ class Page {
   #door;
   #downloads;
   #lessons;
+  #exercises;
+  #version;
   #gallery;
   #stage;
   #settings;
@@ -73,19 +76,23 @@ class Page {
   /** The lesson's file as #read gave it.
    *  @type {LessonFile} */
   #draft;
+  #exercise = /** @type {string | null} */ (null); // the id of the one that is open
   /** What could not be opened, because of its file.
    *  @type {{ asked: Address, reveal: () => void } | null} */
   #wanted = null;
   #playground;
 
   /** preview: where the lessons are being written, else null.
-   *  @param {{ door: Door, downloads: Downloads, lessons: CourseLesson[], playground: string, gallery: Gallery | null,
+   *  @param {{ door: Door, downloads: Downloads, course: Course, gallery: Gallery | null,
    *    formulas: Record<string, string>, settings: Settings, kept: Kept, embed: boolean, preview: Preview | null,
    *    go_to: GoTo }} of */
-  constructor({ door, downloads, lessons, playground, gallery, formulas, settings, kept, embed, preview, go_to }) {
+  constructor({ door, downloads, course, gallery, formulas, settings, kept, embed, preview, go_to }) {
+    const { lessons, exercises, playground } = course;
     this.#door = door;
     this.#downloads = downloads;
     this.#lessons = lessons;
+    this.#exercises = exercises;
+    this.#version = course.version;
     this.#gallery = gallery;
     this.#settings = settings;
     this.#kept = kept;
@@ -96,11 +103,20 @@ class Page {
     const next = (/** @type {string} */ id) =>
       this.#is_of_course(id) ? lessons[lessons.findIndex((lesson) => lesson.id === id) + 1] : undefined;
     const texts = new Words(formulas);
-    const question = new QuestionCard(door, act, texts, {
+    const exercise = new Exercise(door, act, {
+      exercises,
+      kept,
+      go: go_to,
+      again: () => go_to(this.#exercise ?? "", fresh_seed()),
+      hand_in: () => this.#hand_in(),
+    });
+    const after = {
       next: embed ? () => undefined : next,
       go: go_to,
+      title: (/** @type {string} */ id) => lessons.find((lesson) => lesson.id === id)?.title,
       show_task: embed ? null : () => this.#show_task(),
-    });
+    };
+    const question = new QuestionCard(door, act, texts, after, exercise);
     this.#question = question;
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
     this.#reading = new Reading(door.words(), {
@@ -115,6 +131,7 @@ class Page {
       texts,
       this.#reading,
       question,
+      exercise,
       this.#playground,
       new PanelWords((command) => act(() => door.command(command))),
       new Code(door, act),
@@ -241,6 +258,9 @@ class Page {
     this.#erased_at = null;
     this.written = null;
     this.#wanted = { asked, reveal };
+    document.documentElement.classList.toggle("exercise", asked.exercise !== null);
+    this.#exercise = asked.exercise;
+    if (asked.exercise !== null) return this.#open_exercise(asked, asked.exercise, turn);
     const id = asked.lesson ?? "";
     const known = this.#is_of_course(id) || (await this.#gallery?.has(id));
     if (turn !== this.#opens) return;
@@ -275,6 +295,39 @@ class Page {
     notice_all(asked.problems);
     veil.lift();
     this.act(() => {});
+  }
+
+  /** Opens an exercise at the instance of the address, of the attempt that was left, of the student's name, or a fresh
+   *  one.
+   *  @param {Address} asked @param {string} id @param {number} turn */
+  async #open_exercise(asked, id, turn) {
+    const known = this.#exercises.some((exercise) => exercise.id === id);
+    const toml = known ? await this.#downloads.text(`lessons/exercises/${id}.toml`).catch(() => null) : "";
+    if (turn !== this.#opens) return;
+    this.#reveal();
+    if (!known) return veil.failed(`There is no exercise “${id.slice(0, 60)}”.`, null);
+    if (toml === null)
+      return veil.failed(`The exercise ${kNotLoaded}`, () => this.open(asked));
+    const left = this.#kept.exercise(id)?.now;
+    const { student } = this.#kept;
+    const seed = asked.seed ?? left?.seed ?? (student ? this.#door.seed_of_name(student) : fresh_seed());
+    const error = this.#door.read_exercise(toml, `${id}.toml`) || this.#door.open_exercise(seed);
+    if (error) return veil.failed(`This exercise cannot be opened. ${error}.`, null);
+    this.#wanted = null;
+    if (left?.seed === seed && left.hash === this.#door.attempt()?.hash) this.#door.take_up_attempt(left.decisions);
+    this.#show_lesson();
+    this.#opening = false;
+    clear_notices();
+    notice_all(asked.problems);
+    veil.lift();
+    this.act(() => {});
+  }
+
+  /** Saves the attempt as a result file. */
+  #hand_in() {
+    const attempt = this.#door.attempt();
+    if (attempt) save_file(this.result(), `${attempt.exercise}-${attempt.seed}.json`);
+    notice("The result file is saved. It is no signature: it proves that these decisions earn this mark.", "told");
   }
 
   /** Shows what is constant in the lesson that was just opened. */
@@ -472,6 +525,7 @@ class Page {
   // ---- the address --------------------------------------------------------------------------------------------
 
   #address() {
+    // The step of an exercise is where its decisions have led.
     return write_address(this.#view, this.#lesson, this.#door.shared_rows(), this.#embed);
   }
 
@@ -488,6 +542,7 @@ class Page {
 
   /** Keeps the student's place and answers, once the student has done something here. */
   #keep(/** @type {string} */ address) {
+    if (this.#view.exercise) return this.#keep_exercise(this.#view.exercise);
     if (!this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
     const { outcomes, step, steps, tasksDone, asked, outcome, deciding, progress } = this.#view;
     if (address === this.#erased_at && outcomes.length === 0) return;
@@ -502,6 +557,11 @@ class Page {
       told: (outcome ?? deciding)?.question ?? null,
       tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
     });
+  }
+
+  #keep_exercise(/** @type {ShownExercise} */ { finished }) {
+    const attempt = this.#door.attempt();
+    if (attempt && attempt.decisions.length > 0) this.#kept.keep_exercise(attempt, finished);
   }
 
   async #share() {
@@ -528,6 +588,33 @@ class Page {
     const says = this.#preview?.says ?? [];
     const mistakes = says.flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]);
     return { ...view, asked, trace: this.#door.trace(), mistakes };
+  }
+
+  /** Null while a lesson is open.
+   *  @returns {ExerciseState | null} */
+  exercise() {
+    const view = this.#door.view();
+    if (!view?.exercise) return null;
+    const { exercise, seed, decision, decisions, mark, of, hints, told } = view.exercise;
+    return {
+      exercise,
+      seed,
+      decision,
+      decisions,
+      prompt: view.asked?.prompt ?? null,
+      targets: view.asked ? this.#door.targets() : [],
+      choices: view.asked?.choices ?? [],
+      mark,
+      of,
+      hints: hints.length,
+      told,
+    };
+  }
+
+  /** The text of the result file: of the attempt that is open, or else of the best ones. */
+  result() {
+    const open = this.#exercise !== null && this.#door.attempt();
+    return result_text(this.#kept.student, open ? [open] : this.#kept.attempts, this.#version);
   }
 
   forget_answers() {
@@ -579,7 +666,7 @@ class Site {
     this.#shown = location.search;
     const asked = read_address(location.search);
     document.documentElement.classList.toggle("embed", asked.embed);
-    const at_lesson = asked.lesson !== null;
+    const at_lesson = asked.lesson !== null || asked.exercise !== null;
     try {
       // The program arrives beside the course and the lesson.
       const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null;
@@ -608,9 +695,10 @@ class Site {
   }
 
   /** What was pressed may be gone with what stood before: then the stage has the keys. */
-  async #go_into(/** @type {string} */ id) {
+  /** @param {string} id @param {number} [seed] */
+  async #go_into(id, seed) {
     this.#page?.leave();
-    await this.go_to(way_into(id, this.#kept));
+    await this.go_to(this.#course.is_exercise(id) ? exercise_link(id, seed) : way_into(id, this.#kept));
     if (document.activeElement === document.body) by_id("canvas").focus({ preventScroll: true });
   }
 
@@ -672,15 +760,14 @@ class Site {
     return new Page({
       door,
       downloads: this.#downloads,
-      lessons: this.#course.lessons,
-      playground: this.#course.playground,
+      course: this.#course,
       gallery: this.#gallery,
       formulas: this.#typeset,
       settings: this.#settings,
       kept: this.#kept,
       embed,
       preview: this.#preview,
-      go_to: (id) => this.#go_into(id),
+      go_to: (id, seed) => this.#go_into(id, seed),
     });
   }
 
@@ -712,6 +799,20 @@ class Site {
     return this.#course ? { lesson: null, course: this.#course.state() } : null;
   }
 
+  exercise() {
+    return document.documentElement.dataset.view === "lesson" ? (this.#page?.exercise() ?? null) : null;
+  }
+
+  result() {
+    if (this.#page) return this.#page.result();
+    return result_text(this.#kept.student, this.#kept.attempts, this.#course?.version ?? "");
+  }
+
+  /** Where what is done is kept. */
+  saved() {
+    return this.#kept.works ? "device" : "nowhere";
+  }
+
   /** Opens what an address asks for as if nothing had been answered, without loading the page again. */
   restart(/** @type {string} */ search) {
     this.#kept.erase();
@@ -732,6 +833,9 @@ class Site {
 const site = new Site();
 Object.assign(window.snug, {
   state: () => site.state(),
+  exercise: () => site.exercise(),
+  result: () => site.result(),
+  saved: () => site.saved(),
   restart: (/** @type {string} */ search) => site.restart(search),
   handles: () => site.handles(),
   frameTimes: () => site.frame_times(),

@@ -5,6 +5,9 @@ interface Window {
   snug: {
     ready: Promise<unknown>;
     state(): any; // PageState, in a lesson
+    exercise(): ExerciseState | null;
+    result(): string;
+    saved(): "device" | "nowhere";
     handles(): Handle[];
     frameTimes(): FrameTime[];
     restart(search: string): Promise<unknown>;
@@ -28,6 +31,7 @@ interface PageElements {
   "previous-lesson": HTMLButtonElement;
   redo: HTMLButtonElement;
   search: HTMLInputElement;
+  student: HTMLInputElement;
   undo: HTMLButtonElement;
   whole: HTMLAnchorElement;
 }
@@ -42,12 +46,27 @@ type PageState = Omit<View, "asked"> & {
   mistakes: string[];
 };
 
+/** What window.snug.exercise() tells. */
+interface ExerciseState {
+  exercise: string;
+  seed: number;
+  decision: number;
+  decisions: number;
+  prompt: string | null;
+  targets: string[];
+  choices: string[];
+  mark: number | null;
+  of: number;
+  hints: number;
+  told: boolean;
+}
+
 type Point = { x: number; y: number };
 type FrameTime = { at: number; cost: number };
 /** Does what the user asks for, then shows the result. */
 type Act = (what: () => void) => void;
-/** To another lesson, by its id. */
-type GoTo = (id: string) => void;
+/** To another lesson or exercise, by its id; seed: of an exercise's instance. */
+type GoTo = (id: string, seed?: number) => void;
 
 /** What a panel of the page may do when a lesson is opened, and when something has changed. */
 interface PagePanel {
@@ -70,8 +89,17 @@ interface LessonEntry {
 
 type CaseEntry = { id: string; title: string; summary: string; source: string };
 type ChapterOf<Entry> = { title: string; lessons: Entry[] };
+type ExerciseEntry = { id: string; title: string; summary: string; minutes: number; lesson: string };
+type ExerciseSet = { id: string; title: string; lecture: string; exercises: ExerciseEntry[] };
 type PreviewOf = { files: Record<string, string>; mistake: string | null; ideas: string[] };
-type CourseFile = { playground?: string; chapters: ChapterOf<LessonEntry>[]; preview?: PreviewOf };
+interface CourseFile {
+  playground?: string;
+  chapters: ChapterOf<LessonEntry>[];
+  preview?: PreviewOf;
+  sets?: ExerciseSet[];
+  exercises?: ExerciseEntry[];
+  version?: string;
+}
 /** As course.js numbers them. */
 type CourseLesson = LessonEntry & { number: number; chapter: string };
 
@@ -89,4 +117,13 @@ interface KeptLesson {
   told: string | null;
   tried: Tried | null;
 }
-type KeptData = { version: number; last: string | null; invited: number; lessons: Record<string, KeptLesson> };
+/** How many attempts were finished, the best of them, and one that is not. */
+type KeptExercise = { tries: number; best: Attempt | null; now: Attempt | null };
+interface KeptData {
+  version: number;
+  last: string | null;
+  invited: number;
+  lessons: Record<string, KeptLesson>;
+  exercises: Record<string, KeptExercise>;
+  student: string;
+}

@@ -16,6 +16,7 @@ interface View extends Answers {
   playing: boolean;
   speed: number;
   previewing: boolean;
+  exercise: ShownExercise | null;
   framesDrawn: number;
   cover: Cover | null;
   algorithm: string;
@@ -156,6 +157,43 @@ interface Told extends Outcome {
   rightChoices: number[];
 }
 
+// ---- web/exercise.cpp ----------------------------------------------------------------------------------------
+
+type ExerciseRow = { id: string; short: string; kind: Kind; hints: number; mark: number };
+
+/** exercise_object. mark: null until it is told. */
+interface ShownExercise {
+  exercise: string;
+  lesson: string;
+  seed: number;
+  decision: number;
+  decisions: number;
+  mark: number | null;
+  of: number;
+  told: boolean;
+  tellsAtOnce: boolean;
+  countKnown: boolean;
+  finished: boolean;
+  hints: string[];
+  nextPrice: number;
+  rule: string;
+  followed: string[];
+  canTakeBack: boolean;
+  rows: ExerciseRow[];
+}
+
+/** attempt_object: as a result file has it. */
+interface Attempt {
+  exercise: string;
+  hash: string;
+  seed: number;
+  decisions: string[];
+  hints: number;
+  mark: number;
+  of: number;
+  seconds: number;
+}
+
 // ---- web/cover.cpp -------------------------------------------------------------------------------------------
 
 type CoverButton = { command: string; words: string; chosen: boolean; enabled: boolean };
@@ -236,7 +274,8 @@ interface Lesson extends PointSet {
 
 /** words_object */
 type SharedWords = Record<
-  | "answer" | "skip" | "prediction" | "watch" | "again" | "practise" | "task" | "hint" | "go_on" | "show" | "summary"
+  | "answer" | "skip" | "prediction" | "decision" | "watch" | "again" | "practise" | "task" | "hint" | "go_on" | "show"
+  | "summary"
   | "go_on_with" | "waiting" | "to_task" | "next_lesson" | "close" | "watching",
   string
 >;
@@ -306,6 +345,11 @@ interface Door {
   scatter(seed: number): void;
   set_generator(kind: string, count: number, seed: number): Refusal;
   set_float(in_float: boolean): Refusal;
+  read_exercise(toml: string, name: string): Refusal;
+  open_exercise(seed: number): Refusal;
+  take_up_attempt(decisions: string[]): Refusal;
+  attempt(): Attempt | null;
+  seed_of_name(name: string): number;
   light(mark: string): void;
   invite(followed: number): void;
   start_task(task: number): void;

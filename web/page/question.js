@@ -2,7 +2,8 @@
 // Every sentence comes from the program, so that the window has the same ones.
 import { by_id, button, element, followed_here, is_within, set_text, spelled } from "./dom.js";
 import { link_of } from "./lesson_menu.js";
-/** @import { Words } from "./words.js" */
+/** @import { Exercise } from "./exercise.js"
+ *  @import { Words } from "./words.js" */
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 
@@ -25,6 +26,7 @@ export class QuestionCard {
   #words;
   #texts;
   #after;
+  #exercise;
   #shown = "";
   #choices = /** @type {HTMLElement[]} */ ([]);
   #ordered = false; // whether they are put into an order
@@ -33,10 +35,14 @@ export class QuestionCard {
   #commit;
 
   /** texts: what makes HTML of prompts and reasons. after: where one may go from here. next(id): to the lesson that
-   *  follows or undefined; show_task: null where the task is not on the page.
+   *  follows or undefined; title(id): a lesson's; show_task: null where the task is not on the page. exercise: what an
+   *  exercise has beyond questions.
    *  @param {Door} door @param {Act} act @param {Words} texts
-   *  @param {{ next: (id: string) => CourseLesson | undefined, go: GoTo, show_task: (() => void) | null }} after */
-  constructor(door, act, texts, after) {
+   *  @param {{ next: (id: string) => CourseLesson | undefined, go: GoTo, title: (id: string) => string | undefined,
+   *    show_task: (() => void) | null }} after
+   *  @param {Exercise} exercise */
+  constructor(door, act, texts, after, exercise) {
+    this.#exercise = exercise;
     this.#door = door;
     this.#act = act;
     this.#texts = texts;
@@ -59,7 +65,7 @@ export class QuestionCard {
   }
 
   update(/** @type {View} */ view) {
-    const { asked, outcome, deciding, outcomes, score } = view;
+    const { lesson, asked, outcome, deciding, exercise, outcomes, score } = view;
     this.#watching = Boolean(deciding);
     // Those of this situation: the score below counts no others.
     const told = view.cover?.decided
@@ -69,7 +75,7 @@ export class QuestionCard {
     // While a stage is edited, the card stays as it is.
     const waiting = view.waiting.length > 0 ? view.waiting : this.#waiting;
     const ends = view.summary && [view.tasksDone, waiting, view.situationsWaiting];
-    const now = JSON.stringify([view.lesson, question, outcome, deciding, told, score, ends], as_laid_out);
+    const now = JSON.stringify([lesson, question, outcome, deciding, told, score, ends, exercise], as_laid_out);
     if (now !== this.#shown) {
       this.#shown = now;
       this.#lay_out(view, told);
@@ -78,10 +84,12 @@ export class QuestionCard {
   }
 
   #card_of(/** @type {View} */ view) {
-    const { asked, outcome, deciding, summary } = view;
-    if (asked) return this.#asked_card(asked);
+    const { asked, outcome, deciding, exercise, summary } = view;
+    if (asked) return this.#asked_card(asked, view);
     if (deciding) return this.#deciding_card(deciding);
-    if (outcome) return this.#outcome_card(outcome);
+    if (outcome) return exercise ? this.#marked_card(outcome, exercise) : this.#outcome_card(outcome);
+    if (exercise?.finished) return this.#exercise.summary(exercise, this.#after.title);
+    if (exercise) return this.#exercise.back_card(exercise);
     return summary ? this.#summary_card(view) : null;
   }
 
@@ -138,7 +146,8 @@ export class QuestionCard {
     this.#act(() => this.#door.command(command));
   }
 
-  #asked_card(/** @type {Asked} */ { promptWords, choices, field, ordered, many, place, tried }) {
+  /** @param {Asked} asked @param {View} view */
+  #asked_card({ promptWords, choices, field, ordered, many, place, tried }, { exercise, outcomes }) {
     this.#ordered = ordered;
     this.#many = many;
     const first = choices.findIndex((_, i) => ordered || !tried?.choices.includes(i));
@@ -152,15 +161,19 @@ export class QuestionCard {
         "data-first": i === first,
       });
     });
-    const pass = quiet(this.#words.skip, () => this.#do("skip_question"));
+    const pass = exercise ? this.#exercise.tools(exercise) : [quiet(this.#words.skip, () => this.#do("skip_question"))];
+    const [head, where] = exercise ? this.#exercise.place(exercise) : [this.#words.prediction, place];
+    const commits = !exercise || many || ordered; // else a tap decides
     return element("div", { class: "card predict", tabindex: "-1" },
-      kicker(this.#words.prediction, place),
+      kicker(head, where),
+      exercise && this.#exercise.before(exercise, outcomes, tried),
       element("p", { class: "prompt" }, ...this.#texts.of(promptWords)),
+      ...(exercise ? this.#exercise.hints(exercise) : []),
       element("div", { class: "answering" },
         choices.length > 0 && element("div", { class: "choices" }, ...this.#choices),
-        row(this.#says, field ? this.#answer_form(field) : this.#commit, pass),
+        row(this.#says, field ? this.#answer_form(field) : commits && this.#commit, ...pass),
       ),
-      element("p", { class: "foot presented" }, "Page Down twice skips"),
+      !exercise && element("p", { class: "foot presented" }, "Page Down twice skips"),
     );
   }
 
@@ -191,9 +204,9 @@ export class QuestionCard {
   }
 
   /** What was predicted; nothing of a question that was skipped. */
-  #said(/** @type {Outcome} */ { skipped, predicted }) {
+  #said(/** @type {Outcome} */ { skipped, predicted }, word = this.#words.prediction) {
     if (skipped) return null;
-    return element("p", { class: "said" }, `${this.#words.prediction}: `, element("b", {}, ...spelled(predicted)));
+    return element("p", { class: "said" }, `${word}: `, element("b", {}, ...spelled(predicted)));
   }
 
   /** The right order, line by line, each with the place that it had in the prediction. */
@@ -241,6 +254,16 @@ export class QuestionCard {
       ? element("p", { class: "said right" }, `${kMarks.right} ${happened}`)
       : button(this.#words.show, () => this.#do("show_answer"));
     return this.#told(outcome, what, answer);
+  }
+
+  /** The same in an exercise, where the step is shown at once; with the rule that was followed, if it is known.
+   *  @param {Told} outcome @param {ShownExercise} exercise */
+  #marked_card(outcome, { rule }) {
+    return this.#told({ ...outcome, canWatch: false }, [
+      this.#said(outcome, this.#words.decision),
+      element("p", {}, ...spelled(outcome.says)),
+      rule ? element("p", { class: "rule" }, rule) : null,
+    ], null);
   }
 
   /** The choices with a mark at those that are right, and at one that was chosen and is not. */

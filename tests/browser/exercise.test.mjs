@@ -1,0 +1,163 @@
+// Exercises on the page: decided by mouse, finger and keyboard; hints, mistakes, marks; kept over a reload; handed in.
+import { after, before, test } from "node:test";
+import { assert, handles, kPhone, load, ready, start, state, still, stop, tap, until, visit } from "./support.mjs";
+
+before(start);
+after(stop);
+
+const exercise = (page) => page.evaluate(() => window.snug.exercise());
+const result = (page) => page.evaluate(() => JSON.parse(window.snug.result()));
+/** Without the joiners that keep a vertex's signs on one line. */
+const hint_of = async (page) => (await page.locator(".ask .hint").last().textContent() ?? "").replaceAll("\u2060", "");
+
+/** Until the exercise asks for that decision: the step of the one before may still be played. */
+async function at(page, decision) {
+  await until(page, (now, wanted) => now.asked && now.exercise?.decision === wanted, decision);
+  return exercise(page);
+}
+
+/** The names of the right answers, as the last hint of each decision tells them. */
+async function answers_of(t, id, seed) {
+  const page = await visit(t, `?exercise=${id}&seed=${seed}`);
+  const names = [];
+  const { decisions } = await exercise(page);
+  for (let i = 0; i < decisions; ++i) {
+    await at(page, i);
+    for (let hint = ""; !/^Hint: The answer: /.test(hint); hint = await hint_of(page)) {
+      const { hints } = await exercise(page);
+      await page.getByRole("button", { name: /^Hint/ }).press("Enter");
+      await until(page, (now, before) => now.exercise.hints.length > before, hints);
+    }
+    names.push(/The answer: (.*)\.$/.exec(await hint_of(page))[1]);
+    await decide(page, names[i]);
+  }
+  return names;
+}
+
+/** Decides by keyboard alone: the name is typed, or the choice's button is pressed. */
+async function decide(page, name) {
+  const { choices } = await exercise(page);
+  // Of several right ones, each is an answer.
+  const choice = choices.find((one) => one === name || name.split(/, | or /).includes(one));
+  if (choice) {
+    await page.getByRole("button", { name: choice, exact: true }).focus();
+    return page.keyboard.press("Enter");
+  }
+  await page.locator(".ask input").focus();
+  await page.keyboard.type(name);
+  await page.keyboard.press("Enter");
+}
+
+test("a tap decides, the step is played at once, and what happened is told beside the next decision", async (t) => {
+  const names = await answers_of(t, "be-quickhull", 11);
+  const page = await visit(t, "?exercise=be-quickhull&seed=11");
+  const begun = await exercise(page);
+  assert.deepEqual([begun.decision, begun.mark, begun.told], [0, 0, false]);
+  assert.ok(begun.targets.includes(names[0]));
+  const { step } = await state(page);
+  await tap(page, names[0]);
+  const next = await at(page, 1);
+  assert.equal(next.mark, 1);
+  assert.ok((await state(page)).step > step);
+  assert.match(await page.locator(".ask .before").textContent(), new RegExp(`^✓ ${names[0]} is farthest from`));
+});
+
+test("each exercise is done by keyboard alone, for every mark", async (t) => {
+  for (const id of ["be-ritter", "sat-plane", "p-and-n-vertex"]) {
+    const names = await answers_of(t, id, 3);
+    const page = await visit(t, `?exercise=${id}&seed=3`);
+    for (const [i, name] of names.entries()) {
+      await at(page, i);
+      await decide(page, name);
+    }
+    const over = await until(page, (now) => now.exercise.finished);
+    assert.equal(over.exercise.mark, names.length, id);
+    assert.equal(await page.locator(".mark-line").textContent(), `${names.length} of ${names.length}`);
+  }
+});
+
+test("a wrong decision is told with its rule, a second try earns a half, then the right step is shown", async (t) => {
+  const [first] = await answers_of(t, "be-quickhull", 11);
+  const page = await visit(t, "?exercise=be-quickhull&seed=11");
+  const { targets } = await exercise(page);
+  const [one, other] = targets.filter((name) => name !== first);
+  await tap(page, one);
+  let now = await until(page, (it) => it.asked?.tried);
+  assert.equal(now.exercise.decision, 0);
+  assert.match(await page.locator(".says").textContent(), /Not that one/);
+  await tap(page, other);
+  now = await until(page, (it) => it.exercise.told);
+  assert.match(await page.locator(".ask .outcome").textContent(), new RegExp(`Not quite.*${first} is farthest`));
+  await page.keyboard.press("Enter");
+  assert.equal((await at(page, 1)).mark, 0);
+});
+
+test("hints have their price, and the attempt goes on after a reload", async (t) => {
+  const page = await load(t, "?exercise=be-ritter&seed=5");
+  await page.keyboard.press("h");
+  await until(page, (now) => now.exercise.hints.length === 1);
+  assert.match(await page.getByRole("button", { name: /^Hint/ }).textContent(), /for 0\.25 of the mark/);
+  const { attempts: [attempt] } = await result(page);
+  assert.deepEqual([attempt.exercise, attempt.seed, attempt.hints], ["be-ritter", 5, 1]);
+  await page.waitForTimeout(500);
+  await page.reload();
+  await ready(page);
+  const back = await exercise(page);
+  assert.deepEqual([back.decision, back.hints], [0, 1]);
+  assert.equal(await page.evaluate(() => window.snug.saved()), "device");
+});
+
+/** What is on the stage, from wherever it is looked at: the view can be moved. */
+const on_stage = ({ size, seed, edited, canUndo, trace }) => ({ size, seed, edited, canUndo, trace });
+
+test("nothing on the stage can be changed, and no decision is skipped", async (t) => {
+  const page = await visit(t, "?exercise=fit-a-kdop&seed=2");
+  const before = on_stage(await state(page));
+  assert.deepEqual([before.edited, before.canUndo, typeof before.trace], [false, false, "string"]);
+  const [{ x, y }] = await handles(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 40, { steps: 6 });
+  await page.mouse.up();
+  await still(page);
+  const keys = ["s", "a", "Delete", "Control+z", "PageDown", "PageDown", "ArrowRight", "End"];
+  for (const key of keys) await page.keyboard.press(key);
+  await still(page);
+  assert.deepEqual(on_stage(await state(page)), before);
+  assert.equal((await exercise(page)).decision, 0);
+});
+
+test("by finger on a phone, with targets large enough, and the summary leads to another instance", async (t) => {
+  const names = await answers_of(t, "aabb-overlap", 4);
+  const page = await visit(t, "?exercise=aabb-overlap&seed=4", kPhone);
+  for (const [i, name] of names.entries()) {
+    await at(page, i);
+    const button = page.getByRole("button", { name, exact: true });
+    assert.ok((await button.boundingBox()).height >= 44);
+    await button.tap();
+  }
+  await until(page, (now) => now.exercise.finished);
+  const saved = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Hand in" }).tap();
+  assert.equal((await saved).suggestedFilename(), "aabb-overlap-4.json");
+  await page.getByRole("button", { name: "Another instance" }).tap();
+  const other = await until(page, (now) => now.exercise && now.exercise.seed !== 4);
+  assert.equal(other.exercise.decision, 0);
+});
+
+test("the course lists the sets, with the marks that were reached", async (t) => {
+  const names = await answers_of(t, "aabb-overlap", 6);
+  const page = await load(t, "?exercise=aabb-overlap&seed=6");
+  for (const [i, name] of names.entries()) {
+    await at(page, i);
+    await decide(page, name);
+  }
+  await until(page, (now) => now.exercise.finished);
+  await page.waitForTimeout(500);
+  await page.locator("#home").click();
+  await page.locator(".set").first().waitFor();
+  const line = page.locator(".set-list a", { hasText: "Do two AABBs overlap?" });
+  assert.match(await line.textContent(), new RegExp(`${names.length} of ${names.length}$`));
+  await line.click();
+  await until(page, (now) => now.exercise?.exercise === "aabb-overlap");
+});
