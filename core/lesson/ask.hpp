@@ -90,8 +90,8 @@ struct Asking {
   std::string_view figure = {};
   /// Reads keys of its own from a lesson's file; null for none.
   void (*read)(TomlTable& table, Question& question) = nullptr;
-  /// By how much it is decided: how far what is right is ahead of all else, as a share of the extent of what stands on
-  /// the stage; 0 at a tie. Null: an exercise cannot ask for it.
+  /// The right answer's lead over the runner-up, as a share of the stage's extent; 0 at a tie. Null: an exercise cannot
+  /// ask for it.
   double (*margin)(const Asked& asked, const Run& run) = nullptr;
   std::span<const WrongRule> rules = {};
 };

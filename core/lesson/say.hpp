@@ -21,7 +21,7 @@ inline constexpr std::string_view kAnswerWord = "Answer", kSkipWord = "Skip", kP
                                   kWaitingWord = "More questions wait under", kNextLessonWord = "Next lesson",
                                   kToTaskWord = "To the task", kCloseWord = "Close";
 
-// Of exercises.
+// The headings and buttons of an exercise.
 inline constexpr std::string_view kHandInWord = "Hand in", kAnotherInstanceWord = "Another instance",
                                   kToLessonWord = "To the lesson", kTakeBackWord = "Take back",
                                   kYourMarkWord = "Your mark", kDecisionWord = "Your decision",

@@ -37,7 +37,7 @@ async function answers_of(t, id, seed) {
 /** Decides by keyboard alone: the name is typed, or the choice's button is pressed. */
 async function decide(page, name) {
   const { choices } = await exercise(page);
-  // Of several right ones, each is an answer.
+  // Any of several right choices will do.
   const choice = choices.find((one) => one === name || name.split(/, | or /).includes(one));
   if (choice) {
     await page.getByRole("button", { name: choice, exact: true }).focus();

@@ -154,7 +154,7 @@ test("the volume that follows the body, and how, is the student's choice", async
   assert.deepEqual(options, ["rotated_box", "rebuild", "hill_climb", "loose", "sphere", "obb", "k14"]);
   await page.locator("#canvas").focus();
   for (let view = await state(page); view.step < kFrames; view = await state(page)) {
-    // To the next question; twice skips it.
+    // It goes to the next question; pressed twice, it skips that.
     for (let presses = view.asked ? 2 : 1; presses > 0; --presses) await page.keyboard.press("PageDown");
     await moved(page, view);
   }

@@ -37,7 +37,7 @@ async function shown(page) {
       const seen = (selector) => [...document.querySelectorAll(selector)];
       const { framesDrawn, ...now } = window.snug.state();
       const effects = now.effects?.map(({ microseconds, ...effect }) => effect); // a time is another one each time
-      // With times as well.
+      // The rows hold times as well, so only their names are compared.
       const panels = now.panels.map(({ title, head, rows }) => [title, head, rows.map(([name]) => name)]);
       return {
         now: { ...now, effects, panels },

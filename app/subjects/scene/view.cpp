@@ -43,7 +43,7 @@ class SceneView final : public SubjectView {
     return graph > 0 ? graph : sweep_room(look, session, stage);
   }
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override { return whole(session).ball; }
-  /// Of a body of points, whose volumes students look at; other scenes would have their empty corners in view.
+  /// A body of points is framed by its outline; other scenes are not, because the corners of their box are empty.
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     if (!shows_points(session)) return std::nullopt;
     const Aabb<double, 3>& box = whole(session).box;
@@ -143,7 +143,7 @@ const SceneView::Extent& SceneView::whole(const lesson::Session& session) const 
   if (extent_ && extent_->trace == trace && extent_->beside == beside) return *extent_;
   const Aabb<double, 3> box = box_around_run(session);
   const Point3 size = box.max - box.min;
-  // Of bodies not the ball around the box, whose corners are empty in nearly every frame.
+  // The corners of the box around bodies are empty in nearly every frame, so the ball leaves them out.
   const double radius = 0.5 * (shows_points(session) ? size.norm() : size.maxCoeff());
   return extent_.emplace(Extent{trace, beside, box, {box.min / 2 + box.max / 2, radius}});
 }

@@ -50,7 +50,7 @@ struct ExerciseDraft {
 /// lesson's file; a fact that cannot be decided; a wrong rule that there is not.
 [[nodiscard]] ExerciseDraft read_exercise(std::string_view toml, std::string_view name);
 
-/// The price of so many hints: a quarter of the decision's mark, half of it, all of it.
+/// As many hints as a decision has at most; kHintPrices says what they cost.
 inline constexpr int kMostHints = 3;
 
 }  // namespace snug::lesson

@@ -110,7 +110,7 @@ const WrongRule* find_rule(const Asked& asked, std::string_view name) {
 }
 
 tl::expected<Instance, InputError> make_instance(const Exercise& exercise, std::uint64_t seed) {
-  Instance instance{.seed = seed, .lesson = exercise.stage};
+  Instance instance{.lesson = exercise.stage};
   Lesson& lesson = instance.lesson;
   const auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
   if (!own) return tl::unexpected(own.error());

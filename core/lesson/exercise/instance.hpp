@@ -11,10 +11,9 @@
 namespace snug::lesson {
 
 struct Instance {
-  std::uint64_t seed = 0;  // the student's, which every exercise of a set shares
-  std::uint64_t own = 0;   // that of its points, which no other exercise has
-  int passed_over = 0;     // how many seeds were passed over, which do not keep the promise
-  Lesson lesson;           // the stage, with a question for every decision of the run
+  std::uint64_t own = 0;  // that of its points, which no other exercise has
+  int passed_over = 0;    // how many seeds were passed over, which do not keep the promise
+  Lesson lesson;          // the stage, with a question for every decision of the run
 };
 
 /// The instance of a seed: the first of a sequence that begins there, and that each exercise has for itself, in which

@@ -226,9 +226,7 @@ tl::expected<Graded, InputError> grade(std::shared_ptr<const Exercise> exercise,
   Sitting sitting(std::move(exercise), attempt.seed, *session);
   if (const auto taken = sitting.take_up(*session, attempt); !taken) return tl::unexpected(taken.error());
   // What was not finished earns what was decided, told or not.
-  Graded graded{0, sitting.of(), static_cast<int>(session->given().empty() ? 0 : sitting.at(*session))};
-  graded.mark = sitting.mark(*session);
-  return graded;
+  return Graded{sitting.mark(*session), sitting.of(), static_cast<int>(sitting.at(*session))};
 }
 
 tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::uint64_t seed, int wrong,

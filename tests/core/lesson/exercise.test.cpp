@@ -95,7 +95,6 @@ TEST_CASE("a wrong rule is wrong somewhere, and named where it was followed") {
     for (const std::string& id : set.exercises) {
       CAPTURE(id);
       const Shared exercise = exercise_of(id);
-      Sat right(exercise, 7);
       for (std::size_t kind = 0; kind < exercise->decisions.size(); ++kind)
         for (const RuleWords& words : exercise->decisions[kind].rules) {
           CAPTURE(words.name);

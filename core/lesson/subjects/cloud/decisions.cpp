@@ -318,12 +318,17 @@ const GrowingFacet& facet_of(const GrowingHull& hull, const Asked& asked, const 
   return hull.facets[fact_of<EyeChosen>(asked, run).facet];
 }
 
+std::vector<Point3> corners_of(const GrowingFacet& facet, const Run& run) {
+  std::vector<Point3> corners;
+  for (const Index i : facet.vertices) corners.push_back(point_at(run, i));
+  return corners;
+}
+
 template <class Value>
 Scores scores_of_facet(const Asked& asked, const Run& run, Value value) {
   const auto hull = growing_hull(fit_run(run).trace(), asked.fact);
   const GrowingFacet& facet = facet_of(*hull, asked, run);
-  std::vector<Point3> corners;
-  for (const Index i : facet.vertices) corners.push_back(point_at(run, i));
+  const std::vector<Point3> corners = corners_of(facet, run);
   Scores scores;
   for (const Index i : facet.outside) scores.add(static_cast<int>(i), value(point_at(run, i), corners));
   return scores;
@@ -381,10 +386,7 @@ double faces_margin(const Asked& asked, const Run& run) {
   const Point3 eye = point_at(run, fact_of<HorizonFound>(asked, run).eye);
   double least = kNever;
   for (const GrowingFacet& facet : hull->facets) {
-    if (!facet.alive()) continue;
-    std::vector<Point3> corners;
-    for (const Index i : facet.vertices) corners.push_back(point_at(run, i));
-    least = std::min(least, distance_from(eye, corners));
+    if (facet.alive()) least = std::min(least, distance_from(eye, corners_of(facet, run)));
   }
   return share(asked, least);
 }

@@ -90,15 +90,13 @@ Truth slab_truth(const Asked& asked, const Run& run) {
   const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
   if (!slab.separates && touch(slab)) return no("The intervals touch, and touching counts as overlapping.");
   if (!slab.separates) return no("The intervals overlap.");
-  const double gap = std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
-  return yes("The intervals are " + gap_text(gap) + " apart.");
+  return yes("The intervals are " + gap_text(slab_gap(slab)) + " apart.");
 }
 
 /// How far the intervals are from touching.
 double slab_margin(const Asked& asked, const Run& run) {
   const auto& slab = *std::get_if<query::SlabTested>(&pair_run(run).trace()[asked.fact].step.fact);
-  const double gap = std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
-  return std::abs(gap) / extent_of(*asked.subject);
+  return std::abs(slab_gap(slab)) / extent_of(*asked.subject);
 }
 
 std::optional<Answer> one_way(const Asked& asked, const Run& run) {
@@ -256,7 +254,7 @@ double overlap_margin(const Asked& asked, const Run& run) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < asked.fact; ++i) {
     if (const auto* slab = std::get_if<query::SlabTested>(&steps[i].step.fact))
-      least = std::min(least, std::abs(std::max(slab->least_b - slab->greatest_a, slab->least_a - slab->greatest_b)));
+      least = std::min(least, std::abs(slab_gap(*slab)));
     if (const auto* cores = std::get_if<query::CoresCompared>(&steps[i].step.fact))
       least = std::min(least, std::abs(cores->distance - cores->radii));
   }

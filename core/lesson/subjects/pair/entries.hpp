@@ -183,10 +183,15 @@ double overlap_margin(const Asked& asked, const Run& run);
 const char* offer_coordinate_axes(Asked& asked, const Run& run);
 Truth first_axis_truth(const Asked& asked, const Run& run);
 
+/// How far apart the intervals are, scene units; below 0 by how much they overlap.
+[[nodiscard]] inline double slab_gap(const query::SlabTested& slab) {
+  return std::max(slab.least_b - slab.greatest_a, slab.least_a - slab.greatest_b);
+}
+
 /// A bound of an interval, as a k-DOP stores it: along (1, 1), not along the unit vector of that direction. Its digits
 /// show whether the intervals are apart.
 [[nodiscard]] inline std::string bound_text(const query::SlabTested& fact, double bound) {
-  const double gap = std::max(fact.least_b - fact.greatest_a, fact.least_a - fact.greatest_b);
+  const double gap = slab_gap(fact);
   return length_text(bound / fact.direction.cwiseAbs().maxCoeff(), decimals_showing(gap));
 }
 
