@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "desktop/cli/exercise_files.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/result_file.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/progress.hpp"
 #include "lesson/subjects.hpp"

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/result_file.hpp"
 #include "desktop/shell.hpp"
 #include "lesson/figures.hpp"
 

@@ -60,18 +60,15 @@ val attempt_object(app::App& app) {
   const lesson::Sitting* sitting = app.sitting();
   if (sitting == nullptr) return val::null();
   const lesson::Attempt attempt = sitting->attempt(*app.session());
-  int hints = 0;
-  double seconds = 0;
-  for (const lesson::Made& made : attempt.made) hints += made.hints, seconds = std::max(seconds, made.seconds);
   val object = val::object();
   object.set("exercise", attempt.exercise);
   object.set("hash", hex_of(attempt.hash));
   object.set("seed", static_cast<double>(attempt.seed));
   object.set("decisions", array_of(attempt.made, [](const lesson::Made& made) { return text(text_of(made)); }));
-  object.set("hints", hints);
+  object.set("hints", attempt.hints());
   object.set("mark", sitting->mark(*app.session()));
   object.set("of", sitting->of());
-  object.set("seconds", seconds);
+  object.set("seconds", attempt.seconds());
   return object;
 }
 

@@ -9,6 +9,7 @@
 #include "desktop/cli/exercise_files.hpp"
 #include "desktop/cli/exercise_sheet.hpp"
 #include "desktop/cli/progress.hpp"
+#include "desktop/cli/result_file.hpp"
 #include "geometry/random.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "number/fnv.hpp"

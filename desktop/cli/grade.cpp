@@ -7,6 +7,7 @@
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/exercise_files.hpp"
 #include "desktop/cli/progress.hpp"
+#include "desktop/cli/result_file.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/figures.hpp"
 

@@ -1,5 +1,6 @@
 #include "lesson/exercise/attempt.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -75,6 +76,18 @@ std::optional<Answer> answer_of(std::string_view text) {
 }
 
 }  // namespace
+
+int Attempt::hints() const {
+  int all = 0;
+  for (const Made& one : made) all += one.hints;
+  return all;
+}
+
+double Attempt::seconds() const {
+  double last = 0;
+  for (const Made& one : made) last = std::max(last, one.seconds);
+  return last;
+}
 
 std::string text_of(const Made& made) {
   std::string text(static_cast<std::size_t>(made.hints), '?');

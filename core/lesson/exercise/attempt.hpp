@@ -25,6 +25,11 @@ struct Attempt {
   std::uint64_t hash = 0;  // of its file
   std::uint64_t seed = 0;
   std::vector<Made> made;
+
+  /// How many hints were taken.
+  [[nodiscard]] int hints() const;
+  /// When the last answer was given, since the beginning.
+  [[nodiscard]] double seconds() const;
 };
 
 /// A decision in a few characters: "p8@3.4", "?c0>c2@10.1". A ? for each hint, then the tries: p a handle, c a choice

@@ -1,0 +1,81 @@
+#include "desktop/cli/result_file.hpp"
+
+#include <charconv>
+
+#include "number/fnv.hpp"
+
+namespace snug::desktop {
+namespace {
+
+constexpr double kMostSeed = 0x1p53;  // what a page's numbers can hold
+
+const Json* find(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found == json.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+tl::expected<Claimed, std::string> attempt_of(const Json& json) {
+  Claimed claimed;
+  if (!json.is_object()) return tl::unexpected<std::string>("an attempt is no object");
+  const Json* exercise = find(json, "exercise");
+  const Json* hash = find(json, "hash");
+  const Json* seed = find(json, "seed");
+  const Json* decisions = find(json, "decisions");
+  if (exercise == nullptr || !exercise->is_string()) return tl::unexpected<std::string>("\"exercise\" is no text");
+  claimed.attempt.exercise = exercise->get<std::string>();
+  const std::string digits = hash != nullptr && hash->is_string() ? hash->get<std::string>() : "";
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), claimed.attempt.hash, 16);
+  if (digits.size() != 16 || error != std::errc() || end != digits.data() + digits.size())
+    return tl::unexpected<std::string>("\"hash\" is not 16 hexadecimal digits");
+  if (seed == nullptr || !seed->is_number_integer() || seed->get<double>() < 0 || seed->get<double>() > kMostSeed)
+    return tl::unexpected<std::string>("\"seed\" is no whole number from 0 to 2^53");
+  claimed.attempt.seed = seed->get<std::uint64_t>();
+  if (decisions == nullptr || !decisions->is_array()) return tl::unexpected<std::string>("\"decisions\" is no list");
+  for (const Json& one : *decisions) {
+    if (!one.is_string()) return tl::unexpected<std::string>("a decision is no text");
+    auto made = lesson::made_of(one.get<std::string>());
+    if (!made) return tl::unexpected(made.error().what);
+    claimed.attempt.made.push_back(*std::move(made));
+  }
+  if (const Json* mark = find(json, "mark"); mark != nullptr && mark->is_number()) claimed.mark = mark->get<double>();
+  return claimed;
+}
+
+tl::expected<ResultFile, NoResult> read_result(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return tl::unexpected(NoResult{false, "is not JSON"});
+  const Json* format = json.is_object() ? find(json, "snug_result") : nullptr;
+  if (format == nullptr || !format->is_number_integer()) return tl::unexpected(NoResult{true, "is no result file"});
+  ResultFile file;
+  file.format = format->get<int>();
+  if (const Json* version = find(json, "version"); version != nullptr && version->is_string())
+    file.version = version->get<std::string>();
+  if (const Json* student = find(json, "student"); student != nullptr && student->is_string())
+    file.student = student->get<std::string>();
+  const Json* attempts = find(json, "attempts");
+  if (attempts == nullptr || !attempts->is_array()) return tl::unexpected(NoResult{false, "\"attempts\" is no list"});
+  for (const Json& one : *attempts) file.attempts.push_back(attempt_of(one));
+  return file;
+}
+
+Json json_of(const lesson::Attempt& attempt, double mark, int of) {
+  Json decisions = Json::array();
+  for (const lesson::Made& made : attempt.made) decisions.push_back(text_of(made));
+  return {{"exercise", attempt.exercise},
+          {"hash", hex_of(attempt.hash)},
+          {"seed", attempt.seed},
+          {"decisions", std::move(decisions)},
+          {"hints", attempt.hints()},
+          {"mark", mark},
+          {"of", of},
+          {"seconds", attempt.seconds()}};
+}
+
+std::string result_text(const std::string& student, const std::vector<Json>& attempts) {
+  return line_of(
+      {{"snug_result", kResultFormat}, {"version", SNUG_VERSION}, {"student", student}, {"attempts", attempts}});
+}
+
+}  // namespace snug::desktop
