@@ -199,6 +199,9 @@ bool App::State::go_on(std::string_view name) {
   if (steps && gate) return session->pass_by();
   if (name == "hint") return sitting && sitting->take_hint(*session);
   if (name == "take_back") return session->take_back();
+  if (name == "back_to_best") return sitting && sitting->back_to_best(*session);
+  if (name == "finish") return sitting && sitting->finish();
+  if (name == "show_model") return sitting && sitting->show_model(*session);
   if (name == "predict_again") {
     if (sitting) return false;
     forget();
@@ -396,14 +399,14 @@ tl::expected<void, InputError> App::open(lesson::Lesson lesson, std::optional<io
   return {};
 }
 
-tl::expected<void, InputError> App::open_exercise(std::shared_ptr<const lesson::Exercise> exercise,
-                                                  std::uint64_t seed) {
+tl::expected<void, InputError> App::open_exercise(std::shared_ptr<const lesson::Exercise> exercise, std::uint64_t seed,
+                                                  bool practises) {
   const auto instance = make_instance(*exercise, seed);
   if (!instance) return tl::unexpected(instance.error());
-  auto session = open_instance(*exercise, *instance, state_->platform.clock);
+  auto session = open_instance(*exercise, *instance, state_->platform.clock, practises);
   if (!session) return tl::unexpected(std::move(session.error()));
   state_->open(std::move(*session), false);
-  state_->sitting.emplace(std::move(exercise), seed, *state_->session);
+  state_->sitting.emplace(std::move(exercise), seed, *state_->session, practises);
   invite(lesson::Invitations::kAll);
   return {};
 }
@@ -574,7 +577,9 @@ void App::frame(const Layout& layout, double now) {
 
 void App::advance(double now) {
   state_->now = now;
-  if (state_->session) state_->play_on();
+  if (!state_->session) return;
+  state_->play_on();
+  if (state_->sitting) state_->sitting->see(*state_->session);
 }
 
 void App::advance_unseen(double now) {

@@ -102,7 +102,9 @@ class App {
   tl::expected<void, InputError> open(lesson::Lesson lesson, std::optional<io::PointFile> mesh = {}, bool anew = false);
   /// Opens the instance of a seed of an exercise, with nothing decided. Errors: those of make_instance; what was open
   /// then stays.
-  tl::expected<void, InputError> open_exercise(std::shared_ptr<const lesson::Exercise> exercise, std::uint64_t seed);
+  /// practises: without a mark.
+  tl::expected<void, InputError> open_exercise(std::shared_ptr<const lesson::Exercise> exercise, std::uint64_t seed,
+                                               bool practises = false);
   /// The exercise that is open; null while a lesson is.
   [[nodiscard]] lesson::Sitting* sitting();
   /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.

@@ -4,8 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "desktop/column.hpp"
-#include "lesson/exercise/sitting.hpp"
+#include "desktop/card_parts.hpp"
 
 namespace snug::desktop {
 
@@ -18,8 +17,12 @@ void draw_before(Column& column, const lesson::Sitting& sitting, const lesson::S
 void draw_hints(Column& column, const lesson::Sitting& sitting, const lesson::Session& session);
 /// The wrong rule that the answer follows.
 void draw_rule(Column& column, const lesson::Sitting& sitting, const lesson::Session& session);
+/// The card at an exercise's end, and of one that is built. Both return the command of what was clicked; the caller
+/// does it after drawing the card.
+[[nodiscard]] std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting);
+[[nodiscard]] std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitting);
 /// "Hint for 0.25 of the mark"; empty if there is none left.
-[[nodiscard]] std::string hint_words(double price);
+[[nodiscard]] std::string hint_words(const lesson::Sitting& sitting, const lesson::Session& session);
 /// "0.5, 1 hint"
 [[nodiscard]] std::string mark_words(const lesson::Marked& marked);
 

@@ -75,7 +75,7 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
 
 void draw_tasks(Shell& shell, Column& column) {
   const std::size_t tasks = shell.session().lesson().tasks.size();
-  if (tasks == 0) return;
+  if (tasks == 0 || shell.app().sitting() != nullptr) return;  // what is built has its own card
   if (std::exchange(shell.task_wanted, false)) {
     const float top = ImGui::GetWindowPos().y;
     ImGui::SetScrollFromPosY(column.y() - top, 0.1f);

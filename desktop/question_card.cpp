@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/marks.hpp"
-#include "desktop/column.hpp"
+#include "desktop/card_parts.hpp"
 #include "desktop/exercise_card.hpp"
 #include "desktop/prose.hpp"
 #include "lesson/say.hpp"
@@ -22,72 +22,7 @@ using lesson::Standing;
 
 constexpr Writing kPromptWriting{16, 23};
 constexpr float kPad = 20, kBeside = 24, kBelow = 12, kWheel = 48;
-
-struct RowButton {
-  const char* id;
-  std::string_view words;
-  ButtonKind kind = ButtonKind::kOutlined;
-  bool enabled = true;
-};
-
-/// What a row's text should have beside its buttons, pixels at 100 %: else it stands above them.
-constexpr float kLeastText = 150;
-constexpr float kAnswerAndSkip = 150;  // both buttons, at least
-
-/// Draws buttons at the right end of a row, after its text. Returns the one that was clicked, or -1.
-int draw_row(Column& column, std::string_view says, app::Color color, std::span<const RowButton> buttons) {
-  const app::Look& look = column.look();
-  const float height = look.px(34), gap = 8;
-  std::vector<float> widths;
-  float all = 0;
-  for (const RowButton& one : buttons) {
-    widths.push_back(std::max(app::measure(look, Face::kSemiBold, 14, one.words).x + look.px(26), look.px(56)));
-    all += widths.back() + gap;
-  }
-  const float room = column.width() - all - 8;
-  Column words(look, column.x(), column.y(), room < look.px(kLeastText) ? column.width() : room);
-  if (!says.empty()) {
-    const auto lines = app::lines_of(look, Face::kRegular, 13, says, words.width()).size();
-    words.gap(std::max(0.0f, (height - look.px(20) * static_cast<float>(lines)) / 2));
-    words.words(says, Face::kRegular, 13, color);
-  }
-  if (room < look.px(kLeastText) && !says.empty()) column.gap(words.y() - column.y() + 8);
-  int clicked = -1;
-  float x = column.x() + column.width() - all + gap;
-  for (std::size_t i = 0; i < buttons.size(); ++i) {
-    if (app::button(column.list(), look,
-                    {.id = buttons[i].id,
-                     .rect = {x, column.y(), widths[i], height},
-                     .words = buttons[i].words,
-                     .kind = buttons[i].kind,
-                     .enabled = buttons[i].enabled,
-                     .size = 14}))
-      clicked = static_cast<int>(i);
-    x += widths[i] + gap;
-  }
-  column.gap(std::max(height, room < look.px(kLeastText) ? 0.0f : words.y() - column.y()));
-  return clicked;
-}
-
-/// "Your prediction · 2 of 4", after the mark of its outcome.
-void draw_kicker(Column& column, std::string_view words, std::string_view place, Standing standing) {
-  const app::Look& look = column.look();
-  const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
-  const app::Color color = right                            ? look->optimum_text
-                           : wrong                          ? look->wrong_text
-                           : standing == Standing::kSkipped ? look->muted
-                                                            : look->current_text;
-  const float middle = column.y() + look.px(10), inset = right || wrong ? 22 : 0;
-  if (right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
-  if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
-  const float y = column.y() + look.px(3);
-  app::text(column.list(), look, Face::kSemiBold, 13, {column.x() + inset, y}, color, words);
-  const float said = app::measure(look, Face::kSemiBold, 13, words).x;
-  if (!place.empty())
-    app::text(column.list(), look, Face::kRegular, 13, {column.x() + inset + said, y}, look->muted,
-              " · " + std::string(place));
-  column.gap(look.px(26));
-}
+constexpr float kLeastText = 150, kAnswerAndSkip = 150;  // what a row's text, and both buttons, should have at least
 
 /// A field for a number, or to name handles without pointing at them: type it and press Enter.
 bool draw_answer_field(Shell& shell, Column& column, std::string_view label) {
@@ -177,7 +112,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   if (sitting != nullptr) draw_hints(column, *sitting, session);
   column.gap(10);
   const bool ready = session.picked() != nullptr && answers(asked, *session.picked());
-  const std::string hint = sitting != nullptr ? hint_words(sitting->next_price(session)) : std::string();
+  const std::string hint = sitting != nullptr ? hint_words(*sitting, session) : std::string();
   std::vector<RowButton> row;
   // A choice is given by choosing it.
   if (sitting == nullptr || asked.on_stage || asked.many || asked.ordered || asked.number)
@@ -273,67 +208,6 @@ std::vector<Waiting> waiting_in(const lesson::Session& session) {
   return all;
 }
 
-/// Each question in a line that leads back to its reason. Returns the command of the line that was clicked.
-std::string draw_lines(Shell& shell, Column& column, const std::vector<lesson::Marked>& marked) {
-  const lesson::Session& session = shell.session();
-  const app::Look& look = column.look();
-  std::string command;
-  int number = 0;
-  lesson::ProseFigures figures(session);
-  for (const lesson::Asked& asked : session.questions()) {
-    const std::string prompt = plain_now(asked.prompt, figures);
-    const lesson::Outcome* outcome = session.outcome_of(asked);
-    const float height = look.px(32), middle = column.y() + height / 2;
-    const std::string id = "line " + std::to_string(number++);
-    app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
-    const app::Touch touch = app::touch_area(id.c_str(), {column.x(), column.y(), column.width(), height}, prompt);
-    if (touch.hovered)
-      column.list()->AddRectFilled({column.x() - 6, column.y() + 1},
-                                   {column.x() + column.width() + 6, column.y() + height - 1}, look->raised, 6);
-    if (touch.clicked) command = "review:" + asked.question->id;
-    const Standing standing = lesson::standing_of(outcome);
-    const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
-    const ImVec2 mark{column.x() + 6, middle};
-    if (right) app::tick(column.list(), mark, 5, look->optimum, 2);
-    else if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
-    else column.list()->AddLine({mark.x - 4, mark.y}, {mark.x + 4, mark.y}, look->muted, 2);
-    const std::string line =
-        (marked.empty() ? std::string() : std::to_string(number) + ". ") + std::string(lesson::short_prompt(prompt));
-    const std::string stands =
-        marked.empty() ? std::string(lesson::standing_text(outcome)) : mark_words(marked[number - 1]);
-    const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
-    app::text_right(column.list(), look, Face::kSemiBold, 13,
-                    {column.x() + column.width(), app::middle_of(middle, look.px(13))},
-                    right   ? look->optimum_text
-                    : wrong ? look->wrong_text
-                            : look->muted,
-                    stands);
-    app::text(column.list(), look, Face::kRegular, 14, {column.x() + 22, app::middle_of(middle, look.px(14))},
-              look->ink, app::shortened(look, Face::kRegular, 14, line, column.width() - width - 40));
-    column.gap(height);
-  }
-  app::rule(column.list(), column.x(), column.y(), column.width(), look->line);
-  column.gap(12);
-  return command;
-}
-
-/// The card at an exercise's end.
-std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting) {
-  const lesson::Session& session = shell.session();
-  draw_kicker(column, lesson::kYourMarkWord, {}, Standing::kOpen);
-  column.words(lesson::plain_number(sitting.mark(session)) + " of " + std::to_string(sitting.of()), Face::kSemiBold,
-               24);
-  if (const std::string best = shell.best_says(); !best.empty())
-    column.words(best, Face::kRegular, 13, column.look()->muted);
-  for (const std::string& says : sitting.rules_followed(session)) column.gap(4), column.words(says, Face::kRegular, 14);
-  column.gap(8);
-  std::string command = draw_lines(shell, column, sitting.marked(session));
-  const std::array row{RowButton{"hand_in", lesson::kHandInWord}, RowButton{"to_lesson", lesson::kToLessonWord},
-                       RowButton{"another", lesson::kAnotherInstanceWord, ButtonKind::kPrimary}};
-  const int clicked = draw_row(column, {}, 0, row);
-  return clicked < 0 ? command : row[clicked].id;
-}
-
 /// The card at the lesson's end: each prediction leads back to its reason. The caller does what was clicked, after
 /// drawing the card.
 std::string draw_summary(Shell& shell, Column& column) {
@@ -385,7 +259,7 @@ void lead_on(Shell& shell, const std::string& command) {
   else if (command.starts_with(kSituation))
     shell.tell(shell.session().show_situation(command.substr(kSituation.size())));
   else if (command == "hand_in") shell.hand_in();
-  else if (command == "another") shell.open_exercise(shell.app().sitting()->exercise().id, std::nullopt);
+  else if (command == "another" || command == "harder" || command == "other_terms") shell.next_instance(command);
   else if (command == "to_lesson") shell.open_at_place(std::string(shell.app().sitting()->exercise().lesson));
   else if (command == "next") shell.open_at_place(*shell.beside(1));
   else if (command == "task") shell.tab = Shell::Tab::kLesson, shell.text_shown = shell.task_wanted = true;
@@ -402,7 +276,8 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
   shell.foot = 0;
   const lesson::Sitting* const sitting = shell.app().sitting();
   const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary();
-  if (asked == nullptr && deciding == nullptr && outcome == nullptr && !over) {
+  const bool builds = sitting != nullptr && sitting->exercise().build.has_value();
+  if (asked == nullptr && deciding == nullptr && outcome == nullptr && !over && !builds) {
     shell.measured_anew = shell.measured_anew || before != 0;
     return;
   }
@@ -425,7 +300,9 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     if (asked != nullptr) draw_question(shell, column, *asked);
     else if (deciding != nullptr) draw_deciding(column, session, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
-    else command = sitting != nullptr ? draw_mark(shell, column, *sitting) : draw_summary(shell, column);
+    else if (over && sitting != nullptr) command = draw_mark(shell, column, *sitting);
+    else if (builds) command = draw_build(shell, column, *sitting);
+    else command = draw_summary(shell, column);
     shell.foot = std::ceil(column.y() - top + 32) + kBelow;
     if (shell.foot != before) ImGui::SetScrollY(0);  // it says something else
     ImGui::SetCursorScreenPos({column.x(), column.y() + 15});

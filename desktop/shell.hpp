@@ -88,7 +88,12 @@ class Shell {
   /// Null if there is none of that id.
   [[nodiscard]] const lesson::Exercise* exercise(const std::string& id) const;
   /// Opens an exercise: on the instance of a seed, or else on a fresh one; the attempt that was left goes on.
-  tl::expected<void, InputError> open_exercise(const std::string& id, std::optional<std::uint64_t> seed);
+  /// level: of difficulty. practises: without a mark.
+  tl::expected<void, InputError> open_exercise(const std::string& id, std::optional<std::uint64_t> seed, int level = 0,
+                                               bool practises = false);
+  /// Another instance of the exercise that is open: "another"; "harder", at the next level; "other_terms", without a
+  /// mark where it was for one, and the other way round.
+  void next_instance(std::string_view how);
   /// Opens it as it was left, or on a fresh instance.
   void go_on_with_exercise(const std::string& id);
   /// Saves the attempt as a result file in the folder that the program was started in; the notice says which.

@@ -18,31 +18,43 @@ const lesson::Exercise* Shell::exercise(const std::string& id) const {
   return nullptr;
 }
 
-tl::expected<void, InputError> Shell::open_exercise(const std::string& id, std::optional<std::uint64_t> seed) {
+tl::expected<void, InputError> Shell::open_exercise(const std::string& id, std::optional<std::uint64_t> seed, int level,
+                                                    bool practises) {
   if (app_.session() != nullptr) keep();
   std::shared_ptr<const lesson::Exercise> known;
   for (const ExerciseFile& file : exercises_)
     if (file.exercise->id == id) known = file.exercise;
   if (known == nullptr) return tl::unexpected(InputError{.what = "there is no exercise \"" + id + '"'});
   const std::uint64_t own = seed ? *seed : std::random_device()();
-  const auto opened = app_.open_exercise(known, own);
+  const auto opened =
+      app_.open_exercise(std::make_shared<const lesson::Exercise>(at_level(*known, level)), own, practises);
   if (!tell(opened)) return opened;
   hint_of = -1, typed = {}, unread = true, task_wanted = false, course_shown = false;
   side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear(), tab = Tab::kLesson;
   kept_revision_ = session().revision();
   const KeptExercise* const kept = kept_.exercise(id);
-  if (kept != nullptr && kept->now && kept->now->seed == own && kept->now->hash == known->hash)
-    tell(app_.sitting()->take_up(session(), *kept->now));
+  const bool goes_on = kept != nullptr && kept->now && kept->now->seed == own && kept->now->level == level;
+  if (goes_on && !practises && kept->now->hash == known->hash) tell(app_.sitting()->take_up(session(), *kept->now));
   return {};
 }
 
 void Shell::go_on_with_exercise(const std::string& id) {
   const KeptExercise* const kept = kept_.exercise(id);
-  tell(open_exercise(id, kept != nullptr && kept->now ? std::optional(kept->now->seed) : std::nullopt));
+  const bool goes_on = kept != nullptr && kept->now;
+  tell(open_exercise(id, goes_on ? std::optional(kept->now->seed) : std::nullopt, goes_on ? kept->now->level : 0));
+}
+
+void Shell::next_instance(std::string_view how) {
+  const lesson::Sitting& sitting = *app_.sitting();
+  const std::string id = sitting.exercise().id;
+  const int level = sitting.exercise().level + (how == "harder" ? 1 : 0);
+  const bool practises = how == "other_terms" ? !sitting.practises() : sitting.practises();
+  tell(open_exercise(id, std::nullopt, level, practises));
 }
 
 void Shell::keep_exercise() {
   const lesson::Sitting& sitting = *app_.sitting();
+  if (sitting.practises()) return;
   kept_.keep(sitting.attempt(session()), sitting.mark(session()), sitting.of(), sitting.finished(session()));
   kept_.write();
 }

@@ -144,9 +144,10 @@ std::string read_exercise(const std::string& toml, const std::string& name) {
   return "";
 }
 
-std::string open_exercise(double seed) {
+std::string open_exercise(double seed, int level, bool practises) {
   if (!door().exercise) return "no exercise was read";
-  const auto opened = door().app->open_exercise(door().exercise, whole(seed));
+  const auto own = std::make_shared<const lesson::Exercise>(at_level(*door().exercise, level));
+  const auto opened = door().app->open_exercise(own, whole(seed), practises);
   if (!opened) return opened.error().message();
   door().shared.forget();
   return "";

@@ -64,8 +64,8 @@ val cover_file(const std::string& format);
 /// Lights a mark that the prose links to, until another, or "" for none.
 /// Reads an exercise's file for open_exercise. Returns its first mistake, "" for none.
 std::string read_exercise(const std::string& toml, const std::string& name);
-/// Opens the instance of a seed. Returns an error, "" for none.
-std::string open_exercise(double seed);
+/// Opens the instance of a seed at a level, for a mark or to practise. Returns an error, "" for none.
+std::string open_exercise(double seed, int level, bool practises);
 /// Makes the decisions that an attempt has, on what was just opened. Returns an error, "" for none.
 std::string take_up_attempt(const emscripten::val& decisions);
 /// The attempt as a result file has it: {exercise, hash, seed, decisions, hints, mark, of, seconds}.

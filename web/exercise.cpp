@@ -1,6 +1,7 @@
 // The exercise, for the page.
 #include <algorithm>
 
+#include "lesson/exercise/build.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/say.hpp"
 #include "number/fnv.hpp"
@@ -12,6 +13,14 @@ namespace snug::web {
 namespace {
 
 using emscripten::val;
+
+/// The handles that may be moved.
+std::vector<std::string> movable_names(const lesson::Session& session) {
+  std::vector<std::string> names;
+  for (Index i = 0; i < session.size(); ++i)
+    if (session.may_move(i)) names.push_back(session.name_of(i));
+  return names;
+}
 
 val rows_of(const lesson::Sitting& sitting, const lesson::Session& session) {
   lesson::ProseFigures figures(session);
@@ -28,30 +37,61 @@ val rows_of(const lesson::Sitting& sitting, const lesson::Session& session) {
   });
 }
 
+/// What is built; null where decisions are made.
+val build_object(const lesson::Sitting& sitting, const lesson::Session& session) {
+  const lesson::Exercise& exercise = sitting.exercise();
+  if (!exercise.build) return val::null();
+  const int now = level_of(exercise, session), best = sitting.best() ? sitting.best()->level : 0;
+  val object = val::object();
+  object.set("prompt", exercise.stage.tasks.front().prompt);
+  object.set("promptWords", prompt_array(exercise.stage.tasks.front().prompt));
+  object.set("heading", text(exercise.build->claim.empty() ? lesson::kBuildWord : lesson::kBreakWord));
+  object.set("claim", exercise.build->claim);
+  int level = 0;
+  object.set("levels", array_of(level_texts(exercise, session), [&](const std::string& words) {
+               val one = val::object();
+               one.set("words", words);
+               one.set("now", ++level <= now);
+               one.set("best", level <= best);
+               return one;
+             }));
+  object.set("isNow", session.grade(0).says);
+  object.set("targets", array_of(movable_names(session), text));
+  object.set("canGoBack", best > now);
+  object.set("canFinish", best > 0);
+  return object;
+}
+
 }  // namespace
 
 val exercise_object(app::App& app) {
   const lesson::Sitting* sitting = app.sitting();
   if (sitting == nullptr) return val::null();
   const lesson::Session& session = *app.session();
-  const bool over = sitting->finished(session), tells = sitting->exercise().told_at_once || over;
+  const bool over = sitting->finished(session), tells = sitting->tells_at_once() || over;
   val object = val::object();
   object.set("exercise", sitting->exercise().id);
+  object.set("kind", text(sitting->exercise().kind()));
+  object.set("level", sitting->exercise().level);
+  object.set("practises", sitting->practises());
+  object.set("leadsOn", sitting->leads_on(session));
+  object.set("build", build_object(*sitting, session));
   object.set("lesson", sitting->exercise().lesson);
   object.set("seed", static_cast<double>(sitting->seed()));
   object.set("decision", static_cast<int>(sitting->at(session)));
   object.set("decisions", sitting->of());
-  object.set("mark", tells ? val(sitting->mark(session)) : val::null());
+  object.set("mark", tells && !sitting->practises() ? val(sitting->mark(session)) : val::null());
   object.set("of", sitting->of());
   object.set("countKnown", sitting->exercise().least == sitting->exercise().most);
   object.set("told", session.outcome() != nullptr);
-  object.set("tellsAtOnce", sitting->exercise().told_at_once);
+  object.set("tellsAtOnce", sitting->tells_at_once());
   object.set("finished", over);
   object.set("hints", array_of(sitting->hints(session), text));
+  object.set("hasHint", sitting->has_hint(session));
   object.set("nextPrice", sitting->next_price(session));
   object.set("rule", sitting->rule_says(session));
   object.set("followed", over ? array_of(sitting->rules_followed(session), text) : val::array());
-  object.set("canTakeBack", !sitting->exercise().told_at_once && !session.given().empty() && !over);
+  object.set("canTakeBack", !sitting->tells_at_once() && !session.given().empty() && !over);
   object.set("rows", rows_of(*sitting, session));
   return object;
 }
@@ -64,6 +104,7 @@ val attempt_object(app::App& app) {
   object.set("exercise", attempt.exercise);
   object.set("hash", hex_of(attempt.hash));
   object.set("seed", static_cast<double>(attempt.seed));
+  if (attempt.level > 0) object.set("level", attempt.level);
   object.set("decisions", array_of(attempt.made, [](const lesson::Made& made) { return text(text_of(made)); }));
   object.set("hints", attempt.hints());
   object.set("mark", sitting->mark(*app.session()));

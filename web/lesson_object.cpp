@@ -82,7 +82,8 @@ val lesson_object(const lesson::Session& session) {
   object.set("generators", array_of(lesson.generators, text));
   object.set("compare", lesson.compare);
   val tasks = val::array();
-  for (std::size_t i = 0; i < lesson.tasks.size(); ++i) {
+  const std::size_t count = session.conduct().builds ? 0 : lesson.tasks.size();  // what is built has its own card
+  for (std::size_t i = 0; i < count; ++i) {
     const lesson::Task& own = lesson.tasks[i];
     val task = val::object();
     task.set("heading", lesson::task_heading(i, lesson.tasks.size()));
@@ -117,6 +118,18 @@ val words_object() {
   object.set("next_lesson", text(lesson::kNextLessonWord));
   object.set("close", text(lesson::kCloseWord));
   object.set("watching", text(lesson::kWatching));
+  object.set("hand_in", text(lesson::kHandInWord));
+  object.set("another", text(lesson::kAnotherInstanceWord));
+  object.set("to_lesson", text(lesson::kToLessonWord));
+  object.set("take_back", text(lesson::kTakeBackWord));
+  object.set("your_mark", text(lesson::kYourMarkWord));
+  object.set("finish", text(lesson::kFinishWord));
+  object.set("start_again", text(lesson::kStartAgainWord));
+  object.set("back_to_best", text(lesson::kBackToBestWord));
+  object.set("show_model", text(lesson::kShowModelWord));
+  object.set("harder", text(lesson::kHarderWord));
+  object.set("without_mark", text(lesson::kWithoutMarkWord));
+  object.set("for_mark", text(lesson::kForMarkWord));
   return object;
 }
 

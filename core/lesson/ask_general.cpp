@@ -64,7 +64,7 @@ void read_choices(TomlTable& table, Question& question) {
 std::vector<std::size_t> shuffled_places(const Question& question) {
   std::vector<std::size_t> places(question.choices.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  std::uint64_t seed = 0;
+  std::uint64_t seed = question.shuffled;
   for (const char c : question.id) seed = seed * 31 + static_cast<unsigned char>(c);
   Random random(seed);
   for (std::size_t left = places.size(); left > 1; --left)
@@ -237,8 +237,8 @@ Truth cheapest_truth(const Asked& asked, const Run& run) {
   return truth;
 }
 
-/// A number is right within its tolerance, and no other is near to it.
-double number_margin(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
+/// What is right does not depend on what is larger: a number within its tolerance, lines in their order.
+double no_tie(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
 
 /// How far the sizes that are nearest to each other are apart, as a share of the larger one.
 double order_margin(const Asked& asked, const Run& run) {
@@ -258,13 +258,13 @@ constexpr std::array kOrderRules{WrongRule{"reversed", &reversed_order}};
 
 constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points", &offer_all_points, &point_truth},
     kChoice{.name = "choice", .offer = &offer_choices, .truth = &choice_truth, .read = &read_choices},
-    kSequence{.name = "sequence", .offer = &offer_sequence, .truth = &sequence_truth, .read = &read_sequence},
+    kSequence{.name = "sequence",
+              .offer = &offer_sequence,
+              .truth = &sequence_truth,
+              .read = &read_sequence,
+              .margin = &no_tie},
     kFigure{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_figure},
-    kNumber{.name = "number",
-            .offer = &offer_number,
-            .truth = &number_truth,
-            .read = &read_number,
-            .margin = &number_margin},
+    kNumber{.name = "number", .offer = &offer_number, .truth = &number_truth, .read = &read_number, .margin = &no_tie},
     kTightest{.name = "tightest", .offer = &offer_methods, .truth = &tightest_truth, .figure = kComparedFigure},
     kTightestOrder{.name = "tightest_order",
                    .offer = &offer_order,

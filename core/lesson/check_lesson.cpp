@@ -409,6 +409,7 @@ void check_solution(const Lesson& lesson, const Task& task, const Subject& own, 
       return complaints.add(due.place, judged.says);
   if (task.sound && subject->grade(lesson, task, none).done)
     return complaints.add(task.place, "the task is solved before the student begins");
+  if (task.searched) return complaints.add(task.model_place, "\"model\" can be \"search\" in an exercise only");
   if (const Done made = subject->set_rows(task.model); !made)
     return complaints.add(task.model_place, made.error().what);
   if (const Grade graded = subject->grade(lesson, task, none); !graded.done)

@@ -12,14 +12,8 @@ namespace snug::lesson {
 namespace {
 
 constexpr int kMostFrames = 2000;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-/// "10 %", "1 point", "0.5 units".
-std::string bound_text(double bound, const std::string& unit) {
-  if (unit.empty()) return plain_number(bound);
-  const bool one = bound == 1 && unit.ends_with('s');
-  return plain_number(bound) + " " + (one ? unit.substr(0, unit.size() - 1) : unit);
-}
+constexpr std::string_view kPointsFigure = "points";  // how many there are, of whatever stands on the stage
+constexpr double kInfinite = std::numeric_limits<double>::infinity(), kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string due_text(const Requirement& due, const Figure& figure) {
   const std::string& unit = figure.unit;
@@ -60,6 +54,10 @@ std::vector<Figure> results_for(const Requirement& due, const Method& method, co
 std::optional<Figure> figure_of(const Requirement& due, const Method& method, const Lesson& lesson,
                                 const Subject& subject, const View& view) {
   if (!due.over.empty()) return excess_over(due, method, lesson, subject, view);
+  if (due.figure == kPointsFigure && subject.points() != nullptr) {
+    const auto count = static_cast<double>(fit::size_of(*subject.points()));
+    return Figure{"Points", std::string(kPointsFigure), bound_text(count, "points"), count, "points"};
+  }
   for (Figure& figure : results_for(due, method, subject, view)) {
     if (figure.key != due.figure) continue;
     if (due.at_frame > 0) figure.name += " in frame " + std::to_string(due.at_frame);
@@ -127,6 +125,12 @@ Requirement read_requirement(const toml::table& toml, const Lesson& lesson, Comp
 
 }  // namespace
 
+std::string bound_text(double bound, const std::string& unit) {
+  if (unit.empty()) return plain_number(bound);
+  const bool one = bound == 1 && unit.ends_with('s');
+  return plain_number(bound) + " " + (one ? unit.substr(0, unit.size() - 1) : unit);
+}
+
 std::vector<Requirement> read_requirements(TomlTable& table, const Lesson& lesson, Complaints& complaints) {
   std::vector<Requirement> all;
   for (const toml::table* one : table.tables("require")) {
@@ -139,18 +143,20 @@ std::vector<Requirement> read_requirements(TomlTable& table, const Lesson& lesso
 
 Judged judge_requirement(const Requirement& due, const Lesson& lesson, std::string_view algorithm,
                          const Subject& subject, const View& view) {
-  if (!due.goal.empty()) return {subject.reaches(due.goal), 0, subject.goal_says(due.goal)};
+  if (!due.goal.empty()) return {subject.reaches(due.goal), 0, {}, subject.goal_says(due.goal)};
   const Method& method = *find_method(lesson, due.algorithm.empty() ? algorithm : std::string_view(due.algorithm));
-  if (const std::string refusal = subject.refusal(method); !refusal.empty()) return {false, 0, refusal + ".", false};
+  if (const std::string refusal = subject.refusal(method); !refusal.empty())
+    return {false, kNone, {}, refusal + ".", false};
   const auto figure = figure_of(due, method, lesson, subject, view);
-  if (!figure) return {false, 0, title_in(lesson, method) + ": " + no_figure_text(due, method, subject, view), false};
+  if (!figure)
+    return {false, kNone, {}, title_in(lesson, method) + ": " + no_figure_text(due, method, subject, view), false};
   std::string says = figure->name;
   if (!due.algorithm.empty() && due.algorithm != algorithm) says += " (" + title_in(lesson, method) + ")";
-  if (!figure->known) return {false, 0, says + ": none now; " + due_text(due, *figure) + "."};
+  if (!figure->known) return {false, kNone, {}, says + ": none now; " + due_text(due, *figure) + "."};
   const bool low = figure->value<due.at_least, high = figure->value> due.at_most;
-  if (!low && !high) return {true, figure->value, says + ": " + without_plus(figure->text) + "."};
+  if (!low && !high) return {true, figure->value, figure->unit, says + ": " + without_plus(figure->text) + "."};
   says += ": " + missed_text(*figure, low ? due.at_least : due.at_most) + "; " + due_text(due, *figure) + ".";
-  return {false, figure->value, says};
+  return {false, figure->value, figure->unit, says};
 }
 
 Grade grade_by_requirements(const Lesson& lesson, const Task& task, const Subject& subject, const View& view) {

@@ -29,12 +29,16 @@ struct Grade {
 /// view: the runs that are at hand; others are made.
 struct Judged {
   bool met = false;
-  double value = 0;
-  std::string says;   // "Excess over the optimum: 9.8 %; it must be at least 10 %."
-  bool known = true;  // false: its algorithm has no such figure, or does not take these points
+  double value = 0;       // NaN for none
+  std::string unit = {};  // of the value
+  std::string says;       // "Excess over the optimum: 9.8 %; it must be at least 10 %."
+  bool known = true;      // false: its algorithm has no such figure, or does not take these points
 };
 [[nodiscard]] Judged judge_requirement(const Requirement& requirement, const Lesson& lesson, std::string_view algorithm,
                                        const Subject& subject, const View& view);
+
+/// A bound of a figure, with its unit: "10 %", "1 point", "0.5 units".
+[[nodiscard]] std::string bound_text(double bound, const std::string& unit);
 
 /// The grade by the task's requirements.
 [[nodiscard]] Grade grade_by_requirements(const Lesson& lesson, const Task& task, const Subject& subject,

@@ -136,6 +136,7 @@ struct Question {
   std::string figure;                    // for "figure" and "number": its key, and
   std::vector<double> bounds;            // for "figure", rising: up to the first, up to the second, …, more
   double tolerance = 0;                  // for "number": how far off a right answer may be
+  std::uint64_t shuffled = 0;            // for "sequence": another order for each instance of an exercise
   std::vector<Meaning> meanings;         // of wrong answers
   std::string because;                   // shown with what happened, right or wrong
   std::string prompt_here;               // replaces the prompt while the run is the lesson's own; empty for none
@@ -176,6 +177,9 @@ struct Slider {
 };
 
 /// "Make it fail" or "construct it": graded on what stands on the stage.
+/// The "model" of a task of an exercise: each instance has its own, which a search finds.
+inline constexpr std::string_view kSearch = "search";
+
 struct Task {
   std::string prompt;
   std::string algorithm;          // shown when the task is started, and graded where a requirement names no other
@@ -184,6 +188,7 @@ struct Task {
   std::vector<Requirement> conditions;
   std::string hint;
   std::vector<std::vector<double>> model;    // a solution, which the checks play: see Subject::rows
+  bool searched = false;                     // whether there is none, for each instance of an exercise has its own
   std::string situation{kOwnSituation};      // the one that it begins in and is graded in
   FilePlace place, only_place, model_place;  // in the file, for errors
   bool sound = true;                         // as of questions

@@ -263,7 +263,8 @@ Task read_task(const toml::table& toml, const Lesson& lesson, Complaints& compla
     task.conditions = read_requirements(table, lesson, complaints);
     if (task.conditions.empty() && complaints.count() == so_far)
       table.lack("require", "the task has no [[task.require]]");
-    task.model = lesson.subject->read_model(table, lesson_in(lesson, task.situation), complaints);
+    task.searched = table.is("model", kSearch);
+    if (!task.searched) task.model = lesson.subject->read_model(table, lesson_in(lesson, task.situation), complaints);
   });
   task.sound = complaints.count() == before;
   task.sound = table.refuse_others() && task.sound;

@@ -24,7 +24,11 @@ inline constexpr std::string_view kAnswerWord = "Answer", kSkipWord = "Skip", kP
 // The headings and buttons of an exercise.
 inline constexpr std::string_view kHandInWord = "Hand in", kAnotherInstanceWord = "Another instance",
                                   kToLessonWord = "To the lesson", kTakeBackWord = "Take back",
-                                  kYourMarkWord = "Your mark", kDecisionWord = "Your decision",
+                                  kYourMarkWord = "Your mark", kDecisionWord = "Your decision", kBuildWord = "Build it",
+                                  kBreakWord = "Break it", kFinishWord = "Done", kStartAgainWord = "Start again",
+                                  kBackToBestWord = "Back to the best", kShowModelWord = "Show a solution",
+                                  kHarderWord = "A harder one", kPracticeWord = "Practice", kPracticeSays = "no mark",
+                                  kWithoutMarkWord = "Practise without a mark", kForMarkWord = "For a mark",
                                   kExercisesWord = "Exercises for a mark",
                                   kExercisesSay =
                                       "You decide in the algorithm’s place, on an instance of your own. Each decision "

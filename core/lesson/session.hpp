@@ -29,10 +29,12 @@ struct Given {
 };
 
 /// How answers are taken. An exercise lets the student decide in the algorithm's place: choosing an answer gives it,
-/// the run goes on by itself to what is decided next, and what stands on the stage cannot be changed.
+/// the run goes on by itself to what is decided next, and what stands on the stage cannot be changed; or it lets the
+/// student build on what stands there, which nothing else can replace.
 struct Conduct {
   bool decides = false;  // whether it is such an exercise; and then
   bool told = true;      // whether each answer is told at once, or all of them at the end
+  bool builds = false;   // whether something is built
 };
 
 class Session {
@@ -104,8 +106,10 @@ class Session {
   /// Chooses the scalar of the runs, as one entry of undo (Subject::set_float).
   Done set_float(bool in_float);
   void scatter(std::uint64_t seed);
-  /// Restores the lesson's own.
+  /// Restores the lesson's own; where something is built, what the task begins with.
   void reset();
+  /// Takes what stands on the stage for the lesson's own, from which tasks begin and to which reset goes back.
+  void settle();
   /// Replaces the subject by another of the same kind.
   Done become(std::unique_ptr<Subject> next);
   /// Starts a task of the lesson: sets its points or boxes, its algorithm in slot 0, and shows the result.
@@ -114,8 +118,11 @@ class Session {
   tl::expected<Grade, InputError> solve_task(std::size_t task);
   /// Whether a handle may be moved: some tasks leave a few alone to be moved.
   [[nodiscard]] bool may_move(Index i) const;
+  /// Whether only what the task in hand leaves to be moved was changed since it was started.
+  [[nodiscard]] bool at_task() const { return task_started_; }
   void begin_drag();
   void end_drag();
+  [[nodiscard]] bool dragging() const { return drag_.subject != nullptr; }
   [[nodiscard]] bool can_undo() const { return !past_.empty() || drag_moved_; }
   [[nodiscard]] bool can_redo() const { return !future_.empty(); }
   void undo();
@@ -222,6 +229,8 @@ class Session {
   [[nodiscard]] const Conduct& conduct() const { return conduct_; }
   /// Every answer that was given, in order; those to a question that was taken back are not among them.
   [[nodiscard]] const std::vector<Given>& given() const { return given_; }
+  /// The time since it was opened; 0 without a clock.
+  [[nodiscard]] double seconds() const;
   /// Gives an answer as commit does: a wrong first one may have a second try. Returns false as `answer` does.
   bool propose(const Answer& answer) { return give(answer, false); }
   /// Where answers are told at the end only: takes the last one back, and goes to where it is asked.

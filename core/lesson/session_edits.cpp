@@ -102,10 +102,12 @@ Done Session::remove(Index i) {
 }
 
 Done Session::load(const io::PointFile& file, std::string_view name) {
+  if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   return edit_anew([&](Subject& next) { return next.load(file, name); });
 }
 
 Done Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
+  if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   return edit_anew([&](Subject& next) { return next.set_generator(kind, count, dim, seed, own()); });
 }
 
@@ -162,10 +164,19 @@ Done Session::set_file(std::string text) {
 }
 
 void Session::scatter(std::uint64_t seed) {
+  if (conduct_.builds) return;
   static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
 }
 
-void Session::reset() { static_cast<void>(become(opened().clone())); }
+void Session::reset() {
+  if (conduct_.builds) start_task(task_);
+  else static_cast<void>(become(opened().clone()));
+}
+
+void Session::settle() {
+  places_[shown_].own = snapshot();
+  past_.clear(), future_.clear();
+}
 
 void Session::start_task(std::size_t task) {
   if (task >= lesson_->tasks.size()) return;

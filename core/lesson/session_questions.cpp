@@ -306,8 +306,7 @@ bool Session::give(const Answer& answer, bool for_good) {
   if (conduct_.decides && answer.kind == Answer::Kind::kSkipped) return refuse(std::string(kNoSkipping));
   Outcome outcome_now = judged(*question, answer);
   const bool second = tried() != nullptr;
-  const double seconds = clock_ != nullptr ? (clock_() - opened_at_) * 1e-9 : 0;
-  given_.push_back({question->question->id, answer, outcome_now.right, seconds});
+  given_.push_back({question->question->id, answer, outcome_now.right, seconds()});
   const bool again = !for_good && !second && conduct_.told && has_second_try(*question);
   if (standing_of(&outcome_now) == Standing::kWrong && again) {
     tried_ = Tried{question->question->id, answer};
@@ -337,8 +336,11 @@ bool Session::give(const Answer& answer, bool for_good) {
   return true;
 }
 
+double Session::seconds() const { return clock_ != nullptr ? (clock_() - opened_at_) * 1e-9 : 0; }
+
 void Session::conduct(Conduct conduct) {
   conduct_ = conduct;
+  if (conduct.builds) past_.clear(), future_.clear();
   if (!conduct.decides) return;
   past_.clear(), future_.clear();  // what led to this stage cannot be undone
   step_ = -1;                      // so that it stands anew, with the marks of an exercise

@@ -52,6 +52,13 @@ const toml::node* TomlTable::find(std::string_view key) {
   return table_.get(key);
 }
 
+bool TomlTable::is(std::string_view key, std::string_view text) {
+  const auto* value = table_[key].as_string();
+  if (value == nullptr || value->get() != text) return false;
+  asked_.emplace_back(key);
+  return true;
+}
+
 const toml::node* TomlTable::require(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) lack(key, name_ + " lacks the key " + in_quotes(key));

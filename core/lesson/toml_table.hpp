@@ -52,6 +52,9 @@ class TomlTable {
   void allow(std::string_view key) { asked_.emplace_back(key); }
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
 
+  /// Whether a key's value is that text; then it counts as read.
+  bool is(std::string_view key, std::string_view text);
+
   // A key is required if no default is given. Text is trimmed, and must not be empty.
   std::string text(std::string_view key);
   std::string text_or(std::string_view key, std::string_view otherwise);

@@ -22,6 +22,7 @@ struct ExerciseOptions {
   std::string id;
   std::vector<std::string> ids;
   std::uint64_t seed = 1;
+  int level = 0;
   int seeds = 10'000;
   std::string wrong;  // "K" or "K=RULE"
   std::string student, output = "-";
@@ -40,9 +41,10 @@ CommandResult run_list(const ExerciseOptions& options) {
       if (std::find(set.exercises.begin(), set.exercises.end(), exercise.id) != set.exercises.end())
         in.push_back(set.id);
     printed.text += line_of({{"exercise", exercise.id},
-                             {"kind", "carry_out"},
+                             {"kind", exercise.kind()},
                              {"title", exercise.stage.title},
                              {"minutes", exercise.stage.minutes},
+                             {"levels", exercise.harder.size() + 1},
                              {"set", in.empty() ? Json() : in.front()},
                              {"sets", in},
                              {"lesson", exercise.lesson},
@@ -51,8 +53,16 @@ CommandResult run_list(const ExerciseOptions& options) {
   return printed;
 }
 
+/// The exercise of an id, or of a file, at the level that is asked for.
+tl::expected<ExerciseFile, InputError> exercise_at_level(const ExerciseOptions& options, const std::string& id) {
+  auto file = find_exercise(options.folder, id);
+  if (file && options.level > 0)
+    file->exercise = std::make_shared<const lesson::Exercise>(at_level(*file->exercise, options.level));
+  return file;
+}
+
 CommandResult run_make(const ExerciseOptions& options) {
-  const auto file = find_exercise(options.folder, options.id);
+  const auto file = exercise_at_level(options, options.id);
   if (!file) return bad_input(file.error());
   const auto instance = make_instance(*file->exercise, options.seed);
   if (!instance) return bad_input(instance.error());
@@ -61,7 +71,8 @@ CommandResult run_make(const ExerciseOptions& options) {
   Json handles = Json::array();
   for (Index i = 0; i < session->size(); ++i)
     handles.push_back({{"id", session->name_of(i)}, {"at", json_of(session->point(i), session->dim())}});
-  const auto decisions = session->questions().size();
+  const lesson::Sitting sitting(file->exercise, options.seed, *session);
+  const auto decisions = file->exercise->build ? 1 : sitting.of();
   return Printed{line_of({{"exercise", file->exercise->id},
                           {"hash", hex_of(file->exercise->hash)},
                           {"seed", options.seed},
@@ -72,11 +83,11 @@ CommandResult run_make(const ExerciseOptions& options) {
                             {"rows", session->subject().rows()},
                             {"trace", hex_of(session->trace_hash())}}},
                           {"decisions", decisions},
-                          {"of", decisions}})};
+                          {"of", sitting.of()}})};
 }
 
 CommandResult run_answer(const ExerciseOptions& options) {
-  const auto file = find_exercise(options.folder, options.id);
+  const auto file = exercise_at_level(options, options.id);
   if (!file) return bad_input(file.error());
   const std::size_t equals = options.wrong.find('=');
   const std::string number = options.wrong.substr(0, equals);
@@ -156,15 +167,17 @@ constexpr int kPlayed = 100;  // as many seeds are played
 /// Right, wrong by each rule, and at random: each attempt must earn what it should.
 void play(const std::shared_ptr<const lesson::Exercise>& exercise, std::uint64_t seed, int decisions,
           Checked& checked) {
+  const int of = exercise->build ? exercise->build->levels : decisions;
   const auto earns = [&](int wrong, const std::string& rule) {
     const auto attempt = model_attempt(*exercise, seed, wrong, rule);
     const auto graded = attempt ? grade(exercise, *attempt) : tl::unexpected(attempt.error());
     if (!graded) return checked.faults.push_back("seed " + std::to_string(seed) + ": " + graded.error().message());
-    if (graded->mark != decisions - (wrong > 0 ? 1 : 0) || graded->decided != decisions)
+    if (graded->mark != of - (wrong > 0 ? 1 : 0) || graded->decided != decisions)
       checked.faults.push_back("seed " + std::to_string(seed) + ": an attempt with decision " + std::to_string(wrong) +
-                               " wrong earns " + std::to_string(graded->mark) + " of " + std::to_string(decisions));
+                               " wrong earns " + std::to_string(graded->mark) + " of " + std::to_string(of));
   };
   earns(0, "");
+  if (exercise->build) return;
   Random random(seed);
   earns(static_cast<int>(random.below(static_cast<std::uint32_t>(decisions))) + 1, "");
 }
@@ -178,7 +191,7 @@ void check_seed(const std::shared_ptr<const lesson::Exercise>& exercise, std::ui
     return checked.faults.push_back("seed " + std::to_string(seed) + ": " + session.error().message());
   }
   checked.passed_over += instance->passed_over;
-  const int decisions = static_cast<int>(session->questions().size());
+  const int decisions = exercise->build ? 1 : static_cast<int>(session->questions().size());
   checked.decisions += decisions;
   checked.least = std::min(checked.least, decisions), checked.most = std::max(checked.most, decisions);
   for (const lesson::Asked& asked : session->questions())
@@ -190,7 +203,7 @@ void check_seed(const std::shared_ptr<const lesson::Exercise>& exercise, std::ui
 CommandResult run_check(const ExerciseOptions& options) {
   std::vector<ExerciseFile> files;
   for (const std::string& id : options.ids) {
-    auto file = find_exercise(options.folder, id);
+    auto file = exercise_at_level(options, id);
     if (!file) return bad_input(file.error());
     files.push_back(*std::move(file));
   }
@@ -226,6 +239,10 @@ void add_lessons(CLI::App& command, std::string& folder) {
   command.add_option("--lessons", folder, "Folder of the lessons; by default the one beside the program");
 }
 
+void add_level(CLI::App& command, int& level) {
+  command.add_option("--level", level, "How hard, from 0")->transform(whole_number(0, 9));
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "The student's seed")->transform(whole_number(0, std::uint64_t{1} << 53));
 }
@@ -237,7 +254,7 @@ void add_exercise(Commands& commands) {
   group.require_subcommand(1);
 
   CLI::App& list = *group.add_subcommand("list", "List the exercises");
-  list.footer("JSON Lines: {\"exercise\",\"kind\",\"title\",\"minutes\",\"set\",\"sets\",\"lesson\",\"file\"}.");
+  list.footer("JSON Lines: {\"exercise\",\"kind\",\"title\",\"minutes\",\"levels\",\"set\",\"sets\",\"lesson\",\"file\"}.");
   add_lessons(list, add_command<ExerciseOptions>(commands, list, run_list)->folder);
 
   CLI::App& make = *group.add_subcommand("make", "Make the instance of a seed");
@@ -249,6 +266,7 @@ void add_exercise(Commands& commands) {
   const auto made = add_command<ExerciseOptions>(commands, make, run_make);
   make.add_option("ID", made->id, "The exercise's id, or its file, which ends in .toml")->required();
   add_seed(make, made->seed);
+  add_level(make, made->level);
   add_lessons(make, made->folder);
 
   CLI::App& play = *group.add_subcommand("play", "Open an exercise in the window");
@@ -266,6 +284,7 @@ void add_exercise(Commands& commands) {
   const auto answered = add_command<ExerciseOptions>(commands, answer, run_answer);
   answer.add_option("ID", answered->id, "The exercise's id, or its file, which ends in .toml")->required();
   add_seed(answer, answered->seed);
+  add_level(answer, answered->level);
   answer.add_option("--wrong", answered->wrong, "K, or K=RULE: decision K is wrong, by that wrong rule");
   answer.add_option("--student", answered->student, "The name in the file");
   answer.add_option("-o", answered->output, "The file; by default standard output");
@@ -291,6 +310,7 @@ void add_exercise(Commands& commands) {
   const auto checked = add_command<ExerciseOptions>(commands, check, run_check);
   check.add_option("ID", checked->ids, "Ids, or files that end in .toml; by default all exercises");
   check.add_option("--seeds", checked->seeds, "How many seeds")->transform(whole_number(1, 1'000'000));
+  add_level(check, checked->level);
   add_lessons(check, checked->folder);
 }
 

@@ -7,6 +7,7 @@
 namespace snug::desktop {
 namespace {
 
+constexpr double kMostLevel = 9;
 constexpr double kMostSeed = 0x1p53;  // what a page's numbers can hold
 
 const Json* find(const Json& json, const char* key) {
@@ -32,6 +33,11 @@ tl::expected<Claimed, std::string> attempt_of(const Json& json) {
   if (seed == nullptr || !seed->is_number_integer() || seed->get<double>() < 0 || seed->get<double>() > kMostSeed)
     return tl::unexpected<std::string>("\"seed\" is no whole number from 0 to 2^53");
   claimed.attempt.seed = seed->get<std::uint64_t>();
+  if (const Json* level = find(json, "level"); level != nullptr) {
+    if (!level->is_number_integer() || level->get<double>() < 0 || level->get<double>() > kMostLevel)
+      return tl::unexpected<std::string>("\"level\" is no whole number from 0 to 9");
+    claimed.attempt.level = level->get<int>();
+  }
   if (decisions == nullptr || !decisions->is_array()) return tl::unexpected<std::string>("\"decisions\" is no list");
   for (const Json& one : *decisions) {
     if (!one.is_string()) return tl::unexpected<std::string>("a decision is no text");
@@ -63,14 +69,14 @@ tl::expected<ResultFile, NoResult> read_result(std::string_view text) {
 Json json_of(const lesson::Attempt& attempt, double mark, int of) {
   Json decisions = Json::array();
   for (const lesson::Made& made : attempt.made) decisions.push_back(text_of(made));
-  return {{"exercise", attempt.exercise},
-          {"hash", hex_of(attempt.hash)},
-          {"seed", attempt.seed},
-          {"decisions", std::move(decisions)},
-          {"hints", attempt.hints()},
-          {"mark", mark},
-          {"of", of},
-          {"seconds", attempt.seconds()}};
+  Json json{{"exercise", attempt.exercise}, {"hash", hex_of(attempt.hash)}, {"seed", attempt.seed}};
+  if (attempt.level > 0) json["level"] = attempt.level;
+  json.update({{"decisions", std::move(decisions)},
+               {"hints", attempt.hints()},
+               {"mark", mark},
+               {"of", of},
+               {"seconds", attempt.seconds()}});
+  return json;
 }
 
 std::string result_text(const std::string& student, const std::vector<Json>& attempts) {

@@ -43,6 +43,8 @@ export function read_address(search) {
     situation: given.get("situation"),
     step: whole("step"),
     seed: whole("seed"),
+    level: whole("level") ?? 0,
+    practice: given.get("practice") === "1",
     scalar: scalar(),
     from: from(),
     rows: rows("rows", "points", "boxes"), // the last two in links of old
@@ -56,6 +58,20 @@ export function read_address(search) {
   };
 }
 
+/** Without a seed it leads to the attempt that was left, or to the student's own instance.
+ *  @param {string} id @param {Terms} [terms] */
+export function exercise_link(id, { seed, level = 0, practice = false } = {}) {
+  const parts = [`exercise=${encodeURIComponent(id)}`];
+  if (seed !== undefined) parts.push(`seed=${seed}`);
+  if (level > 0) parts.push(`level=${level}`);
+  if (practice) parts.push("practice=1");
+  return `?${parts.join("&")}`;
+}
+
+/** @returns {Terms} */
+export const terms_of = (/** @type {Pick<ShownExercise, "seed" | "level" | "practises">} */ { seed, level, practises }) =>
+  ({ seed, level, practice: practises });
+
 /** The scalar that the lesson's file gives to the situation that is shown.
  *  @param {View} view @param {Lesson} lesson */
 const own_scalar = (view, lesson) => (lesson.situations.find(({ name }) => name === view.situation) ?? lesson).scalar;
@@ -65,7 +81,7 @@ const own_scalar = (view, lesson) => (lesson.situations.find(({ name }) => name 
 export function write_address(view, lesson, shared, embed) {
   const rows = (/** @type {Rows} */ list) => list.map((row) => row.join(",")).join(";");
   if (view.exercise)
-    return `?exercise=${encodeURIComponent(lesson.id)}&seed=${view.exercise.seed}${embed ? "&embed=1" : ""}`;
+    return exercise_link(lesson.id, terms_of(view.exercise)) + (embed ? "&embed=1" : "");
   const parts = [`lesson=${encodeURIComponent(lesson.id)}`];
   if (!view.previewing) parts.push(`step=${view.step}`); // the preview is not a step that anyone chose
   parts.push(`seed=${view.seed}`);

@@ -1,7 +1,8 @@
 // The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is plain HTML and
 // does not need the program, so it is shown before that has loaded.
 import { button, by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
-import { exercise_link, result_text, save_file } from "./exercise.js";
+import { exercise_link } from "./address.js";
+import { result_text, save_file } from "./exercise.js";
 import { way_into } from "./lesson_menu.js";
 /** @import { Kept } from "./kept.js" */
 

@@ -1,6 +1,7 @@
 // What an exercise has beyond a question: the count of decisions and marks, hints, and at its end the mark, what was
 // decided, and the result file.
-import { button, by_id, element, followed_here, set_hidden, spelled } from "./dom.js";
+import { button, by_id, element, followed_here, set_hidden, set_text, spelled } from "./dom.js";
+import { exercise_link, terms_of } from "./address.js";
 import { link_of } from "./lesson_menu.js";
 /** @import { Kept } from "./kept.js" */
 
@@ -9,10 +10,6 @@ const kEnd = 2 ** 30; // a step after all others: the player stops at what is op
 const kMostSeed = 2 ** 32;
 const kVersion = 1; // of the result file
 
-/** Without a seed it leads to the attempt that was left, or to the student's own instance.
- *  @param {string} id @param {number} [seed] */
-export const exercise_link = (id, seed) =>
-  `?exercise=${encodeURIComponent(id)}${seed === undefined ? "" : `&seed=${seed}`}`;
 export const fresh_seed = () => crypto.getRandomValues(new Uint32Array(1))[0] % kMostSeed;
 
 /** The text of a result file. student: a name, or "".
@@ -39,11 +36,14 @@ export class Exercise {
   #again;
   #hand_in;
   #exercises;
+  #words;
 
   /** exercises: the course's. again: on another instance. hand_in: saves the result.
    *  @param {Door} door @param {Act} act
-   *  @param {{ exercises: ExerciseEntry[], kept: Kept, go: GoTo, again: () => void, hand_in: () => void }} of */
+   *  @param {{ exercises: ExerciseEntry[], kept: Kept, go: GoTo, again: (terms?: Terms) => void,
+   *    hand_in: () => void }} of */
   constructor(door, act, { exercises, kept, go, again, hand_in }) {
+    this.#words = door.words();
     this.#door = door;
     this.#act = act;
     this.#kept = kept;
@@ -58,8 +58,8 @@ export class Exercise {
   }
 
   /** How many decisions there are would tell where a test ends. */
-  place(/** @type {ShownExercise} */ { decision, decisions, countKnown, mark }) {
-    const so_far = mark === null ? "told at the end" : `mark ${mark}`;
+  place(/** @type {ShownExercise} */ { decision, decisions, countKnown, mark, practises }) {
+    const so_far = practises ? "practice, no mark" : mark === null ? "told at the end" : `mark ${mark}`;
     return [`Decision ${decision + 1}${countKnown ? ` of ${decisions}` : ""}`, so_far];
   }
 
@@ -96,33 +96,95 @@ export class Exercise {
   }
 
   /** The ways back, and to the next hint. */
-  tools(/** @type {ShownExercise} */ { nextPrice, canTakeBack }) {
-    const back = canTakeBack && button("Take back", this.#do("take_back"), { class: "quiet", title: "Backspace" });
-    const words = `Hint ${hint_words(nextPrice)}`;
-    return [back, nextPrice > 0 && button(words, this.#do("hint"), { class: "quiet", title: "H" })];
+  tools(/** @type {ShownExercise} */ { hasHint, nextPrice, canTakeBack, practises }) {
+    const back = canTakeBack &&
+      button(this.#words.take_back, this.#do("take_back"), { class: "quiet", title: "Backspace" });
+    const words = practises ? this.#words.hint : `${this.#words.hint} ${hint_words(nextPrice)}`;
+    return [back, hasHint && button(words, this.#do("hint"), { class: "quiet", title: "H" })];
+  }
+
+  /** What is to be built, the levels with those that are reached, and how far it is.
+   *  @param {ShownExercise} exercise @param {Build} build @param {Node[]} prompt */
+  build_card(exercise, { heading, claim, levels, isNow, canGoBack, canFinish }, prompt) {
+    const { mark, of, practises } = exercise;
+    const back = button(this.#words.back_to_best, this.#do("back_to_best"), { disabled: !canGoBack });
+    const finish = { class: "button primary", "data-first": true, disabled: !canFinish };
+    return element("div", { class: "card predict build", tabindex: "-1" },
+      element("h2", { class: "kicker" }, heading,
+        element("span", { class: "place-of" }, practises ? " · practice, no mark" : ` · mark ${mark} of ${of}`)),
+      claim && element("blockquote", { class: "claim" }, claim),
+      element("p", { class: "prompt" }, ...prompt),
+      levels.length > 1 && this.#levels(levels),
+      element("p", { class: "says is-now", role: "status" }, isNow),
+      ...this.hints(exercise),
+      element("div", { class: "commit" },
+        ...this.tools(exercise),
+        button(this.#words.start_again, this.#do("reset"), { class: "quiet" }),
+        element("span", { class: "gap" }),
+        back,
+        button(this.#words.finish, this.#do("finish"), finish),
+      ),
+    );
+  }
+
+  /** What stands on the stage is said while it is dragged; the card stays as it is. */
+  show_now(/** @type {ShownExercise | null} */ exercise) {
+    document.documentElement.classList.toggle("builds", Boolean(exercise?.build));
+    const says = by_id("ask").querySelector(".is-now");
+    if (exercise?.build && says) set_text(says, exercise.build.isNow);
+  }
+
+  /** A level that the stage reaches now has a full mark, one that was reached before a hollow one. */
+  #levels(/** @type {Build["levels"]} */ levels) {
+    const level = (/** @type {Build["levels"][0]} */ { words, now, best }) =>
+      element("li", { class: now ? "now" : best ? "best" : "" },
+        element("span", { "aria-hidden": "true" }, now ? kMarks.right : best ? "○" : kMarks.open),
+        ` ${words}`,
+        element("span", { class: "unseen" }, now ? ", reached" : best ? ", reached before" : ", not reached"));
+    return element("ol", { class: "levels" }, ...levels.map(level));
   }
 
   /** The card at its end. title_of: of a lesson, undefined if the course has none of that id.
    *  @param {ShownExercise} exercise @param {(id: string) => string | undefined} title_of */
-  summary({ exercise, mark, of, rows, followed, lesson }, title_of) {
-    const kept = this.#kept.exercise(exercise);
-    const best = kept?.best && kept.tries > 1
-      ? `Best ${kept.best.mark} of ${kept.best.of} in ${kept.tries} tries`
-      : null;
+  summary(exercise, title_of) {
+    const { mark, of, rows, followed, lesson, practises, build } = exercise;
     const to_lesson = { href: link_of(lesson), onclick: followed_here(() => this.#go(lesson)) };
     return element("div", { class: "card summary exercise-end", tabindex: "-1" },
-      element("h2", { class: "kicker" }, "Your mark"),
-      element("p", { class: "mark-line" }, element("b", {}, String(mark)), ` of ${of}`),
-      best && element("p", { class: "label" }, best),
+      element("h2", { class: "kicker" }, practises ? "Practice" : this.#words.your_mark),
+      !practises && element("p", { class: "mark-line" }, element("b", {}, String(mark)), ` of ${of}`),
+      !practises && this.#best_of(exercise.exercise),
       ...followed.map((says) => element("p", { class: "rule" }, says)),
+      build && build.levels.length > 1 && this.#levels(build.levels),
       element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row)))),
       element("div", { class: "commit" },
-        button("Hand in", this.#hand_in, { title: "Saves a result file" }),
+        build && button(this.#words.show_model, this.#do("show_model"), { class: "quiet" }),
+        this.#other_terms(exercise),
+        !practises && button(this.#words.hand_in, this.#hand_in, { title: "Saves a result file" }),
         element("span", { class: "gap" }),
-        title_of(lesson) && element("a", { class: "button", ...to_lesson }, "To the lesson"),
-        button("Another instance", this.#again, { class: "button primary", "data-first": true }),
+        title_of(lesson) && element("a", { class: "button", ...to_lesson }, this.#words.to_lesson),
+        this.#next(exercise),
       ),
     );
+  }
+
+  /** The best mark, where one tried more than once. */
+  #best_of(/** @type {string} */ id) {
+    const kept = this.#kept.exercise(id);
+    if (!kept?.best || kept.tries < 2) return null;
+    return element("p", { class: "label" }, `Best ${kept.best.mark} of ${kept.best.of} in ${kept.tries} tries`);
+  }
+
+  /** From a mark to practice without one, and back. */
+  #other_terms(/** @type {ShownExercise} */ { level, practises }) {
+    const again = () => this.#again({ level, practice: !practises });
+    return button(practises ? this.#words.for_mark : this.#words.without_mark, again, { class: "quiet" });
+  }
+
+  /** Another instance: a harder one after success. */
+  #next(/** @type {ShownExercise} */ { level, leadsOn, practises }) {
+    const again = () => this.#again({ level: leadsOn ? level + 1 : level, practice: practises });
+    const words = leadsOn ? this.#words.harder : this.#words.another;
+    return button(words, again, { class: "button primary", "data-first": true });
   }
 
   /** A line of the summary: it leads back to the decision. */

@@ -1,12 +1,12 @@
 // The page: loads the program and a lesson, shows the lesson's state, and keeps the address up to date.
-import { read_address, write_address } from "./address.js";
+import { exercise_link, read_address, write_address } from "./address.js";
 import { Code } from "./code.js";
 import { by_id, element, followed_here, make_anew, set_text, when_changed } from "./dom.js";
 import { open_door, warm_up } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
-import { Exercise, exercise_link, fresh_seed, result_text, save_file } from "./exercise.js";
+import { Exercise, fresh_seed, result_text, save_file } from "./exercise.js";
 import { SceneFile } from "./file.js";
 import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
@@ -107,7 +107,7 @@ class Page {
       exercises,
       kept,
       go: go_to,
-      again: () => go_to(this.#exercise ?? "", fresh_seed()),
+      again: (terms) => go_to(this.#exercise ?? "", { ...terms, seed: fresh_seed() }),
       hand_in: () => this.#hand_in(),
     });
     const after = {
@@ -308,13 +308,16 @@ class Page {
     if (!known) return veil.failed(`There is no exercise “${id.slice(0, 60)}”.`, null);
     if (toml === null)
       return veil.failed(`The exercise ${kNotLoaded}`, () => this.open(asked));
-    const left = this.#kept.exercise(id)?.now;
+    const left = asked.practice ? null : this.#kept.exercise(id)?.now;
     const { student } = this.#kept;
     const seed = asked.seed ?? left?.seed ?? (student ? this.#door.seed_of_name(student) : fresh_seed());
-    const error = this.#door.read_exercise(toml, `${id}.toml`) || this.#door.open_exercise(seed);
+    const level = asked.seed === null ? (left?.level ?? asked.level) : asked.level;
+    const error = this.#door.read_exercise(toml, `${id}.toml`) ||
+      this.#door.open_exercise(seed, level, asked.practice);
     if (error) return veil.failed(`This exercise cannot be opened. ${error}.`, null);
     this.#wanted = null;
-    if (left?.seed === seed && left.hash === this.#door.attempt()?.hash) this.#door.take_up_attempt(left.decisions);
+    const goes_on = left?.seed === seed && (left.level ?? 0) === level && left.hash === this.#door.attempt()?.hash;
+    if (left && goes_on) this.#door.take_up_attempt(left.decisions);
     this.#show_lesson();
     this.#opening = false;
     clear_notices();
@@ -559,7 +562,8 @@ class Page {
     });
   }
 
-  #keep_exercise(/** @type {ShownExercise} */ { finished }) {
+  #keep_exercise(/** @type {ShownExercise} */ { finished, practises }) {
+    if (practises) return;
     const attempt = this.#door.attempt();
     if (attempt && attempt.decisions.length > 0) this.#kept.keep_exercise(attempt, finished);
   }
@@ -595,14 +599,14 @@ class Page {
   exercise() {
     const view = this.#door.view();
     if (!view?.exercise) return null;
-    const { exercise, seed, decision, decisions, mark, of, hints, told } = view.exercise;
+    const { exercise, seed, decision, decisions, mark, of, hints, told, build } = view.exercise;
     return {
       exercise,
       seed,
       decision,
       decisions,
-      prompt: view.asked?.prompt ?? null,
-      targets: view.asked ? this.#door.targets() : [],
+      prompt: view.asked?.prompt ?? build?.prompt ?? null,
+      targets: view.asked ? this.#door.targets() : (build?.targets ?? []),
       choices: view.asked?.choices ?? [],
       mark,
       of,
@@ -695,10 +699,10 @@ class Site {
   }
 
   /** What was pressed may be gone with what stood before: then the stage has the keys. */
-  /** @param {string} id @param {number} [seed] */
-  async #go_into(id, seed) {
+  /** @param {string} id @param {Terms} [terms] */
+  async #go_into(id, terms) {
     this.#page?.leave();
-    await this.go_to(this.#course.is_exercise(id) ? exercise_link(id, seed) : way_into(id, this.#kept));
+    await this.go_to(this.#course.is_exercise(id) ? exercise_link(id, terms) : way_into(id, this.#kept));
     if (document.activeElement === document.body) by_id("canvas").focus({ preventScroll: true });
   }
 
@@ -767,7 +771,7 @@ class Site {
       kept: this.#kept,
       embed,
       preview: this.#preview,
-      go_to: (id, seed) => this.#go_into(id, seed),
+      go_to: (id, terms) => this.#go_into(id, terms),
     });
   }
 

@@ -65,8 +65,10 @@ type Point = { x: number; y: number };
 type FrameTime = { at: number; cost: number };
 /** Does what the user asks for, then shows the result. */
 type Act = (what: () => void) => void;
-/** To another lesson or exercise, by its id; seed: of an exercise's instance. */
-type GoTo = (id: string, seed?: number) => void;
+/** How an exercise is taken: its instance's seed and level, and whether without a mark. */
+type Terms = { seed?: number; level?: number; practice?: boolean };
+/** To another lesson or exercise, by its id. */
+type GoTo = (id: string, terms?: Terms) => void;
 
 /** What a panel of the page may do when a lesson is opened, and when something has changed. */
 interface PagePanel {

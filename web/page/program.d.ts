@@ -161,11 +161,29 @@ interface Told extends Outcome {
 
 type ExerciseRow = { id: string; short: string; kind: Kind; hints: number; mark: number };
 
-/** exercise_object. mark: null until it is told. */
+/** What is built, and how far it is. targets: what may be moved. */
+interface Build {
+  heading: string;
+  prompt: string;
+  promptWords: Stretch[];
+  claim: string;
+  levels: { words: string; now: boolean; best: boolean }[];
+  isNow: string;
+  targets: string[];
+  canGoBack: boolean;
+  canFinish: boolean;
+}
+
+/** exercise_object. mark: null until it is told, and where it is practice. */
 interface ShownExercise {
   exercise: string;
+  kind: "carry_out" | "number" | "order" | "build" | "break_it";
   lesson: string;
   seed: number;
+  level: number;
+  practises: boolean;
+  leadsOn: boolean;
+  build: Build | null;
   decision: number;
   decisions: number;
   mark: number | null;
@@ -175,6 +193,7 @@ interface ShownExercise {
   countKnown: boolean;
   finished: boolean;
   hints: string[];
+  hasHint: boolean;
   nextPrice: number;
   rule: string;
   followed: string[];
@@ -187,6 +206,7 @@ interface Attempt {
   exercise: string;
   hash: string;
   seed: number;
+  level?: number;
   decisions: string[];
   hints: number;
   mark: number;
@@ -276,7 +296,9 @@ interface Lesson extends PointSet {
 type SharedWords = Record<
   | "answer" | "skip" | "prediction" | "decision" | "watch" | "again" | "practise" | "task" | "hint" | "go_on" | "show"
   | "summary"
-  | "go_on_with" | "waiting" | "to_task" | "next_lesson" | "close" | "watching",
+  | "go_on_with" | "waiting" | "to_task" | "next_lesson" | "close" | "watching" | "hand_in" | "another" | "to_lesson"
+  | "take_back" | "your_mark" | "finish" | "start_again" | "back_to_best" | "show_model" | "harder" | "without_mark"
+  | "for_mark",
   string
 >;
 
@@ -346,7 +368,7 @@ interface Door {
   set_generator(kind: string, count: number, seed: number): Refusal;
   set_float(in_float: boolean): Refusal;
   read_exercise(toml: string, name: string): Refusal;
-  open_exercise(seed: number): Refusal;
+  open_exercise(seed: number, level: number, practises: boolean): Refusal;
   take_up_attempt(decisions: string[]): Refusal;
   attempt(): Attempt | null;
   seed_of_name(name: string): number;

@@ -9,7 +9,7 @@ const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "?" };
 
 /** Of a text only its words count, whose figures follow the run without being laid out anew. */
 const as_laid_out = (/** @type {string} */ key, /** @type {unknown} */ value) =>
-  key === "prompt" || key === "because" ? undefined : value;
+  key === "prompt" || key === "because" || key === "isNow" ? undefined : value;
 /** @param {string} words @param {string} place */
 const kicker = (words, place = "", kind = "") =>
   element("h2", { class: `kicker ${kind}` }, words, place && element("span", { class: "place-of" }, ` · ${place}`));
@@ -81,6 +81,7 @@ export class QuestionCard {
       this.#lay_out(view, told);
     }
     if (asked) this.#show_picked(asked);
+    this.#exercise.show_now(exercise);
   }
 
   #card_of(/** @type {View} */ view) {
@@ -89,6 +90,8 @@ export class QuestionCard {
     if (deciding) return this.#deciding_card(deciding);
     if (outcome) return exercise ? this.#marked_card(outcome, exercise) : this.#outcome_card(outcome);
     if (exercise?.finished) return this.#exercise.summary(exercise, this.#after.title);
+    if (exercise?.build)
+      return this.#exercise.build_card(exercise, exercise.build, this.#texts.of(exercise.build.promptWords));
     if (exercise) return this.#exercise.back_card(exercise);
     return summary ? this.#summary_card(view) : null;
   }

@@ -13,6 +13,26 @@ namespace snug::lesson {
 namespace {
 
 using AnswerKind = Answer::Kind;
+constexpr std::size_t kMostRows = 10'000;
+
+/// With as few digits as bring back the same number.
+std::string digits_of(double value) {
+  std::array<char, 40> digits{};
+  for (const char* format : {"%.15g", "%.16g", "%.17g"}) {
+    std::snprintf(digits.data(), digits.size(), format, value);
+    if (io::parse_number(digits.data()) == value) break;
+  }
+  return digits.data();
+}
+
+std::string built_text(const Rows& rows) {
+  std::string text;
+  for (const std::vector<double>& row : rows) {
+    text += text.empty() ? 'b' : ';';
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + digits_of(row[i]);
+  }
+  return text;
+}
 
 std::string list_text(const std::vector<int>& list) {
   std::string text;
@@ -26,11 +46,7 @@ std::string text_of(const Answer& answer) {
     case AnswerKind::kChoice: return 'c' + std::to_string(answer.value);
     case AnswerKind::kPoints: return 'l' + list_text(answer.list);
     case AnswerKind::kOrder: return 'o' + list_text(answer.list);
-    case AnswerKind::kNumber: {
-      std::array<char, 40> digits{};
-      std::snprintf(digits.data(), digits.size(), "n%.17g", answer.number);
-      return digits.data();
-    }
+    case AnswerKind::kNumber: return 'n' + digits_of(answer.number);
     case AnswerKind::kSkipped: break;
   }
   return "s";
@@ -49,6 +65,22 @@ std::string_view take_until(std::string_view& rest, char separator) {
   const std::string_view part = rest.substr(0, at);
   rest.remove_prefix(at == std::string_view::npos ? rest.size() : at + 1);
   return part;
+}
+
+/// None if it is no list of rows of numbers.
+std::optional<Rows> rows_of(std::string_view text) {
+  Rows rows;
+  while (!text.empty()) {
+    std::string_view row = take_until(text, ';');
+    rows.emplace_back();
+    while (!row.empty()) {
+      const auto number = io::parse_number(take_until(row, ','));
+      if (!number || !std::isfinite(*number) || rows.size() > kMostRows || rows.back().size() > kMostRows)
+        return std::nullopt;
+      rows.back().push_back(*number);
+    }
+  }
+  return rows;
 }
 
 std::optional<Answer> answer_of(std::string_view text) {
@@ -91,6 +123,7 @@ double Attempt::seconds() const {
 
 std::string text_of(const Made& made) {
   std::string text(static_cast<std::size_t>(made.hints), '?');
+  text += built_text(made.built);
   for (std::size_t i = 0; i < made.tries.size(); ++i) text += (i > 0 ? ">" : "") + text_of(made.tries[i]);
   std::array<char, 32> seconds{};
   std::snprintf(seconds.data(), seconds.size(), "@%.1f", made.seconds);
@@ -106,6 +139,12 @@ tl::expected<Made, InputError> made_of(std::string_view text) {
   const auto seconds = io::parse_number(rest);
   if (made.hints > kMostHints || !seconds || !(*seconds >= 0) || !std::isfinite(*seconds)) return wrong;
   made.seconds = *seconds;
+  if (tries.starts_with('b')) {
+    auto rows = rows_of(tries.substr(1));
+    if (!rows || rows->empty()) return wrong;
+    made.built = *std::move(rows);
+    return made;
+  }
   while (!tries.empty()) {
     const auto answer = answer_of(take_until(tries, '>'));
     if (!answer || made.tries.size() == 2) return wrong;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lesson/lesson.hpp"
@@ -29,15 +31,37 @@ struct Decision {
   std::vector<RuleWords> rules;
 };
 
+/// An example that the student builds: the stage's one task, met in levels, of which each earns a mark.
+struct Build {
+  /// Of each requirement of the task, what is met on the way to its bound, the easiest first; none: it is met or not.
+  std::vector<std::vector<double>> steps;
+  int levels = 1;     // one more than there are steps
+  std::string claim;  // what the example refutes; empty for none
+};
+
+/// What is harder at a level: what is not named stays as it was at the level below.
+struct Harder {
+  std::optional<int> count;             // of points
+  std::optional<std::string> generate;  // how they are scattered
+  std::optional<double> apart;          // see Exercise::apart; 0: ties come, and each of what is right is accepted
+  std::optional<std::pair<int, int>> decisions;
+};
+
 struct Exercise {
   std::string id;      // the file's name without .toml
   Lesson stage;        // what stands on it, the algorithm, and in its sections what is asked
   std::string lesson;  // the id of the one that teaches it
   std::vector<Decision> decisions;
-  bool told_at_once = true;   // or all at the end
-  double apart = 0;           // no decision is nearer to a tie than this share of the extent (Asking::margin)
-  int least = 1, most = 100;  // how many decisions an instance has
-  std::uint64_t hash = 0;     // of the file's text
+  std::optional<Build> build;  // in the place of decisions
+  std::vector<Harder> harder;  // the levels above the first
+  int level = 0;               // the one that this is
+  bool told_at_once = true;    // or all at the end
+  double apart = 0;            // no decision is nearer to a tie than this share of the extent (Asking::margin)
+  int least = 1, most = 100;   // how many decisions an instance has
+  std::uint64_t hash = 0;      // of the file's text
+
+  /// "carry_out", "number", "order", "build" or "break_it": by what it asks.
+  [[nodiscard]] std::string_view kind() const;
 };
 
 /// What could be read of an exercise's file, and what is wrong with it.
@@ -49,6 +73,9 @@ struct ExerciseDraft {
 /// Reads an exercise's file. name: for errors and for the id. Mistakes, each with its line and column: those of a
 /// lesson's file; a fact that cannot be decided; a wrong rule that there is not.
 [[nodiscard]] ExerciseDraft read_exercise(std::string_view toml, std::string_view name);
+
+/// The exercise at a level, counted from 0; at the highest if it has no such level.
+[[nodiscard]] Exercise at_level(const Exercise& exercise, int level);
 
 /// As many hints as a decision has at most; kHintPrices says what they cost.
 inline constexpr int kMostHints = 3;

@@ -5,6 +5,7 @@
 
 #include "geometry/random.hpp"
 #include "lesson/ask.hpp"
+#include "lesson/exercise/build.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
@@ -93,6 +94,14 @@ std::string lacks(const Exercise& exercise, const std::vector<Asked>& asked, con
   return {};
 }
 
+/// What a stage to build on lacks of the promise.
+std::string lacks_to_build(const Exercise& exercise, const Instance& instance) {
+  const auto session = open_instance(exercise, instance);
+  if (!session) return session.error().what;
+  if (level_of(exercise, *session) > 0) return "something reached before the student begins";
+  return find_model(exercise, *session) ? "" : "no way to reach all that is asked";
+}
+
 }  // namespace
 
 std::uint64_t seed_of(std::string_view name) { return hash_of_name(plain_name(name), 0) >> (64 - kSeedBits); }
@@ -123,8 +132,15 @@ tl::expected<Instance, InputError> make_instance(const Exercise& exercise, std::
     const auto subject = (*own)->clone();
     subject->scatter(instance.own, **own);
     if (!subject->suits(method)) continue;
+    if (exercise.build) {
+      const std::string lack = lacks_to_build(exercise, instance);
+      if (lack.empty()) return instance;
+      ++lacking[lack];
+      continue;
+    }
     const auto run = subject->run(method, nullptr);
     lesson.questions = questions_of(exercise, *run);
+    for (Question& question : lesson.questions) question.shuffled = instance.own;
     const auto all = [&] { return asked_on(lesson, lesson.algorithms.front(), *subject, *run, false); };
     skip_ties(exercise, lesson, all(), *run);
     const std::vector<Asked> asked = all();
@@ -139,11 +155,18 @@ tl::expected<Instance, InputError> make_instance(const Exercise& exercise, std::
                                            (most == lacking.end() ? "no run" : most->first)});
 }
 
-tl::expected<Session, InputError> open_instance(const Exercise& exercise, const Instance& instance, Clock clock) {
+tl::expected<Session, InputError> open_instance(const Exercise& exercise, const Instance& instance, Clock clock,
+                                                bool practises) {
   auto session = Session::open(instance.lesson, std::nullopt, clock);
   if (!session) return session;
   session->scatter(instance.own);
-  session->conduct({.decides = true, .told = exercise.told_at_once});
+  if (exercise.build) {
+    session->settle();
+    session->start_task();
+    session->conduct({.builds = true});
+  } else {
+    session->conduct({.decides = true, .told = practises || exercise.told_at_once});
+  }
   return session;
 }
 

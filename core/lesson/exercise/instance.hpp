@@ -22,8 +22,9 @@ struct Instance {
 [[nodiscard]] tl::expected<Instance, InputError> make_instance(const Exercise& exercise, std::uint64_t seed);
 
 /// A session on it, with nothing decided yet. clock: times the decisions; null for no times.
+/// practises: all is told at once.
 [[nodiscard]] tl::expected<Session, InputError> open_instance(const Exercise& exercise, const Instance& instance,
-                                                              Clock clock = nullptr);
+                                                              Clock clock = nullptr, bool practises = false);
 
 /// The seed of a name: so each student has an instance, and the name stays on the device.
 [[nodiscard]] std::uint64_t seed_of(std::string_view name);

@@ -4,10 +4,13 @@
 #include <numeric>
 
 #include "geometry/random.hpp"
+#include "lesson/exercise/build.hpp"
 #include "lesson/names.hpp"
 
 namespace snug::lesson {
 namespace {
+
+constexpr double kLeadsOn = 0.8;  // a share of the marks
 
 /// Half of what could be answered, the right answers among it, in words: "One of these is right: P3; P7; P9."
 std::string narrowed(const Asked& asked, const Run& run, std::uint64_t seed) {
@@ -91,6 +94,7 @@ Answer some_wrong(const Asked& asked, const Run& run, const Answer& other) {
 }  // namespace
 
 std::size_t Sitting::at(const Session& session) const {
+  if (exercise_->build) return over_ ? 1 : 0;
   const std::vector<Asked>& all = session.questions();
   if (const Outcome* told = session.outcome())
     if (const Asked* now = session.question_of(*told)) return static_cast<std::size_t>(now - all.data());
@@ -100,8 +104,9 @@ std::size_t Sitting::at(const Session& session) const {
 }
 
 std::vector<Marked> Sitting::marked(const Session& session) const {
-  const bool tells = exercise_->told_at_once || finished(session);
+  const bool tells = tells_at_once() || finished(session);
   std::vector<Marked> all;
+  if (exercise_->build) return all;
   for (std::size_t i = 0; i < session.questions().size(); ++i) {
     const Asked& asked = session.questions()[i];
     Marked one{&asked, tells ? standing_of(session.outcome_of(asked)) : Standing::kOpen, hints_[i], 0};
@@ -113,21 +118,51 @@ std::vector<Marked> Sitting::marked(const Session& session) const {
   return all;
 }
 
+bool Sitting::leads_on(const Session& session) const {
+  return exercise_->level < static_cast<int>(exercise_->harder.size()) && finished(session) &&
+         mark(session) >= kLeadsOn * of();
+}
+
 double Sitting::mark(const Session& session) const {
+  if (exercise_->build) return std::max((best_ ? best_->level : 0) - of() * kHintPrices[hints_.front()], 0.0);
   double sum = 0;
   for (const Marked& one : marked(session)) sum += one.mark;
   return sum;
 }
 
-bool Sitting::take_hint(const Session& session) {
+void Sitting::see(const Session& session) {
+  if (!exercise_->build || over_ || session.dragging() || seen_ == session.revision()) return;
+  seen_ = session.revision();
+  const int level = level_of(*exercise_, session);
+  if (level > (best_ ? best_->level : 0)) best_ = Built{session.subject().rows(), level, session.seconds()};
+  over_ = best_ && best_->level == of();
+}
+
+bool Sitting::back_to_best(Session& session) const {
+  if (!best_ || session.subject().rows() == best_->rows) return false;
+  return session.set_rows(best_->rows).has_value();
+}
+
+bool Sitting::finish() { return best_ && !std::exchange(over_, true); }
+
+bool Sitting::show_model(Session& session) const {
+  if (!exercise_->build || !over_) return false;
+  session.reset();
+  const auto model = find_model(*exercise_, session);
+  return model && session.set_rows(*model);
+}
+
+bool Sitting::take_hint(const Session& session) { return has_hint(session) && ++hints_[at(session)] > 0; }
+
+bool Sitting::has_hint(const Session& session) const {
+  if (exercise_->build) return !over_ && hints_.front() == 0;
   const std::size_t now = at(session);
-  if (session.asked() == nullptr || now == hints_.size() || hints_[now] == hints_for(session, now)) return false;
-  ++hints_[now];
-  return true;
+  return session.asked() != nullptr && now < hints_.size() && hints_[now] < hints_for(session, now);
 }
 
 std::vector<std::string> Sitting::hints(const Session& session) const {
   std::vector<std::string> texts;
+  if (exercise_->build && hints_.front() > 0) return {exercise_->stage.tasks.front().hint};
   const std::size_t now = at(session);
   if (now == hints_.size() || session.asked() == nullptr) return texts;
   for (int i = 0; i < hints_[now]; ++i) texts.push_back(hint_text(*exercise_, session, now, i));
@@ -135,8 +170,9 @@ std::vector<std::string> Sitting::hints(const Session& session) const {
 }
 
 double Sitting::next_price(const Session& session) const {
+  if (practises_ || !has_hint(session)) return 0;
+  if (exercise_->build) return kHintPrices[1];
   const std::size_t now = at(session);
-  if (session.asked() == nullptr || now == hints_.size() || hints_[now] == hints_for(session, now)) return 0;
   return price_of(session, now, hints_[now] + 1) - price_of(session, now, hints_[now]);
 }
 
@@ -161,7 +197,7 @@ const std::string* Sitting::rule_of(const Session& session, const Asked& asked, 
 }
 
 std::string Sitting::rule_says(const Session& session) const {
-  if (session.given().empty() || session.given().back().right || !exercise_->told_at_once) return {};
+  if (session.given().empty() || session.given().back().right || !tells_at_once()) return {};
   const Given& last = session.given().back();
   const std::size_t now = at(session);
   if (now == hints_.size() || session.questions()[now].question->id != last.question) return {};
@@ -189,9 +225,14 @@ std::vector<std::string> Sitting::rules_followed(const Session& session) const {
 }
 
 Attempt Sitting::attempt(const Session& session) const {
-  Attempt attempt{exercise_->id, exercise_->hash, seed_, {}};
+  Attempt attempt{exercise_->id, exercise_->hash, seed_, exercise_->level, {}};
+  if (exercise_->build) {
+    if (best_) attempt.made.push_back({hints_.front(), {}, best_->rows, best_->seconds});
+    else if (hints_.front() > 0) attempt.made.push_back({hints_.front(), {}, {}, 0});
+    return attempt;
+  }
   for (std::size_t i = 0; i < session.questions().size(); ++i) {
-    Made made{hints_[i], {}, 0};
+    Made made{hints_[i], {}, {}, 0};
     for (const Given* given : given_to(session, *session.questions()[i].question))
       made.tries.push_back(given->answer), made.seconds = given->seconds;
     if (made.tries.empty() && made.hints == 0) break;
@@ -200,7 +241,24 @@ Attempt Sitting::attempt(const Session& session) const {
   return attempt;
 }
 
+/// The stage that was built is put up again, and says itself what it reaches.
+tl::expected<void, InputError> Sitting::take_up_built(Session& session, const Attempt& attempt) {
+  if (attempt.made.empty()) return {};
+  const Made& made = attempt.made.front();
+  const auto refuse = [](const std::string& why) { return tl::unexpected(InputError{.what = why}); };
+  if (attempt.made.size() > 1 || !made.tries.empty()) return refuse("what was built is one stage");
+  for (int hint = 0; hint < made.hints; ++hint)
+    if (!take_hint(session)) return refuse("what was built has more hints than there are");
+  if (made.built.empty()) return {};
+  if (const auto put = session.set_rows(made.built); !put) return tl::unexpected(put.error());
+  see(session);
+  if (!best_) return refuse("what was built reaches nothing that is asked");
+  best_->seconds = made.seconds;
+  return {};
+}
+
 tl::expected<void, InputError> Sitting::take_up(Session& session, const Attempt& attempt) {
+  if (exercise_->build) return take_up_built(session, attempt);
   const auto refuse = [](std::size_t i, const std::string& why) {
     return tl::unexpected(InputError{.what = "decision " + std::to_string(i + 1) + ' ' + why});
   };
@@ -219,6 +277,7 @@ tl::expected<void, InputError> Sitting::take_up(Session& session, const Attempt&
 }
 
 tl::expected<Graded, InputError> grade(std::shared_ptr<const Exercise> exercise, const Attempt& attempt) {
+  exercise = std::make_shared<const Exercise>(at_level(*exercise, attempt.level));
   const auto instance = make_instance(*exercise, attempt.seed);
   if (!instance) return tl::unexpected(instance.error());
   auto session = open_instance(*exercise, *instance);
@@ -235,10 +294,17 @@ tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::u
   if (!instance) return tl::unexpected(instance.error());
   const auto session = open_instance(exercise, *instance);
   if (!session) return tl::unexpected(session.error());
+  if (exercise.build) {
+    if (wrong > 1 || !rule.empty()) return tl::unexpected(InputError{.what = "what is built has no such decision"});
+    const auto model = wrong > 0 ? std::nullopt : find_model(exercise, *session);
+    Attempt attempt{exercise.id, exercise.hash, seed, exercise.level, {}};
+    if (model) attempt.made.push_back({0, {}, *model, 0});
+    return attempt;
+  }
   const std::vector<Asked>& all = session->questions();
   if (wrong > std::ssize(all))
     return tl::unexpected(InputError{.what = "there are only " + std::to_string(all.size()) + " decisions"});
-  Attempt attempt{exercise.id, exercise.hash, seed, {}};
+  Attempt attempt{exercise.id, exercise.hash, seed, exercise.level, {}};
   const Run& run = session->run(0);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Answer answer = model_answer(all[i], run);
@@ -251,7 +317,7 @@ tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::u
       answer = rule.empty() ? some_wrong(all[i], run, {}) : *decided;
     }
     const bool right = judge(all[i], answer, run).right;
-    attempt.made.push_back({0, {answer}, 0});
+    attempt.made.push_back({0, {answer}, {}, 0});
     if (!right && exercise.told_at_once && has_second_try(all[i]))
       attempt.made.back().tries.push_back(some_wrong(all[i], run, answer));
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -21,31 +22,57 @@ struct Marked {
   double mark = 0;  // 1 at the first try, a half at the second, less the price of hints
 };
 
+/// What was built: the stage, the levels that it reaches, and when.
+struct Built {
+  Rows rows;
+  int level = 0;
+  double seconds = 0;
+};
+
 class Sitting {
  public:
   /// session: one that open_instance gave for this seed. It is not kept: each call is given it again, for it may move.
-  Sitting(std::shared_ptr<const Exercise> exercise, std::uint64_t seed, const Session& session)
-      : exercise_(std::move(exercise)), seed_(seed), hints_(session.questions().size()) {}
+  /// practises: without a mark, so that hints cost nothing.
+  Sitting(std::shared_ptr<const Exercise> exercise, std::uint64_t seed, const Session& session, bool practises = false)
+      : exercise_(std::move(exercise)), seed_(seed), practises_(practises),
+        hints_(exercise_->build ? 1 : session.questions().size()) {}
 
   [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
+  [[nodiscard]] bool practises() const { return practises_; }
+  /// Whether there is a harder level, and what was earned leads there: four fifths of the marks.
+  [[nodiscard]] bool leads_on(const Session& session) const;
+  /// Whether each decision is told at once.
+  [[nodiscard]] bool tells_at_once() const { return practises_ || exercise_->told_at_once; }
 
   /// The number of the open decision, counted from 0, while another's outcome is shown, that of this; as many as there
   /// are at the end.
   [[nodiscard]] std::size_t at(const Session& session) const;
-  [[nodiscard]] bool finished(const Session& session) const { return at(session) == hints_.size(); }
+  [[nodiscard]] bool finished(const Session& session) const { return over_ || at(session) == hints_.size(); }
   /// All decisions, in order.
   [[nodiscard]] std::vector<Marked> marked(const Session& session) const;
   /// The mark so far, in quarters, of one for each decision; where nothing is told before the end, it is not to be
   /// shown before.
   [[nodiscard]] double mark(const Session& session) const;
-  [[nodiscard]] int of() const { return static_cast<int>(hints_.size()); }
+  [[nodiscard]] int of() const { return exercise_->build ? exercise_->build->levels : static_cast<int>(hints_.size()); }
+
+  // What is built has one mark for each level, and the best stage counts.
+  /// The best stage so far, once the hand rests; and the level that it reaches.
+  void see(const Session& session);
+  [[nodiscard]] const std::optional<Built>& best() const { return best_; }
+  /// Puts the best stage back. Returns false if there is none, or if it stands there.
+  bool back_to_best(Session& session) const;
+  /// The student is done with it. Returns false if nothing was reached, or if it is over already.
+  bool finish();
+  /// At the end: puts a solution on the stage.
+  bool show_model(Session& session) const;
 
   /// Takes the next hint for the open decision. Returns false if there is none.
   bool take_hint(const Session& session);
   /// The hints taken for it, in words.
   [[nodiscard]] std::vector<std::string> hints(const Session& session) const;
-  /// What the next one costs, a share of the decision's mark; 0 for none left.
+  [[nodiscard]] bool has_hint(const Session& session) const;
+  /// What the next one costs, a share of the decision's mark; 0 for none left, and where one practises.
   [[nodiscard]] double next_price(const Session& session) const;
 
   /// What is said of the wrong rule that the last answer follows; empty if it follows none, or is right. Of several
@@ -61,11 +88,16 @@ class Sitting {
   tl::expected<void, InputError> take_up(Session& session, const Attempt& attempt);
 
  private:
+  tl::expected<void, InputError> take_up_built(Session& session, const Attempt& attempt);
   [[nodiscard]] const std::string* rule_of(const Session& session, const Asked& asked, const Answer& answer) const;
 
   std::shared_ptr<const Exercise> exercise_;
   std::uint64_t seed_;
+  bool practises_;
   std::vector<int> hints_;  // taken for each decision
+  std::optional<Built> best_;
+  std::uint64_t seen_ = 0;  // the session's revision
+  bool over_ = false;       // whether the student is done with what was built
 };
 
 /// The prices of the hints, shares of a decision's mark: of one, of two, of all.

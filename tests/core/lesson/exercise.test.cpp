@@ -226,7 +226,7 @@ TEST_CASE("an attempt is written, read and replayed to the same mark") {
   Sat later(exercise, 5);
   REQUIRE(later.sitting.take_up(later.session, attempt));
   CHECK(later.sitting.at(later.session) == 2);
-  attempt.made.push_back({0, {{Answer::Kind::kPoint, 4000}}, 1});
+  attempt.made.push_back({0, {{Answer::Kind::kPoint, 4000}}, {}, 1});
   CHECK_FALSE(grade(exercise, attempt));
 }
 
