@@ -86,13 +86,6 @@ void draw_hints(Column& column, const lesson::Sitting& sitting, const lesson::Se
   }
 }
 
-std::string hint_words(const lesson::Sitting& sitting, const lesson::Session& session) {
-  if (!sitting.has_hint(session)) return {};
-  const double price = sitting.next_price(session);
-  if (price == 0) return std::string(lesson::kHintWord);
-  return price == 1 ? "Hint for the whole mark" : "Hint for " + lesson::plain_number(price) + " of the mark";
-}
-
 std::string mark_words(const lesson::Marked& marked) {
   const std::string mark = lesson::plain_number(marked.mark);
   if (marked.hints == 0) return mark;
@@ -138,13 +131,15 @@ std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitt
   draw_hints(column, sitting, session);
   column.gap(8);
   const int now = level_of(exercise, session), best = sitting.best() ? sitting.best()->level : 0;
-  const std::string hint = hint_words(sitting, session);
+  const std::string hint = sitting.hint_words(session);
   std::vector<RowButton> row;
   if (!hint.empty()) row.push_back({"hint", hint, ButtonKind::kQuiet});
   row.push_back({"reset", lesson::kStartAgainWord, ButtonKind::kQuiet});
   if (best > now) row.push_back({"back_to_best", lesson::kBackToBestWord});
   row.push_back({"finish", lesson::kFinishWord, ButtonKind::kPrimary, best > 0});
-  const int clicked = draw_row(column, session.grade(0).says, column.look()->muted, row);
+  column.words(session.grade(0).says, Face::kRegular, 13, column.look()->muted);
+  column.gap(8);
+  const int clicked = draw_row(column, {}, 0, row);
   return clicked < 0 ? std::string() : row[static_cast<std::size_t>(clicked)].id;
 }
 

@@ -21,8 +21,6 @@ void draw_rule(Column& column, const lesson::Sitting& sitting, const lesson::Ses
 /// does it after drawing the card.
 [[nodiscard]] std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting);
 [[nodiscard]] std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitting);
-/// "Hint for 0.25 of the mark"; empty if there is none left.
-[[nodiscard]] std::string hint_words(const lesson::Sitting& sitting, const lesson::Session& session);
 /// "0.5, 1 hint"
 [[nodiscard]] std::string mark_words(const lesson::Marked& marked);
 

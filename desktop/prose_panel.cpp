@@ -29,7 +29,7 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   for (const auto& [tab, id] : {std::pair{Tab::kLesson, "tab lesson"}, std::pair{Tab::kPoints, "tab points"},
                                 std::pair{Tab::kFile, "tab file"}}) {
     if (tab == Tab::kFile && !shell.session().subject().file()) continue;
-    if (tab == Tab::kPoints && shell.app().sitting() != nullptr) continue;  // an exercise's stage stays as it is
+    if (tab == Tab::kPoints && shell.app().sitting() != nullptr && !shell.app().sitting()->adds()) continue;
     const std::string_view words = tab == Tab::kPoints ? shell.session().subject().tools().word
                                    : tab == Tab::kFile ? lesson::kFileWord
                                                        : "Lesson";

@@ -112,7 +112,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   if (sitting != nullptr) draw_hints(column, *sitting, session);
   column.gap(10);
   const bool ready = session.picked() != nullptr && answers(asked, *session.picked());
-  const std::string hint = sitting != nullptr ? hint_words(*sitting, session) : std::string();
+  const std::string hint = sitting != nullptr ? sitting->hint_words(session) : std::string();
   std::vector<RowButton> row;
   // A choice is given by choosing it.
   if (sitting == nullptr || asked.on_stage || asked.many || asked.ordered || asked.number)

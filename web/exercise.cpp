@@ -57,6 +57,7 @@ val build_object(const lesson::Sitting& sitting, const lesson::Session& session)
              }));
   object.set("isNow", session.grade(0).says);
   object.set("targets", array_of(movable_names(session), text));
+  object.set("adds", sitting.adds());
   object.set("canGoBack", best > now);
   object.set("canFinish", best > 0);
   return object;
@@ -87,8 +88,7 @@ val exercise_object(app::App& app) {
   object.set("tellsAtOnce", sitting->tells_at_once());
   object.set("finished", over);
   object.set("hints", array_of(sitting->hints(session), text));
-  object.set("hasHint", sitting->has_hint(session));
-  object.set("nextPrice", sitting->next_price(session));
+  object.set("hint", sitting->hint_words(session));
   object.set("rule", sitting->rule_says(session));
   object.set("followed", over ? array_of(sitting->rules_followed(session), text) : val::array());
   object.set("canTakeBack", !sitting->tells_at_once() && !session.given().empty() && !over);

@@ -72,6 +72,14 @@ test("of an exercise the instance is written, and no place in it", () => {
   assert.deepEqual({ ...asked, seed: null }, { ...kNothing, exercise: "a lesson", embed: true });
 });
 
+test("of an exercise the level and practice are written where they are not as usual", () => {
+  const view = { ...kView, exercise: /** @type {ShownExercise} */ ({ seed: 7, level: 2, practises: true }) };
+  const address = write_address(view, kLesson, { rows: [] }, false);
+  assert.equal(address, "?exercise=a%20lesson&seed=7&level=2&practice=1");
+  const { level, practice } = read_address(address);
+  assert.deepEqual([level, practice], [2, true]);
+});
+
 test("a change of a text leads from one to the other; of another text it is refused", () => {
   for (const [from, to] of [["", "abc"], ["abc", ""], ["aaa", "aa"], ["abcabc", "abcXabc"], ["ä\nb", "ä\nc"]])
     assert.equal(changed(from, change_of(from, to)), to);

@@ -68,9 +68,8 @@ export function exercise_link(id, { seed, level = 0, practice = false } = {}) {
   return `?${parts.join("&")}`;
 }
 
-/** @returns {Terms} */
-export const terms_of = (/** @type {Pick<ShownExercise, "seed" | "level" | "practises">} */ { seed, level, practises }) =>
-  ({ seed, level, practice: practises });
+/** @param {ShownExercise} exercise @returns {Terms} */
+export const terms_of = ({ seed, level, practises }) => ({ seed, level, practice: practises });
 
 /** The scalar that the lesson's file gives to the situation that is shown.
  *  @param {View} view @param {Lesson} lesson */

@@ -1,7 +1,7 @@
 // What an exercise has beyond a question: the count of decisions and marks, hints, and at its end the mark, what was
 // decided, and the result file.
 import { button, by_id, element, followed_here, set_hidden, set_text, spelled } from "./dom.js";
-import { exercise_link, terms_of } from "./address.js";
+import { exercise_link } from "./address.js";
 import { link_of } from "./lesson_menu.js";
 /** @import { Kept } from "./kept.js" */
 
@@ -24,8 +24,6 @@ export function save_file(text, name) {
   setTimeout(() => URL.revokeObjectURL(href), 1000);
 }
 
-const hint_words = (/** @type {number} */ price) =>
-  price >= 1 ? "for the whole mark" : `for ${price} of the mark`;
 const hint_count = (/** @type {number} */ hints) => (hints === 1 ? "1 hint" : `${hints} hints`);
 
 export class Exercise {
@@ -96,15 +94,14 @@ export class Exercise {
   }
 
   /** The ways back, and to the next hint. */
-  tools(/** @type {ShownExercise} */ { hasHint, nextPrice, canTakeBack, practises }) {
+  tools(/** @type {ShownExercise} */ { hint, canTakeBack }) {
     const back = canTakeBack &&
       button(this.#words.take_back, this.#do("take_back"), { class: "quiet", title: "Backspace" });
-    const words = practises ? this.#words.hint : `${this.#words.hint} ${hint_words(nextPrice)}`;
-    return [back, hasHint && button(words, this.#do("hint"), { class: "quiet", title: "H" })];
+    return [back, hint !== "" && button(hint, this.#do("hint"), { class: "quiet", title: "H" })];
   }
 
   /** What is to be built, the levels with those that are reached, and how far it is.
-   *  @param {ShownExercise} exercise @param {Build} build @param {Node[]} prompt */
+   *  @param {ShownExercise} exercise @param {Build} build @param {(Node | string)[]} prompt */
   build_card(exercise, { heading, claim, levels, isNow, canGoBack, canFinish }, prompt) {
     const { mark, of, practises } = exercise;
     const back = button(this.#words.back_to_best, this.#do("back_to_best"), { disabled: !canGoBack });
@@ -129,7 +126,9 @@ export class Exercise {
 
   /** What stands on the stage is said while it is dragged; the card stays as it is. */
   show_now(/** @type {ShownExercise | null} */ exercise) {
-    document.documentElement.classList.toggle("builds", Boolean(exercise?.build));
+    const { classList } = document.documentElement;
+    classList.toggle("builds", Boolean(exercise?.build));
+    classList.toggle("adds", Boolean(exercise?.build?.adds));
     const says = by_id("ask").querySelector(".is-now");
     if (exercise?.build && says) set_text(says, exercise.build.isNow);
   }

@@ -170,6 +170,7 @@ interface Build {
   levels: { words: string; now: boolean; best: boolean }[];
   isNow: string;
   targets: string[];
+  adds: boolean;
   canGoBack: boolean;
   canFinish: boolean;
 }
@@ -193,8 +194,7 @@ interface ShownExercise {
   countKnown: boolean;
   finished: boolean;
   hints: string[];
-  hasHint: boolean;
-  nextPrice: number;
+  hint: string;
   rule: string;
   followed: string[];
   canTakeBack: boolean;

@@ -124,7 +124,8 @@ tl::expected<Instance, InputError> make_instance(const Exercise& exercise, std::
   const auto own = lesson.subject->open(lesson, std::nullopt, nullptr);
   if (!own) return tl::unexpected(own.error());
   const Method& method = *find_method(lesson, lesson.algorithms.front());
-  Random random(hash_of_name(exercise.id, seed));
+  const auto level = static_cast<std::uint64_t>(exercise.level);  // each has instances of its own
+  Random random(hash_of_name(exercise.id, seed | level << kSeedBits));
   const bool varied = random.below(2) == 1;
   std::map<std::string, int> lacking;
   for (; instance.passed_over < kMostPassedOver; ++instance.passed_over) {

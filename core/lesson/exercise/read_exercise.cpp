@@ -175,7 +175,7 @@ std::string_view Exercise::kind() const {
     return std::all_of(stage.questions.begin(), stage.questions.end(),
                        [&](const Question& one) { return ((one.asks == asks) || ...); });
   };
-  if (all_ask("number")) return "number";
+  if (all_ask("number", "radius_b")) return "number";
   return all_ask("sequence", "tightest_order") ? "order" : "carry_out";
 }
 

@@ -5,7 +5,9 @@
 
 #include "geometry/random.hpp"
 #include "lesson/exercise/build.hpp"
+#include "lesson/figures.hpp"
 #include "lesson/names.hpp"
+#include "lesson/say.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -167,6 +169,18 @@ std::vector<std::string> Sitting::hints(const Session& session) const {
   if (now == hints_.size() || session.asked() == nullptr) return texts;
   for (int i = 0; i < hints_[now]; ++i) texts.push_back(hint_text(*exercise_, session, now, i));
   return texts;
+}
+
+std::string Sitting::hint_words(const Session& session) const {
+  if (!has_hint(session)) return {};
+  const double price = next_price(session);
+  const std::string hint(kHintWord);
+  if (price == 0) return hint;
+  if (exercise_->build) {
+    const double marks = price * of();
+    return hint + " for " + plain_number(marks) + (marks == 1 ? " mark" : " marks");
+  }
+  return hint + " for " + (price == 1 ? "the whole mark" : plain_number(price) + " of the mark");
 }
 
 double Sitting::next_price(const Session& session) const {

@@ -60,6 +60,8 @@ class Sitting {
   /// The best stage so far, once the hand rests; and the level that it reaches.
   void see(const Session& session);
   [[nodiscard]] const std::optional<Built>& best() const { return best_; }
+  /// Whether more may change on the stage than where some handles are.
+  [[nodiscard]] bool adds() const { return exercise_->build && exercise_->stage.tasks.front().only.empty(); }
   /// Puts the best stage back. Returns false if there is none, or if it stands there.
   bool back_to_best(Session& session) const;
   /// The student is done with it. Returns false if nothing was reached, or if it is over already.
@@ -72,6 +74,8 @@ class Sitting {
   /// The hints taken for it, in words.
   [[nodiscard]] std::vector<std::string> hints(const Session& session) const;
   [[nodiscard]] bool has_hint(const Session& session) const;
+  /// "Hint for 0.25 of the mark"; empty for none left.
+  [[nodiscard]] std::string hint_words(const Session& session) const;
   /// What the next one costs, a share of the decision's mark; 0 for none left, and where one practises.
   [[nodiscard]] double next_price(const Session& session) const;
 

@@ -1,11 +1,14 @@
 // Exercises: their instances, what a sitting takes and marks, and the attempt that is written and replayed.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
 
 #include "core/lesson/lesson_files.hpp"
+#include "lesson/exercise/build.hpp"
 #include "lesson/exercise/sets.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/names.hpp"
@@ -40,6 +43,22 @@ std::vector<ExerciseSet> sets() {
   return *read;
 }
 
+std::vector<std::string> exercise_ids() {
+  std::vector<std::string> ids;
+  for (const auto& file : std::filesystem::directory_iterator(test::lessons_folder() + "exercises"))
+    if (file.path().stem() != "sets") ids.push_back(file.path().stem().string());
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+/// Each exercise at each of its levels.
+std::vector<std::pair<std::string, int>> levels() {
+  std::vector<std::pair<std::string, int>> all;
+  for (const std::string& id : exercise_ids())
+    for (int level = 0; level <= static_cast<int>(exercise_of(id)->harder.size()); ++level) all.emplace_back(id, level);
+  return all;
+}
+
 /// A sitting at an instance.
 struct Sat {
   explicit Sat(Shared exercise, std::uint64_t seed = 1)
@@ -63,17 +82,28 @@ std::string ritter_with(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-TEST_CASE("every exercise of a set keeps its promise, and right decisions earn every mark") {
-  std::set<std::string> ids;
+TEST_CASE("a set has ten exercises, of several kinds") {
+  const std::vector<std::string> ids = exercise_ids();
   for (const ExerciseSet& set : sets()) {
     CHECK(set.exercises.size() == 10);
-    ids.insert(set.exercises.begin(), set.exercises.end());
+    std::set<std::string_view> kinds;
+    for (const std::string& id : set.exercises) {
+      CAPTURE(id);
+      CHECK(is_among(ids, id));
+      kinds.insert(exercise_of(id)->kind());
+    }
+    CHECK(kinds.size() > 1);
   }
-  for (const std::string& id : ids) {
+}
+
+TEST_CASE("every exercise keeps its promise at each level, and right decisions earn every mark") {
+  for (const auto& [id, level] : levels()) {
     CAPTURE(id);
-    const Shared exercise = exercise_of(id);
+    CAPTURE(level);
+    const Shared exercise = std::make_shared<const Exercise>(at_level(*exercise_of(id), level));
+    if (exercise->build) continue;
     CHECK_NOTHROW(static_cast<void>(test::lesson_of(exercise->lesson)));
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       CAPTURE(seed);
       Sat sat(exercise, seed);
       const auto decisions = static_cast<int>(sat.session.questions().size());
@@ -91,31 +121,31 @@ TEST_CASE("every exercise of a set keeps its promise, and right decisions earn e
 }
 
 TEST_CASE("a wrong rule is wrong somewhere, and named where it was followed") {
-  for (const ExerciseSet& set : sets())
-    for (const std::string& id : set.exercises) {
-      CAPTURE(id);
-      const Shared exercise = exercise_of(id);
-      for (std::size_t kind = 0; kind < exercise->decisions.size(); ++kind)
-        for (const RuleWords& words : exercise->decisions[kind].rules) {
-          CAPTURE(words.name);
-          Sat sat(exercise, 7);
-          bool named = false;
-          while (!sat.sitting.finished(sat.session) && !named) {
-            const Asked& asked = sat.asked();
-            const WrongRule* rule =
-                decision_of(*exercise, *asked.question) == kind ? find_rule(asked, words.name) : nullptr;
-            const auto answer = rule != nullptr ? rule->decides(asked, sat.session.run(0)) : std::nullopt;
-            if (!answer || judge(asked, *answer, sat.session.run(0)).right) {
-              sat.decide();
-              continue;
-            }
-            REQUIRE(sat.session.propose(*answer));
-            named = !sat.sitting.rule_says(sat.session).empty();
-            CHECK(named);
+  for (const auto& [id, level] : levels()) {
+    CAPTURE(id);
+    CAPTURE(level);
+    const Shared exercise = std::make_shared<const Exercise>(at_level(*exercise_of(id), level));
+    for (std::size_t kind = 0; kind < exercise->decisions.size(); ++kind)
+      for (const RuleWords& words : exercise->decisions[kind].rules) {
+        CAPTURE(words.name);
+        Sat sat(exercise, 7);
+        bool named = false;
+        while (!sat.sitting.finished(sat.session) && !named) {
+          const Asked& asked = sat.asked();
+          const WrongRule* rule =
+              decision_of(*exercise, *asked.question) == kind ? find_rule(asked, words.name) : nullptr;
+          const auto answer = rule != nullptr ? rule->decides(asked, sat.session.run(0)) : std::nullopt;
+          if (!answer || judge(asked, *answer, sat.session.run(0)).right) {
+            sat.decide();
+            continue;
           }
+          REQUIRE(sat.session.propose(*answer));
+          named = !sat.sitting.rule_says(sat.session).empty();
           CHECK(named);
         }
-    }
+        CHECK(named);
+      }
+  }
 }
 
 TEST_CASE("the instance of a seed is the same everywhere, and no other exercise's") {
@@ -259,4 +289,145 @@ TEST_CASE("an exercise whose promise cannot be kept says what is lacking") {
   const auto made = make_instance(*exercise_from(ritter_with("decisions = [4, 9]", "decisions = [80, 90]")), 1);
   REQUIRE_FALSE(made);
   CHECK(made.error().what == "none of 1000 instances of test keeps the promise; most have too few decisions");
+}
+
+TEST_CASE("what is built earns a mark for each level, and the best stage counts") {
+  const Shared exercise = exercise_of("build-worst-ritter");
+  CHECK(exercise->kind() == "build");
+  Sat sat(exercise, 3);
+  CHECK(sat.sitting.of() == 4);
+  CHECK(sat.sitting.mark(sat.session) == 0);
+  CHECK_FALSE(sat.sitting.finish());
+  CHECK(level_texts(*exercise, sat.session).front() == "at least 5 %");
+  const auto model = find_model(*exercise, sat.session);
+  REQUIRE(model);
+
+  SUBCASE("all of it ends the exercise") {
+    REQUIRE(sat.session.set_rows(*model));
+    sat.sitting.see(sat.session);
+    CHECK(sat.sitting.mark(sat.session) == 4);
+    CHECK(sat.sitting.finished(sat.session));
+  }
+  SUBCASE("a hint costs a mark of four, a step back costs nothing") {
+    REQUIRE(sat.sitting.take_hint(sat.session));
+    CHECK(sat.sitting.hint_words(sat.session).empty());
+    REQUIRE(sat.session.set_rows(*model));
+    sat.sitting.see(sat.session);
+    sat.session.reset();
+    sat.sitting.see(sat.session);
+    CHECK(level_of(*exercise, sat.session) == 0);
+    CHECK(sat.sitting.mark(sat.session) == 3);
+    REQUIRE(sat.sitting.back_to_best(sat.session));
+    CHECK(level_of(*exercise, sat.session) == 4);
+  }
+  SUBCASE("while the hand drags nothing counts") {
+    sat.session.begin_drag();
+    for (Index i = 0; i < 3; ++i) REQUIRE(sat.session.move(i, {(*model)[i][0], (*model)[i][1], 0}));
+    sat.sitting.see(sat.session);
+    CHECK(sat.sitting.mark(sat.session) == 0);
+    sat.session.end_drag();
+    sat.sitting.see(sat.session);
+    CHECK(sat.sitting.mark(sat.session) == 4);
+  }
+  SUBCASE("only what the task leaves to be moved") {
+    CHECK_FALSE(sat.session.move(5, {4, 4, 0}));
+    Rows foreign = *model;
+    foreign[5][0] += 1;
+    Attempt attempt{exercise->id, exercise->hash, 3, 0, {{0, {}, foreign, 1}}};
+    CHECK_FALSE(grade(exercise, attempt));
+  }
+  SUBCASE("nothing else replaces the stage") {
+    const Rows before = sat.session.subject().rows();
+    sat.session.scatter(99);
+    CHECK_FALSE(sat.session.set_generator("cube", 8, 2, 1));
+    CHECK(sat.session.subject().rows() == before);
+    CHECK_FALSE(sat.session.can_undo());
+  }
+}
+
+TEST_CASE("what was built is written, read and replayed to the same mark and stage") {
+  for (const char* id : {"build-worst-ritter", "break-pca-box"}) {
+    CAPTURE(id);
+    const Shared exercise = exercise_of(id);
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const auto attempt = model_attempt(*exercise, seed, 0, "");
+      REQUIRE(attempt);
+      const auto read = made_of(text_of(attempt->made.front()));
+      REQUIRE(read);
+      CHECK(read->built == attempt->made.front().built);
+      const auto graded = grade(exercise, *attempt);
+      REQUIRE(graded);
+      CHECK(graded->mark == exercise->build->levels);
+    }
+  }
+  for (const char* damaged : {"b@1", "b1,x@1", "b1,2;@", "b1,inf@2", "b1,2>p3@4"}) CHECK_FALSE(made_of(damaged));
+}
+
+TEST_CASE("a claim is refuted with any number of points, and fewer earn more") {
+  const Shared exercise = exercise_of("break-pca-box");
+  CHECK(exercise->kind() == "break_it");
+  Sat sat(exercise, 2);
+  Rows rows{{-1.06, -0.48}, {0.23, 0.73}, {0.19, -0.52}, {-1.03, 0.78}};
+  const auto mark_with = [&](int more) {
+    Rows all = rows;
+    for (int i = 0; i < more; ++i) all.push_back({-0.4, 0.1});
+    REQUIRE(sat.session.set_rows(all));
+    return level_of(*exercise, sat.session);
+  };
+  CHECK(mark_with(0) == 4);
+  CHECK(mark_with(2) == 3);
+  CHECK(mark_with(5) == 1);
+  CHECK(mark_with(9) == 0);
+}
+
+TEST_CASE("practice tells at once, takes nothing for a hint, and four fifths of the marks lead to a harder level") {
+  const Shared exercise = exercise_of("be-ritter");
+  const auto instance = make_instance(*exercise, 5);
+  REQUIRE(instance);
+  auto session = open_instance(*exercise, *instance, nullptr, true);
+  REQUIRE(session);
+  Sitting sitting(exercise, 5, *session, true);
+  CHECK(sitting.tells_at_once());
+  CHECK(sitting.hint_words(*session) == "Hint");
+  CHECK(sitting.next_price(*session) == 0);
+  CHECK_FALSE(sitting.leads_on(*session));
+  while (!sitting.finished(*session)) REQUIRE(session->propose(model_answer(*session->asked(), session->run(0))));
+  CHECK(sitting.leads_on(*session));
+  const Exercise hardest = at_level(*exercise, 99);
+  CHECK(hardest.level == 2);
+  CHECK(hardest.stage.points.count > exercise->stage.points.count);
+  CHECK(hardest.apart < exercise->apart);
+  CHECK_FALSE(make_instance(hardest, 5)->own == instance->own);
+}
+
+TEST_CASE("lines are shuffled anew for each instance, and a typed number follows a wrong rule within its tolerance") {
+  std::set<std::string> firsts;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    firsts.insert(Sat(exercise_of("lines-of-aabb-tests"), seed).asked().choices.front());
+  CHECK(firsts.size() > 1);
+
+  Sat sat(exercise_of("radii-of-boxes"), 4);
+  const WrongRule* sum = find_rule(sat.asked(), "sum");
+  REQUIRE(sum != nullptr);
+  auto answer = sum->decides(sat.asked(), sat.session.run(0));
+  REQUIRE(answer);
+  answer->number += 0.004;  // as it would be typed
+  REQUIRE(sat.session.propose(*answer));
+  CHECK(sat.sitting.rule_says(sat.session).find("half extents") != std::string::npos);
+}
+
+TEST_CASE("mistakes in what is built are told with their places") {
+  const auto mistakes_of = [](const std::string& from, const std::string& to) {
+    std::string text = test::lessons_file("exercises/build-worst-ritter.toml");
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    std::string all;
+    for (const FileError& mistake : read_exercise(text.replace(at, from.size(), to), "test.toml").mistakes)
+      all += mistake.message() + '\n';
+    return all;
+  };
+  CHECK(mistakes_of("steps = [5, 10, 15]", "steps = [5, 10, 25]").find("lead to the bound") != std::string::npos);
+  CHECK(mistakes_of("steps = [5, 10, 15]", "steps = []").find("lead to the bound") != std::string::npos);
+  CHECK(mistakes_of("[exercise]", "[exercise]\ndecisions = [1, 2]").find("decisions") != std::string::npos);
+  CHECK(mistakes_of("[[task]]", "[[task]]\nbogus = 1").find("bogus") != std::string::npos);
 }

@@ -245,8 +245,18 @@ std::optional<Answer> none_leaves(const Asked&, const Run&) { return by_choice(0
 
 namespace {
 
+/// The main axis that the last axes had before a step, if any.
+std::optional<Point3> main_axis_before(const Run& run, int step) {
+  for (int i = step; i-- > 0;)
+    if (const auto* found = std::get_if<AxesFound<double, 3>>(&fit_run(run).trace()[i].step.fact))
+      return found->axes.col(fit_run(run).dim() - 1);
+  return std::nullopt;
+}
+
 /// The directions along which the step looks for extremes.
 std::vector<Point3> directions(const Asked& asked, const Run& run) {
+  if (std::holds_alternative<PairChosen>(fit_run(run).trace()[asked.fact].step.fact))
+    if (const auto main = main_axis_before(run, asked.fact)) return {*main};
   if (const auto* slab = std::get_if<SlabFound>(&fit_run(run).trace()[asked.fact].step.fact))
     return {fit_run(run).slab_axis(asked.fact, slab->slab).normalized()};
   std::vector<Point3> axes;
@@ -268,6 +278,10 @@ Answer extremes_along(const Run& run, const std::vector<Point3>& axes) {
 const char* offer_extremes(Asked& asked, const Run& run) {
   if (const auto* slab = std::get_if<SlabFound>(&fit_run(run).trace()[asked.fact].step.fact))
     asked.of = fit_run(run).slab_name(asked.fact, slab->slab);
+  if (std::holds_alternative<PairChosen>(fit_run(run).trace()[asked.fact].step.fact)) {
+    if (!main_axis_before(run, asked.fact)) return "\"extremes\" can be asked of a pair only along a main axis";
+    asked.of = "the main axis";
+  }
   asked.many = true;
   return offer_all(asked, run), nullptr;
 }

@@ -58,7 +58,7 @@ struct Entry<fit::MidpointFound<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::PairChosen> : FitEntry {
   using Fact = fit::PairChosen;
-  static constexpr std::array kAskings{kAxis, kGrows};
+  static constexpr std::array kAskings{kAxis, kExtremes, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string pair = where.name(fact.a) + " and " + where.name(fact.b);
     const fit::Step3* before = where.before();

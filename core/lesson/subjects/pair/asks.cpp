@@ -64,6 +64,43 @@ const char* offer_of_axis(Asked& asked, const Run& run) {
   return offer_yes_no(asked, run);
 }
 
+const char* offer_radius_b(Asked& asked, const Run& run) {
+  const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
+  if (axis.skipped) return "the edges are parallel, so there is no axis";
+  asked.of = axis_text(asked.dim, axis.axis);
+  asked.number = true;
+  asked.unit = "units";
+  return nullptr;
+}
+
+/// The trace's lengths are along an axis that is not a unit one.
+Truth radius_b_truth(const Asked& asked, const Run& run) {
+  const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
+  const std::string radius = length_along(axis, axis.radius_b);
+  Truth truth{{}, {}, radius, "Along " + axis_text(asked.dim, axis.axis) + ", r_B is " + radius + "."};
+  truth.number = axis.radius_b / axis.length;
+  truth.tolerance = asked.question->tolerance;
+  return truth;
+}
+
+void read_tolerance(TomlTable& table, Question& question) {
+  question.tolerance = table.any_number("tolerance", 0);
+  if (!(question.tolerance > 0) || std::isinf(question.tolerance)) table.wrong("tolerance", "must be above 0");
+}
+
+double no_other_number(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
+
+std::optional<Answer> sum_of_half_extents(const Asked& asked, const Run&) {
+  const auto* boxes = as<PairSubject>(*asked.subject);
+  if (boxes == nullptr) return std::nullopt;
+  const Obb<double, 3>& b = boxes->boxes().boxes[1];
+  return Answer{.kind = Answer::Kind::kNumber, .number = b.half_extents.head(asked.dim).sum()};
+}
+
+std::optional<Answer> whole_width(const Asked& asked, const Run& run) {
+  return Answer{.kind = Answer::Kind::kNumber, .number = 2 * radius_b_truth(asked, run).number};
+}
+
 double separates_margin(const Asked& asked, const Run& run) {
   const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
   return axis.skipped ? 0 : std::abs(axis.axis.gap) / extent_of(*asked.subject);

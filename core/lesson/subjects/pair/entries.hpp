@@ -32,6 +32,14 @@ double separates_margin(const Asked& asked, const Run& run);
 std::optional<Answer> without_b(const Asked& asked, const Run& run);
 std::optional<Answer> with_full_widths(const Asked& asked, const Run& run);
 inline constexpr std::array kSeparatesRules{WrongRule{"only_a", &without_b}, WrongRule{"widths", &with_full_widths}};
+/// "radius_b": the projected radius of B, a number.
+const char* offer_radius_b(Asked& asked, const Run& run);
+Truth radius_b_truth(const Asked& asked, const Run& run);
+void read_tolerance(TomlTable& table, Question& question);
+double no_other_number(const Asked& asked, const Run& run);
+std::optional<Answer> sum_of_half_extents(const Asked& asked, const Run& run);
+std::optional<Answer> whole_width(const Asked& asked, const Run& run);
+inline constexpr std::array kRadiusRules{WrongRule{"sum", &sum_of_half_extents}, WrongRule{"width", &whole_width}};
 const char* offer_entries_a(Asked& asked, const Run& run);
 const char* offer_entries_b(Asked& asked, const Run& run);
 Truth entries_a_truth(const Asked& asked, const Run& run);
@@ -45,6 +53,13 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
                                               .truth = &separates_truth,
                                               .margin = &separates_margin,
                                               .rules = kSeparatesRules},
+                                       Asking{.name = "radius_b",
+                                              .offer = &offer_radius_b,
+                                              .truth = &radius_b_truth,
+                                              .figure = "radius_b",
+                                              .read = &read_tolerance,
+                                              .margin = &no_other_number,
+                                              .rules = kRadiusRules},
                                        Asking{"entries_a", &offer_entries_a, &entries_a_truth},
                                        Asking{"entries_b", &offer_entries_b, &entries_b_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {

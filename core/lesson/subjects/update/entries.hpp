@@ -12,6 +12,13 @@ using UpdateWhere = UpdateRun::Where;
 
 /// "extreme": whether a vertex of a climb is the extreme, where the climb ends.
 Truth extreme_truth(const Asked& asked, const Run& run);
+/// "climb_to": the neighbour to which a climb goes on, or the vertex where it ends.
+const char* offer_climb(Asked& asked, const Run& run);
+Truth climb_truth(const Asked& asked, const Run& run);
+double climb_margin(const Asked& asked, const Run& run);
+std::optional<Answer> first_higher(const Asked& asked, const Run& run);
+std::optional<Answer> always_on(const Asked& asked, const Run& run);
+inline constexpr std::array kClimbRules{WrongRule{"first_higher", &first_higher}, WrongRule{"goes_on", &always_on}};
 
 template <>
 struct Entry<fit::ReachFound> : EntryDefaults {
@@ -31,7 +38,12 @@ struct Entry<PointPlaced> : EntryDefaults {
 
 template <>
 struct Entry<fit::NeighborsCompared> : EntryDefaults {
-  static constexpr std::array kAskings{Asking{.name = "extreme", .offer = &offer_yes_no, .truth = &extreme_truth}};
+  static constexpr std::array kAskings{Asking{.name = "extreme", .offer = &offer_yes_no, .truth = &extreme_truth},
+                                       Asking{.name = "climb_to",
+                                              .offer = &offer_climb,
+                                              .truth = &climb_truth,
+                                              .margin = &climb_margin,
+                                              .rules = kClimbRules}};
   static std::string sentence(const fit::NeighborsCompared& fact, const UpdateWhere& where);
   static std::vector<Index> handles(const fit::NeighborsCompared& fact, const UpdateWhere&) { return {fact.best}; }
   static std::string predicate(const fit::NeighborsCompared& fact, const UpdateWhere& where, bool);
