@@ -91,6 +91,9 @@ class Shell {
   /// level: of difficulty. practises: without a mark.
   tl::expected<void, InputError> open_exercise(const std::string& id, std::optional<std::uint64_t> seed, int level = 0,
                                                bool practises = false);
+  /// Opens an exercise with all that an attempt decided, to look at. Nothing of it is kept. Errors: those of
+  /// open_exercise; the attempt's decisions are not of its instance.
+  tl::expected<void, InputError> watch(const lesson::Attempt& attempt);
   /// Another instance of the exercise that is open: "another"; "harder", at the next level; "other_terms", without a
   /// mark where it was for one, and the other way round.
   void next_instance(std::string_view how);
@@ -178,6 +181,7 @@ class Shell {
   std::string waited_for_;  // the id of a lesson that cannot be drawn yet
   int opened_version_ = 0;  // that of the open lesson's draft
   Kept kept_;
+  bool watches_ = false;             // whether the exercise is an attempt that is only looked at
   std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
   app::Settings before_presenting_;
 };

@@ -26,6 +26,7 @@ tl::expected<void, InputError> Shell::open_exercise(const std::string& id, std::
     if (file.exercise->id == id) known = file.exercise;
   if (known == nullptr) return tl::unexpected(InputError{.what = "there is no exercise \"" + id + '"'});
   const std::uint64_t own = seed ? *seed : std::random_device()();
+  watches_ = false;
   const auto opened =
       app_.open_exercise(std::make_shared<const lesson::Exercise>(at_level(*known, level)), own, practises);
   if (!tell(opened)) return opened;
@@ -52,9 +53,15 @@ void Shell::next_instance(std::string_view how) {
   tell(open_exercise(id, std::nullopt, level, practises));
 }
 
+tl::expected<void, InputError> Shell::watch(const lesson::Attempt& attempt) {
+  if (const auto opened = open_exercise(attempt.exercise, attempt.seed, attempt.level); !opened) return opened;
+  watches_ = true;
+  return app_.sitting()->take_up(session(), attempt);
+}
+
 void Shell::keep_exercise() {
   const lesson::Sitting& sitting = *app_.sitting();
-  if (sitting.practises()) return;
+  if (sitting.practises() || watches_) return;
   kept_.keep(sitting.attempt(session()), sitting.mark(session()), sitting.of(), sitting.finished(session()));
   kept_.write();
 }

@@ -391,6 +391,10 @@ std::string first_lesson(const Shell& shell, const WindowOptions& options) {
 }
 
 int open_first(Shell& shell, const WindowOptions& options) {
+  if (options.attempt) {
+    const auto opened = shell.watch(*options.attempt);
+    return opened ? 0 : stop(opened.error().message());
+  }
   if (!options.exercise.empty()) {
     const auto opened = shell.open_exercise(options.exercise, options.seed);
     return opened ? 0 : stop(opened.error().message());

@@ -5,20 +5,22 @@
 #include <optional>
 #include <string>
 
+#include "lesson/exercise/attempt.hpp"
 #include "lesson/stand.hpp"
 
 namespace snug::desktop {
 
 struct WindowOptions {
-  std::string folder;                 // of the lessons; empty for the one beside the program
-  std::string lesson;                 // its id, or its file; empty for the first
-  std::string exercise;               // its id, to open instead of a lesson; empty for none
-  lesson::Standpoint at;              // where in it; empty for where it was left, or for its start in a picture
-  std::optional<std::uint64_t> seed;  // none: the lesson's own
-  std::string points_file;            // a file shown instead of the lesson's points; empty for none
-  std::string screenshot;             // where to write one frame as PNG before closing; empty to stay open
-  std::string chart, chart_then;      // a `snug cost` result to draw instead of a lesson; an earlier one over it
-  bool stage_alone = false;           // whether the picture is without panels, buttons and sentence
+  std::string folder;                      // of the lessons; empty for the one beside the program
+  std::string lesson;                      // its id, or its file; empty for the first
+  std::string exercise;                    // its id, to open instead of a lesson; empty for none
+  std::optional<lesson::Attempt> attempt;  // to watch: what was decided in it; none to decide
+  lesson::Standpoint at;                   // where in it; empty for where it was left, or for its start in a picture
+  std::optional<std::uint64_t> seed;       // none: the lesson's own
+  std::string points_file;                 // a file shown instead of the lesson's points; empty for none
+  std::string screenshot;                  // where to write one frame as PNG before closing; empty to stay open
+  std::string chart, chart_then;           // a `snug cost` result to draw instead of a lesson; an earlier one over it
+  bool stage_alone = false;                // whether the picture is without panels, buttons and sentence
   int width = 1280, height = 800;
   bool sized = false;  // whether a size was requested: the window then does not shrink to the screen
 };

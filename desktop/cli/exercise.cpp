@@ -44,11 +44,11 @@ CommandResult run_list(const ExerciseOptions& options) {
                              {"kind", exercise.kind()},
                              {"title", exercise.stage.title},
                              {"minutes", exercise.stage.minutes},
-                             {"levels", exercise.harder.size() + 1},
                              {"set", in.empty() ? Json() : in.front()},
                              {"sets", in},
                              {"lesson", exercise.lesson},
-                             {"file", file.path}});
+                             {"file", file.path},
+                             {"levels", exercise.harder.size() + 1}});
   }
   return printed;
 }
@@ -254,7 +254,8 @@ void add_exercise(Commands& commands) {
   group.require_subcommand(1);
 
   CLI::App& list = *group.add_subcommand("list", "List the exercises");
-  list.footer("JSON Lines: {\"exercise\",\"kind\",\"title\",\"minutes\",\"levels\",\"set\",\"sets\",\"lesson\",\"file\"}.");
+  list.footer(
+      "JSON Lines: {\"exercise\",\"kind\",\"title\",\"minutes\",\"set\",\"sets\",\"lesson\",\"file\",\"levels\"}.");
   add_lessons(list, add_command<ExerciseOptions>(commands, list, run_list)->folder);
 
   CLI::App& make = *group.add_subcommand("make", "Make the instance of a seed");
@@ -306,7 +307,8 @@ void add_exercise(Commands& commands) {
       "Makes the instances of many seeds, and plays the first 100 of them, right and wrong. A line for each exercise:\n"
       "{\"exercise\",\"seeds\",\"kept\",\"passed_over\",\"decisions\":{\"least\",\"mean\",\"most\"},\"promised\",\n"
       "\"nearest\",\"faults\"}: how many seeds were passed over for one, how many decisions an instance has, and how\n"
-      "near to a tie the nearest of all decisions is, as a share of the extent. Exit status 1 if a promise is broken.");
+      "near to a tie the nearest of all decisions is, as a share of the extent, or null. Exit status 1 if a promise is "
+      "broken.");
   const auto checked = add_command<ExerciseOptions>(commands, check, run_check);
   check.add_option("ID", checked->ids, "Ids, or files that end in .toml; by default all exercises");
   check.add_option("--seeds", checked->seeds, "How many seeds")->transform(whole_number(1, 1'000'000));

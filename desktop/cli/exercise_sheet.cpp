@@ -152,6 +152,8 @@ void draw(Page& page, const Figure& figure, double top, double room) {
 
 tl::expected<std::string, InputError> sheet_of(const lesson::Exercise& exercise, const lesson::Session& session,
                                                std::uint64_t seed, bool solved) {
+  if (exercise.build)
+    return tl::unexpected(InputError{.what = exercise.id + ": what is built takes a stage that answers, and no paper"});
   const auto figure = figure_of(session.subject());
   if (!figure) return tl::unexpected(InputError{.what = exercise.id + ": " + figure.error().what});
   Page page;

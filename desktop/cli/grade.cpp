@@ -8,6 +8,7 @@
 #include "desktop/cli/exercise_files.hpp"
 #include "desktop/cli/progress.hpp"
 #include "desktop/cli/result_file.hpp"
+#include "desktop/window.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/figures.hpp"
 
@@ -19,7 +20,8 @@ namespace fs = std::filesystem;
 struct GradeOptions {
   std::string folder;
   std::vector<std::string> paths;
-  bool csv = false, json = false, by_student = false, alike = false;
+  bool csv = false, json = false, by_student = false, alike = false, watch = false;
+  int attempt = 1;  // the one to watch
 };
 
 /// A row of the report: an attempt, or a file of which none could be read.
@@ -231,6 +233,27 @@ CommandResult report_alike(const std::vector<Row>& rows, const GradeOptions& opt
   return printed;
 }
 
+/// Opens an attempt of a file in the window.
+CommandResult watch(const GradeOptions& options, int (*open_window)(const WindowOptions&)) {
+  const auto text = read_file(options.paths.front());
+  if (!text) return bad_input(text.error());
+  const auto file = read_result(*text);
+  if (!file) return bad_input(InputError{.what = file.error().what, .file = options.paths.front()});
+  const auto count = static_cast<int>(file->attempts.size());
+  if (options.attempt > count)
+    return bad_input(
+        InputError{.what = "has only " + std::to_string(count) + " attempts", .file = options.paths.front()});
+  const auto& claimed = file->attempts[options.attempt - 1];
+  if (!claimed) return bad_input(InputError{.what = claimed.error(), .file = options.paths.front()});
+  const auto known = find_exercise(options.folder, claimed->attempt.exercise);
+  if (!known) return bad_input(known.error());
+  if (known->exercise->hash != claimed->attempt.hash)
+    return bad_input(InputError{.what = "the exercise was another when this was done", .file = options.paths.front()});
+  WindowOptions window{.folder = options.folder};
+  window.attempt = claimed->attempt;
+  return Printed{"", open_window(window)};
+}
+
 CommandResult run_grade(const GradeOptions& options) {
   const auto known = read_exercises(options.folder);
   if (!known) return bad_input(known.error());
@@ -280,12 +303,20 @@ void add_grade(Commands& commands) {
       "damaged; foreign, if it is no result file or of no exercise here; older or newer, if the exercise was another\n"
       "then. Every other file is graded all the same; exit status 1 if any is not ok, with the reason on standard\n"
       "error. A result file is no signature: it proves that these decisions earn this mark on this instance.");
-  const auto options = add_command<GradeOptions>(commands, command, run_grade);
+  const auto options =
+      add_command<GradeOptions>(commands, command, [open_window = commands.open_window](const GradeOptions& given) {
+        return given.watch ? watch(given, open_window) : run_grade(given);
+      });
   command.add_option("FILE", options->paths, "Result files, or folders of them (*.json)")->required();
   const auto csv = command.add_flag("--csv", options->csv, "Comma-separated values");
   command.add_flag("--json", options->json, "JSON Lines")->excludes(csv);
   command.add_flag("--by-student", options->by_student,
                    "A row a student: the sum of the best attempts at each exercise");
+  const auto watch =
+      command.add_flag("--watch", options->watch, "Open an attempt in the window, with all its decisions");
+  command.add_option("--attempt", options->attempt, "Which of the file's, counted from 1")
+      ->needs(watch)
+      ->transform(whole_number(1, 100'000));
   command.add_flag("--alike", options->alike, "List attempts that are alike: a hint for a teacher, never a verdict");
   command.add_option("--lessons", options->folder, "Folder of the lessons; by default the one beside the program");
 }

@@ -6,7 +6,8 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import {
-  answer, assert, cut_off, go_on, kinds, kPhone, kWide, lessons, load, moved, start, state, stop, until, visit,
+  answer, assert, cut_off, go_on, kinds, kPhone, kWide, lessons, load, moved, start, state, still,
+  stop, until, visit,
 } from "./support.mjs";
 
 before(start);
@@ -140,6 +141,39 @@ for (const [name, size] of Object.entries({ laptop: kWide, phone: { ...kPhone, d
     assert.deepEqual([...seen].sort(), ["right", "skipped", "wrong"]);
   });
 }
+
+test("an exercise of each kind is clean as it is asked, hinted, tried, told and over", async (t) => {
+  const look = async (page, what) => assert.deepEqual(await violations(page, kSpoken), [], what);
+  const press = (page, name) => page.getByRole("button", { name }).first().press("Enter");
+  for (const size of [kWide, { ...kPhone, deviceScaleFactor: 1 }]) {
+    for (const id of ["be-aabb-centre", "radii-of-boxes", "lines-of-aabb-tests"]) {
+      const page = await visit(t, `?exercise=${id}&seed=3`, size);
+      await look(page, `${id}, asked`);
+      for (let presses = 0; presses < 40; ++presses) {
+        const { exercise, asked, outcome } = await state(page);
+        if (exercise.finished) break;
+        if (outcome) await press(page, "Continue");
+        else if (exercise.hint && presses < 2) await press(page, /^Hint/);
+        else if (asked.ordered) {
+          for (const i of asked.choices.keys()) await page.locator(".predict .choices .button").nth(i).press("Enter");
+          await press(page, "Answer");
+        } else {
+          const name = asked.targets[presses % asked.targets.length];
+          await page.locator(".ask input").fill(asked.field === "Number" ? "77" : name);
+          await page.keyboard.press("Enter");
+        }
+        await still(page);
+        await look(page, `${id}, ${presses}`);
+      }
+    }
+    for (const id of ["build-worst-ritter", "break-pca-box"]) {
+      const page = await visit(t, `?exercise=${id}&seed=3`, size);
+      await press(page, /^Hint/);
+      await until(page, (now) => now.exercise.hints.length === 1);
+      await look(page, id);
+    }
+  }
+});
 
 test("a task is clean as it is set, and as it is done", async (t) => {
   // As it begins, the test that the task is about is right; across the frustum lies a box that it loses.

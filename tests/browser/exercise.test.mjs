@@ -161,3 +161,86 @@ test("the course lists the sets, with the marks that were reached", async (t) =>
   await line.click();
   await until(page, (now) => now.exercise?.exercise === "aabb-overlap");
 });
+
+/** Where scene coordinates are on the page, by two points whose coordinates are known. */
+async function placed(page, known, [x, y]) {
+  const at = Object.fromEntries((await handles(page)).map((handle) => [handle.id, handle]));
+  const [[a, [ax, ay]], [b, [bx, by]]] = Object.entries(known);
+  const scale = (at[b].x - at[a].x) / (bx - ax);
+  assert.ok(Math.abs((at[a].y - at[b].y) / (by - ay) / scale - 1) < 0.05);
+  return { x: at[a].x + scale * (x - ax), y: at[a].y - scale * (y - ay) };
+}
+
+/** P3 and P5 of the instance of seed 3, which stay where they are, and where the others make Ritter's circle bad. */
+const kFixed = { P3: [-0.61955, -0.33311], P5: [0.86286, -0.20799] };
+const kModel = Object.entries({ P0: [-0.282, -0.362], P1: [0.784, 0.653], P2: [0.789, -0.908] });
+
+test("what is built by dragging earns a mark for each level, is kept over a reload, and handed in", async (t) => {
+  const page = await visit(t, "?exercise=build-worst-ritter&seed=3");
+  const begun = await exercise(page);
+  assert.deepEqual([begun.mark, begun.of, begun.targets], [0, 4, ["P0", "P1", "P2"]]);
+  assert.match(begun.prompt, /^Move P0, P1 and P2/);
+  assert.ok(await page.getByRole("button", { name: "Done" }).isDisabled());
+  for (const [name, [x_to, y_to]] of kModel) {
+    const { x, y } = (await handles(page)).find(({ id }) => id === name);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    const there = await placed(page, kFixed, [x_to, y_to]);
+    await page.mouse.move(there.x, there.y, { steps: 4 });
+    await page.mouse.up();
+    await still(page);
+  }
+  const { mark } = await exercise(page);
+  assert.ok(mark >= 2, `it earns ${mark}`);
+  assert.equal(await page.locator(".levels .now").count(), mark);
+  await page.reload();
+  await ready(page);
+  assert.equal((await exercise(page)).mark, mark);
+  if (mark < 4) await page.getByRole("button", { name: "Done" }).press("Enter");
+  const over = await until(page, (now) => now.exercise.finished);
+  assert.equal(over.exercise.mark, mark);
+  const [attempt] = (await result(page)).attempts;
+  assert.deepEqual([attempt.mark, attempt.of], [mark, 4]);
+  assert.match(attempt.decisions[0], /^b-?[\d.]+,/);
+  await page.getByRole("button", { name: "Show a solution" }).press("Enter");
+  await until(page, (now) => now.exercise.build.levels.every(({ now: reached }) => reached));
+});
+
+test("a claim is refuted by keyboard alone, with the numbers of the points", async (t) => {
+  const page = await visit(t, "?exercise=break-pca-box&seed=2");
+  assert.equal((await exercise(page)).of, 4);
+  assert.match(await page.locator(".claim").textContent(), /at most 60 % larger/);
+  await page.getByRole("tab", { name: "Points" }).focus();
+  await page.keyboard.press("Enter");
+  assert.ok(await page.locator("#points").isVisible());
+});
+
+test("practice has no mark, takes nothing for hints, and keeps nothing", async (t) => {
+  const page = await visit(t, "?exercise=be-aabb-centre&seed=4&practice=1");
+  assert.equal((await exercise(page)).mark, null);
+  await page.getByRole("button", { name: "Hint", exact: true }).press("Enter");
+  await until(page, (now) => now.exercise.hints.length === 1);
+  const names = await answers_of(t, "be-aabb-centre", 4);
+  const again = await visit(t, "?exercise=be-aabb-centre&seed=4&practice=1");
+  for (const [i, name] of names.entries()) {
+    await at(again, i);
+    await decide(again, name);
+  }
+  await until(again, (now) => now.exercise.finished);
+  assert.equal(await again.locator(".mark-line").count(), 0);
+  await again.getByRole("button", { name: "For a mark" }).click();
+  await until(again, (now) => now.exercise && !now.exercise.practises);
+  assert.equal((await exercise(again)).mark, 0);
+});
+
+test("who does well is led to a harder instance", async (t) => {
+  const names = await answers_of(t, "be-aabb-centre", 5);
+  const page = await visit(t, "?exercise=be-aabb-centre&seed=5");
+  for (const [i, name] of names.entries()) {
+    await at(page, i);
+    await decide(page, name);
+  }
+  await page.getByRole("button", { name: "A harder one" }).click();
+  await until(page, (now) => now.exercise?.level === 1);
+  assert.match(page.url(), /&level=1$/);
+});

@@ -35,3 +35,25 @@ xdotool key Return
 until_state 's.notice.startsWith("Saved as")'
 "$snug" grade be-quickhull-11.json > graded || fail "it is graded: $(cat graded)"
 grep -q 'be-quickhull .* ok$' graded || fail "it is graded: $(cat graded)"
+mark=$(state 's.exercise.mark')
+close_window
+
+before=$(md5sum < "$XDG_STATE_HOME/snug/course.json")
+open_window grade --watch be-quickhull-11.json # all decisions, to look at
+until_state 's.exercise.finished'
+[[ $(state 's.exercise.mark') == "$mark" ]] || fail "what is watched earns $(state 's.exercise.mark'), not $mark"
+close_window
+[[ $(md5sum < "$XDG_STATE_HOME/snug/course.json") == "$before" ]] || fail "what was watched is kept as one's own"
+
+open_window exercise play build-worst-ritter --seed 3 # what is built
+read -r x y <<< "$(handle P0)"
+trace=$(state 's.trace')
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.3 mousedown 1 sleep 0.2 mousemove_relative -- -60 30 sleep 0.2 mouseup 1
+until_state "s.trace !== '$trace'"
+xdotool key h
+until_state 's.exercise.hints.length === 1'
+trace=$(state 's.trace')
+read -r x y <<< "$(handle P5)" # which stays
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.3 mousedown 1 sleep 0.2 mousemove_relative -- -60 30 sleep 0.2 mouseup 1
+sleep 0.5
+[[ $(state 's.trace') == "$trace" ]] || fail "a point that is to stay was moved"

@@ -183,7 +183,7 @@ Exercise at_level(const Exercise& exercise, int level) {
   Exercise own = exercise;
   own.level = std::min(level, static_cast<int>(exercise.harder.size()));
   for (int i = 0; i < own.level; ++i) {
-    const Harder& harder = exercise.harder[static_cast<std::size_t>(i)];
+    const Harder& harder = exercise.harder[i];
     if (harder.count) own.stage.points.count = *harder.count;
     if (harder.generate) own.stage.points.generate = *harder.generate;
     if (harder.apart) own.apart = *harder.apart;
