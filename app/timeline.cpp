@@ -16,11 +16,13 @@ namespace snug::app {
 namespace {
 
 using Kind = lesson::Mark::Kind;
+using lesson::Standing;
 
 constexpr float kMarksApart = 13, kFlagWidth = 15;
 
-/// flag: where a gate's flag stands.
-void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open, float flag = 0) {
+/// flag: where a gate's flag stands. standing: what it says of the answer.
+void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open, float flag = 0,
+               Standing standing = Standing::kOpen) {
   const Palette& p = *look.palette;
   switch (kind) {
     case Kind::kGrew:
@@ -44,11 +46,23 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
       list->AddRectFilled(low, {low.x + width, low.y + height}, open ? p.current : p.panel, 4);
       list->AddRect(low, {low.x + width, low.y + height}, p.current, 4, 0, 1.5f);
       const float size = 12 / look.text_scale;  // a mark does not grow with the text
-      text_middle(list, look, Face::kSemiBold, size, {flag, low.y + height / 2 - 6},
-                  open ? p.on_current : p.current_text, "?");
+      const ImVec2 middle{flag, low.y + height / 2};
+      if (standing == Standing::kRight) tick(list, middle, 4, p.optimum, 2);
+      else if (standing == Standing::kWrong) cross(list, middle, 3.5f, p.wrong, 2);
+      else
+        text_middle(list, look, Face::kSemiBold, size, {flag, middle.y - 6}, open ? p.on_current : p.current_text, "?");
       break;
     }
   }
+}
+
+/// In an exercise a flag says whether the decision was right, once that is told: so the student's run and the right one
+/// stand on one timeline.
+Standing marked_as(const lesson::Session& session, const lesson::Asked& asked) {
+  const auto is_open_one = [&](const lesson::Asked& one) { return is_open(session, one); };
+  const bool all = std::none_of(session.questions().begin(), session.questions().end(), is_open_one);
+  if (!session.conduct().decides || !(session.conduct().told || all)) return Standing::kOpen;
+  return standing_of(session.outcome_of(asked));
 }
 
 void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, const TimelineMap& map, float y) {
@@ -70,8 +84,9 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   std::size_t gate = 0;
   for (const lesson::Mark& mark : marks) {
     const bool asks = mark.kind == Kind::kQuestion;  // in the order of the questions
-    const bool open = asks && is_open(session, *asked++);
-    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, open, asks ? flags[gate++] : 0);
+    const bool open = asks && is_open(session, *asked);
+    const Standing standing = asks ? marked_as(session, *asked++) : Standing::kOpen;
+    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, open, asks ? flags[gate++] : 0, standing);
   }
   const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
   disc(list, {thumb, y}, radius + 3, p.panel);

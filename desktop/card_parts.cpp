@@ -99,8 +99,8 @@ std::string draw_lines(Shell& shell, Column& column, const std::vector<lesson::M
     else column.list()->AddLine({mark.x - 4, mark.y}, {mark.x + 4, mark.y}, look->muted, 2);
     const std::string line =
         (marked.empty() ? std::string() : std::to_string(number) + ". ") + std::string(lesson::short_prompt(prompt));
-    const std::string stands =
-        marked.empty() ? std::string(lesson::standing_text(outcome)) : mark_words(marked[number - 1]);
+    const std::string stands = marked.empty() ? std::string(lesson::standing_text(outcome))
+                                              : mark_words(marked[number - 1], shell.app().sitting()->practises());
     const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
     app::text_right(column.list(), look, Face::kSemiBold, 13,
                     {column.x() + column.width(), app::middle_of(middle, look.px(13))},

@@ -86,10 +86,11 @@ void draw_hints(Column& column, const lesson::Sitting& sitting, const lesson::Se
   }
 }
 
-std::string mark_words(const lesson::Marked& marked) {
-  const std::string mark = lesson::plain_number(marked.mark);
+std::string mark_words(const lesson::Marked& marked, bool practises) {
+  const std::string mark = practises ? std::string() : lesson::plain_number(marked.mark);
   if (marked.hints == 0) return mark;
-  return mark + (marked.hints == 1 ? ", 1 hint" : ", " + std::to_string(marked.hints) + " hints");
+  const std::string hints = marked.hints == 1 ? "1 hint" : std::to_string(marked.hints) + " hints";
+  return mark.empty() ? hints : mark + ", " + hints;
 }
 
 std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting) {
@@ -134,10 +135,10 @@ std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitt
   const std::string hint = sitting.hint_words(session);
   std::vector<RowButton> row;
   if (!hint.empty()) row.push_back({"hint", hint, ButtonKind::kQuiet});
-  row.push_back({"reset", lesson::kStartAgainWord, ButtonKind::kQuiet});
+  row.push_back({"reset_points", lesson::kStartAgainWord, ButtonKind::kQuiet});
   if (best > now) row.push_back({"back_to_best", lesson::kBackToBestWord});
   row.push_back({"finish", lesson::kFinishWord, ButtonKind::kPrimary, best > 0});
-  column.words(session.grade(0).says, Face::kRegular, 13, column.look()->muted);
+  column.words(lesson::now_says(session), Face::kRegular, 13, column.look()->muted);
   column.gap(8);
   const int clicked = draw_row(column, {}, 0, row);
   return clicked < 0 ? std::string() : row[static_cast<std::size_t>(clicked)].id;

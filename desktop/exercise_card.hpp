@@ -21,7 +21,7 @@ void draw_rule(Column& column, const lesson::Sitting& sitting, const lesson::Ses
 /// does it after drawing the card.
 [[nodiscard]] std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting);
 [[nodiscard]] std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitting);
-/// "0.5, 1 hint"
-[[nodiscard]] std::string mark_words(const lesson::Marked& marked);
+/// "0.5, 1 hint"; where one practises, without the mark.
+[[nodiscard]] std::string mark_words(const lesson::Marked& marked, bool practises);
 
 }  // namespace snug::desktop

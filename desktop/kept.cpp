@@ -195,12 +195,12 @@ const KeptExercise* Kept::exercise(const std::string& id) const {
   return found != exercises_.end() ? &found->second : nullptr;
 }
 
-void Kept::keep(lesson::Attempt attempt, double mark, int of, bool finished) {
+void Kept::keep(lesson::Attempt attempt, double mark, int of, bool finished, bool counts) {
   if (attempt.made.empty()) return;
   KeptExercise& own = exercises_[attempt.exercise];
   changed_.insert("exercise:" + attempt.exercise);
   if (!finished) return static_cast<void>(own.now = std::move(attempt));
-  if (own.now) ++own.tries;  // looked at again, it counts once
+  own.tries += counts ? 1 : 0;
   own.now.reset();
   if (own.of == 0 || mark * own.of > own.mark * of) own.mark = mark, own.of = of;
 }

@@ -66,7 +66,7 @@ class Kept {
   /// An exercise's state; null if it was not begun.
   [[nodiscard]] const KeptExercise* exercise(const std::string& id) const;
   /// Keeps an attempt, once something was decided in it; in memory until write.
-  void keep(lesson::Attempt attempt, double mark, int of, bool finished);
+  void keep(lesson::Attempt attempt, double mark, int of, bool finished, bool counts);
   /// Erases everything but the invitations, which are not shown again.
   void erase();
   /// Whether the file could be written the last time.

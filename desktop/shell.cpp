@@ -163,8 +163,9 @@ void Shell::keep(bool dragging) {
     kept_.write();
   }
   if (dragging || (app_.sitting() == nullptr && lessons_[open_].is_case)) return;  // a case is not worked through
-  if (app_.playing() || session().revision() == kept_revision_) return;
-  kept_revision_ = session().revision();
+  const std::uint64_t changes = app_.sitting() != nullptr ? app_.sitting()->changes() : 0;
+  if (app_.playing() || (session().revision() == kept_revision_ && changes == kept_changes_)) return;
+  kept_revision_ = session().revision(), kept_changes_ = changes;
   if (app_.sitting() != nullptr) return keep_exercise();
   kept_.keep(session());
   kept_.write();

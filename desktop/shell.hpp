@@ -88,9 +88,9 @@ class Shell {
   /// Null if there is none of that id.
   [[nodiscard]] const lesson::Exercise* exercise(const std::string& id) const;
   /// Opens an exercise: on the instance of a seed, or else on a fresh one; the attempt that was left goes on.
-  /// level: of difficulty. practises: without a mark.
+  /// level: of difficulty. practises: without a mark. resumes: goes on with what was left of it.
   tl::expected<void, InputError> open_exercise(const std::string& id, std::optional<std::uint64_t> seed, int level = 0,
-                                               bool practises = false);
+                                               bool practises = false, bool resumes = true);
   /// Opens an exercise with all that an attempt decided, to look at. Nothing of it is kept. Errors: those of
   /// open_exercise; the attempt's decisions are not of its instance.
   tl::expected<void, InputError> watch(const lesson::Attempt& attempt);
@@ -182,6 +182,8 @@ class Shell {
   int opened_version_ = 0;  // that of the open lesson's draft
   Kept kept_;
   bool watches_ = false;             // whether the exercise is an attempt that is only looked at
+  bool counted_ = false;             // whether the exercise, finished, has counted as a try
+  std::uint64_t kept_changes_ = 0;   // the sitting's changes when it was last kept
   std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
   app::Settings before_presenting_;
 };

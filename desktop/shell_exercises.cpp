@@ -19,23 +19,24 @@ const lesson::Exercise* Shell::exercise(const std::string& id) const {
 }
 
 tl::expected<void, InputError> Shell::open_exercise(const std::string& id, std::optional<std::uint64_t> seed, int level,
-                                                    bool practises) {
+                                                    bool practises, bool resumes) {
   if (app_.session() != nullptr) keep();
   std::shared_ptr<const lesson::Exercise> known;
   for (const ExerciseFile& file : exercises_)
     if (file.exercise->id == id) known = file.exercise;
   if (known == nullptr) return tl::unexpected(InputError{.what = "there is no exercise \"" + id + '"'});
   const std::uint64_t own = seed ? *seed : std::random_device()();
-  watches_ = false;
   const auto opened =
       app_.open_exercise(std::make_shared<const lesson::Exercise>(at_level(*known, level)), own, practises);
   if (!tell(opened)) return opened;
+  watches_ = counted_ = false;
   hint_of = -1, typed = {}, unread = true, task_wanted = false, course_shown = false;
   side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear(), tab = Tab::kLesson;
   kept_revision_ = session().revision();
   const KeptExercise* const kept = kept_.exercise(id);
   const bool goes_on = kept != nullptr && kept->now && kept->now->seed == own && kept->now->level == level;
-  if (goes_on && !practises && kept->now->hash == known->hash) tell(app_.sitting()->take_up(session(), *kept->now));
+  if (goes_on && resumes && !practises && kept->now->hash == known->hash)
+    tell(app_.sitting()->take_up(session(), *kept->now));
   return {};
 }
 
@@ -54,7 +55,8 @@ void Shell::next_instance(std::string_view how) {
 }
 
 tl::expected<void, InputError> Shell::watch(const lesson::Attempt& attempt) {
-  if (const auto opened = open_exercise(attempt.exercise, attempt.seed, attempt.level); !opened) return opened;
+  if (const auto opened = open_exercise(attempt.exercise, attempt.seed, attempt.level, false, false); !opened)
+    return opened;
   watches_ = true;
   return app_.sitting()->take_up(session(), attempt);
 }
@@ -62,7 +64,9 @@ tl::expected<void, InputError> Shell::watch(const lesson::Attempt& attempt) {
 void Shell::keep_exercise() {
   const lesson::Sitting& sitting = *app_.sitting();
   if (sitting.practises() || watches_) return;
-  kept_.keep(sitting.attempt(session()), sitting.mark(session()), sitting.of(), sitting.finished(session()));
+  const bool over = sitting.finished(session()), counts = over && !counted_;
+  counted_ = over;
+  kept_.keep(sitting.attempt(session()), sitting.mark(session()), sitting.of(), over, counts);
   kept_.write();
 }
 

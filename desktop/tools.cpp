@@ -212,6 +212,7 @@ void draw_tools(Shell& shell, Column& column) {
   column.gap(10);
   draw_edits(shell, column);
   draw_selected(shell, column);
+  if (session.conduct().builds) return;
   draw_scalar(shell, column);
   draw_scatter(shell, column);
   draw_sources(shell, column);

@@ -55,7 +55,7 @@ val build_object(const lesson::Sitting& sitting, const lesson::Session& session)
                one.set("best", level <= best);
                return one;
              }));
-  object.set("isNow", session.grade(0).says);
+  object.set("isNow", lesson::now_says(session));
   object.set("targets", array_of(movable_names(session), text));
   object.set("adds", sitting.adds());
   object.set("canGoBack", best > now);
@@ -98,7 +98,7 @@ val exercise_object(app::App& app) {
 
 val attempt_object(app::App& app) {
   const lesson::Sitting* sitting = app.sitting();
-  if (sitting == nullptr) return val::null();
+  if (sitting == nullptr || sitting->practises()) return val::null();
   const lesson::Attempt attempt = sitting->attempt(*app.session());
   val object = val::object();
   object.set("exercise", attempt.exercise);

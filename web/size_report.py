@@ -9,7 +9,7 @@ import gzip
 import pathlib
 import sys
 
-BUDGET = 1_510_000  # the aim is 900,000: fitters and tests of pairs in single precision are a fifth of the program, the subjects of lessons and their stages more
+BUDGET = 1_522_000  # the aim is 900,000: fitters and tests of pairs in single precision are a fifth of the program, the subjects of lessons and their stages more
 LATER = {"meshes/dragon.ply", "preview.js", "cases.json"}
 ONE_OF = {"meshes", "lessons", "course"}  # folders of which not all is loaded; their indexes always are
 PACKED_ALREADY = {".png"}

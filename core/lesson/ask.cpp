@@ -270,8 +270,6 @@ bool answers(const Asked& asked, const Answer& answer) {
 }
 
 bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
-  if (a.kind == Answer::Kind::kNumber && b.kind == a.kind)
-    return std::abs(a.number - b.number) <= asked.question->tolerance;
   if (a.kind == b.kind) return a == b;
   const auto is_one = [](const Answer& answer) {
     return answer.kind == Answer::Kind::kPoint || answer.kind == Answer::Kind::kChoice;

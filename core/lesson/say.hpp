@@ -26,14 +26,15 @@ inline constexpr std::string_view kHandInWord = "Hand in", kAnotherInstanceWord 
                                   kToLessonWord = "To the lesson", kTakeBackWord = "Take back",
                                   kYourMarkWord = "Your mark", kDecisionWord = "Your decision", kBuildWord = "Build it",
                                   kBreakWord = "Break it", kFinishWord = "Done", kStartAgainWord = "Start again",
-                                  kBackToBestWord = "Back to the best", kShowModelWord = "Show a solution",
-                                  kHarderWord = "A harder one", kPracticeWord = "Practice", kPracticeSays = "no mark",
-                                  kWithoutMarkWord = "Practise without a mark", kForMarkWord = "For a mark",
+                                  kBackToBestWord = "Back to my best", kShowModelWord = "Show a solution",
+                                  kHarderWord = "Harder instance", kPracticeWord = "Practice",
+                                  kPracticeSays = "no mark", kWithoutMarkWord = "Practise without a mark",
+                                  kForMarkWord = "Do it for a mark", kShowAnswerWord = "Show the answer",
                                   kExercisesWord = "Exercises for a mark",
                                   kExercisesSay =
-                                      "You decide in the algorithm’s place, on an instance of your own. Each decision "
-                                      "is marked, a mistake is told at once, and a new instance is a press away. What "
-                                      "you do stays on this device until you hand it in.";
+                                      "Carry out an algorithm, work out a number, or build an example, on an instance "
+                                      "of your own. Your work is marked, and you can begin a new instance at any time. "
+                                      "What you do stays on this device until you hand it in.";
 
 /// After a wrong answer that has a second try; and after the "next" key at a question.
 inline constexpr std::string_view kStageIsFixed = "in an exercise, the stage stays as it is";

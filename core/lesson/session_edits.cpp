@@ -43,6 +43,8 @@ Done Session::become(Snapshot next) {
   if (Done made = make_room_for(*next.subject); !made) return made;
   end_drag();
   const bool keeps = keeps_to_task(*next.subject);
+  if (conduct_.builds && (next.subject->dim() != dim() || (!keeps && !lesson_->tasks[task_].only.empty())))
+    return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
   remember(exchange(std::move(next)));
   task_started_ = keeps;
   return {};
@@ -121,6 +123,7 @@ Done Session::set_rows(const Rows& rows) {
 
 Done Session::set_float(bool in_float) {
   if (in_float == now_->in_float()) return {};
+  if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   Snapshot next = snapshot();
   if (next.slid.base != nullptr) {  // from which the sliders' next move begins
     auto base = next.slid.base->clone();

@@ -200,6 +200,19 @@ void check_seed(const std::shared_ptr<const lesson::Exercise>& exercise, std::ui
   if (seed <= kPlayed) play(exercise, seed, decisions, checked);
 }
 
+/// The harder levels, on a tenth of the seeds each.
+void check_levels_above(const std::shared_ptr<const lesson::Exercise>& exercise, int seeds, Checked& checked) {
+  for (int level = exercise->level + 1; level <= static_cast<int>(exercise->harder.size()); ++level) {
+    const auto own = std::make_shared<const lesson::Exercise>(at_level(*exercise, level));
+    Checked above;
+    for (int seed = 1; seed <= std::max(seeds / 10, 5); ++seed)
+      check_seed(own, static_cast<std::uint64_t>(seed), above);
+    checked.broken += above.broken;
+    for (const std::string& fault : above.faults)
+      checked.faults.push_back("level " + std::to_string(level) + ", " + fault);
+  }
+}
+
 CommandResult run_check(const ExerciseOptions& options) {
   std::vector<ExerciseFile> files;
   for (const std::string& id : options.ids) {
@@ -217,6 +230,7 @@ CommandResult run_check(const ExerciseOptions& options) {
     Checked checked;
     Progress progress(file.exercise->id.c_str(), options.seeds);
     for (int seed = 1; seed <= options.seeds; ++seed, progress.advance()) check_seed(file.exercise, seed, checked);
+    check_levels_above(file.exercise, options.seeds, checked);
     const bool kept = checked.broken == 0 && checked.faults.empty();
     if (!kept) printed.status = 1;
     checked.faults.resize(std::min<std::size_t>(checked.faults.size(), 3));
@@ -304,7 +318,8 @@ void add_exercise(Commands& commands) {
 
   CLI::App& check = *group.add_subcommand("check", "Prove what the exercises promise of their instances");
   check.footer(
-      "Makes the instances of many seeds, and plays the first 100 of them, right and wrong. A line for each exercise:\n"
+      "Makes the instances of many seeds, of harder levels of a tenth as many, and plays the first 100, right and "
+      "wrong. A line for each exercise:\n"
       "{\"exercise\",\"seeds\",\"kept\",\"passed_over\",\"decisions\":{\"least\",\"mean\",\"most\"},\"promised\",\n"
       "\"nearest\",\"faults\"}: how many seeds were passed over for one, how many decisions an instance has, and how\n"
       "near to a tie the nearest of all decisions is, as a share of the extent, or null. Exit status 1 if a promise is "

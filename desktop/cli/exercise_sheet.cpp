@@ -75,8 +75,31 @@ class Page {
 
 using Outline = std::vector<Point3>;
 
+/// Corners in the order of their angles about their middle.
+Outline ring_about_middle(Outline ring) {
+  Point3 middle = Point3::Zero();
+  for (const Point3& corner : ring) middle += corner / static_cast<double>(ring.size());
+  const auto angle = [&](const Point3& p) { return std::atan2(p[1] - middle[1], p[0] - middle[0]); };
+  std::sort(ring.begin(), ring.end(), [&](const Point3& a, const Point3& b) { return angle(a) < angle(b); });
+  return ring;
+}
+
+Outline ring_of(const lesson::Subject& subject, const std::vector<Index>& handles) {
+  Outline ring;
+  for (const Index i : handles) ring.push_back(subject.at(i));
+  return ring_about_middle(std::move(ring));
+}
+
 Outline outline_of(const fit::Volume3& volume) {
   Outline outline;
+  if (const auto* kdop = std::get_if<Kdop<double, 3>>(&volume)) {
+    Kdop<double, 2> flat;
+    flat.k = kdop->k;
+    std::copy_n(kdop->min.begin(), flat.min.size(), flat.min.begin());
+    std::copy_n(kdop->max.begin(), flat.max.size(), flat.max.begin());
+    for (const Vector<double, 2>& corner : kdop_vertices(flat)) outline.emplace_back(corner[0], corner[1], 0);
+    return ring_about_middle(std::move(outline));
+  }
   for (int i = 0; i < kDirections; ++i) {
     const double angle = 2 * std::numbers::pi * i / kDirections;
     const Point3 along(std::cos(angle), std::sin(angle), 0);
@@ -92,17 +115,6 @@ struct Figure {
   Point3 least = Point3::Constant(1e300), greatest = Point3::Constant(-1e300);
   void hold(const Point3& p) { least = least.cwiseMin(p), greatest = greatest.cwiseMax(p); }
 };
-
-/// The corner points of a thing in the order of their angles about their middle.
-Outline ring_of(const lesson::Subject& subject, const std::vector<Index>& handles) {
-  Point3 middle = Point3::Zero();
-  for (const Index i : handles) middle += subject.at(i) / static_cast<double>(handles.size());
-  Outline ring;
-  for (const Index i : handles) ring.push_back(subject.at(i));
-  const auto angle = [&](const Point3& p) { return std::atan2(p[1] - middle[1], p[0] - middle[0]); };
-  std::sort(ring.begin(), ring.end(), [&](const Point3& a, const Point3& b) { return angle(a) < angle(b); });
-  return ring;
-}
 
 tl::expected<Figure, InputError> figure_of(const lesson::Subject& subject) {
   Figure figure;

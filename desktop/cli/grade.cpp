@@ -6,6 +6,7 @@
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/exercise_files.hpp"
+#include "desktop/cli/lesson_files.hpp"
 #include "desktop/cli/progress.hpp"
 #include "desktop/cli/result_file.hpp"
 #include "desktop/window.hpp"
@@ -28,6 +29,7 @@ struct GradeOptions {
 struct Row {
   std::string file, student, exercise;
   std::uint64_t seed = 0;
+  int level = 0;
   double mark = 0;
   int of = 0;
   std::optional<double> claimed;
@@ -54,7 +56,7 @@ using Exercises = std::map<std::string, std::shared_ptr<const lesson::Exercise>>
 void grade_row(Row& row, const Claimed& claimed, const std::string& version, const Exercises& exercises) {
   const auto be = [&](const char* status, std::string says) { row.status = status, row.says = std::move(says); };
   const lesson::Attempt& attempt = claimed.attempt;
-  row.exercise = attempt.exercise, row.seed = attempt.seed, row.claimed = claimed.mark;
+  row.exercise = attempt.exercise, row.seed = attempt.seed, row.level = attempt.level, row.claimed = claimed.mark;
   for (const lesson::Made& made : attempt.made) {
     row.timed.push_back(text_of(made));
     row.decisions.push_back(row.timed.back().substr(0, row.timed.back().find('@')));
@@ -124,6 +126,7 @@ Json json_of(const Row& row) {
             {"of", row.of},
             {"claimed", row.claimed ? Json(*row.claimed) : Json()},
             {"status", row.status}};
+  if (row.level > 0) json["level"] = row.level;
   if (!row.says.empty()) json["says"] = row.says;
   return json;
 }
@@ -205,12 +208,18 @@ struct Alike {
 
 constexpr std::size_t kTelling = 3;  // fewer equal decisions are chance
 
+/// How much an attempt tells: its decisions; of what was built, its numbers.
+std::size_t tells(const Row& row) {
+  if (row.decisions.size() != 1) return row.decisions.size();
+  return static_cast<std::size_t>(std::count(row.decisions[0].begin(), row.decisions[0].end(), ','));
+}
+
 std::vector<Alike> alike(const std::vector<Row>& rows) {
   std::vector<Alike> pairs;
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t k = i + 1; k < rows.size(); ++k) {
       const Row &a = rows[i], &b = rows[k];
-      if (a.exercise.empty() || a.exercise != b.exercise || a.decisions.size() < kTelling) continue;
+      if (a.exercise.empty() || a.exercise != b.exercise || tells(a) < kTelling) continue;
       if (a.seed == b.seed && a.timed == b.timed) pairs.push_back({&a, &b, "the same attempt, times included"});
       else if (a.seed != b.seed && a.decisions == b.decisions)
         pairs.push_back({&a, &b, "equal decisions on different instances"});
@@ -245,6 +254,11 @@ CommandResult watch(const GradeOptions& options, int (*open_window)(const Window
         InputError{.what = "has only " + std::to_string(count) + " attempts", .file = options.paths.front()});
   const auto& claimed = file->attempts[options.attempt - 1];
   if (!claimed) return bad_input(InputError{.what = claimed.error(), .file = options.paths.front()});
+  if (file->format != kResultFormat)
+    return bad_input(
+        InputError{.what = "its format is " + std::to_string(file->format), .file = options.paths.front()});
+  if (is_path(claimed->attempt.exercise))
+    return bad_input(InputError{.what = "names no exercise", .file = options.paths.front()});
   const auto known = find_exercise(options.folder, claimed->attempt.exercise);
   if (!known) return bad_input(known.error());
   if (known->exercise->hash != claimed->attempt.hash)

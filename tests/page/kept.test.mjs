@@ -70,7 +70,8 @@ test("an attempt is kept until it is finished; then it counts once, and the best
   assert.deepEqual(new Kept().exercise("e"), { tries: 0, best: null, now: kAttempt });
   assert.deepEqual(kept.attempts, []);
   const good = { ...kAttempt, mark: 3 };
-  for (const attempt of [good, good, { ...kAttempt, mark: 2 }]) kept.keep_exercise(attempt, true);
+  kept.keep_exercise(good, true);
+  for (const attempt of [good, { ...kAttempt, mark: 2 }]) kept.keep_exercise(attempt, true, false);
   assert.deepEqual(kept.exercise("e"), { tries: 1, best: good, now: null });
   kept.keep_exercise(kAttempt, false);
   kept.keep_exercise(kAttempt, true);

@@ -43,7 +43,7 @@ export function read_address(search) {
     situation: given.get("situation"),
     step: whole("step"),
     seed: whole("seed"),
-    level: whole("level") ?? 0,
+    level: whole("level"),
     practice: given.get("practice") === "1",
     scalar: scalar(),
     from: from(),

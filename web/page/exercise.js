@@ -116,7 +116,7 @@ export class Exercise {
       ...this.hints(exercise),
       element("div", { class: "commit" },
         ...this.tools(exercise),
-        button(this.#words.start_again, this.#do("reset"), { class: "quiet" }),
+        button(this.#words.start_again, this.#do("reset_points"), { class: "quiet" }),
         element("span", { class: "gap" }),
         back,
         button(this.#words.finish, this.#do("finish"), finish),
@@ -154,7 +154,7 @@ export class Exercise {
       !practises && this.#best_of(exercise.exercise),
       ...followed.map((says) => element("p", { class: "rule" }, says)),
       build && build.levels.length > 1 && this.#levels(build.levels),
-      element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row)))),
+      element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row, practises)))),
       element("div", { class: "commit" },
         build && button(this.#words.show_model, this.#do("show_model"), { class: "quiet" }),
         this.#other_terms(exercise),
@@ -187,11 +187,12 @@ export class Exercise {
   }
 
   /** A line of the summary: it leads back to the decision. */
-  #line_of(/** @type {ExerciseRow} */ { id, short, kind, mark, hints }) {
+  #line_of(/** @type {ExerciseRow} */ { id, short, kind, mark, hints }, /** @type {boolean} */ practises) {
+    const earned = [!practises && String(mark), hints > 0 && hint_count(hints)].filter(Boolean).join(", ");
     return element("button", { type: "button", class: `line ${kind}`, onclick: this.#do(`review:${id}`) },
       element("span", { class: "mark", "aria-hidden": "true" }, kMarks[kind]),
       element("span", { class: "what" }, ...spelled(short)),
-      element("b", {}, hints > 0 ? `${mark}, ${hint_count(hints)}` : String(mark)),
+      element("b", {}, earned),
     );
   }
 }

@@ -38,6 +38,8 @@ const whole = (/** @type {any} */ entry) => ({
 /** @returns {KeptData} */
 const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {}, exercises: {}, student: "" });
 
+const kMostLevel = 9;
+
 /** Whether it can be an attempt, as a result file has it. */
 const is_attempt = (/** @type {any} */ attempt) =>
   Boolean(attempt) &&
@@ -45,6 +47,7 @@ const is_attempt = (/** @type {any} */ attempt) =>
   is_text(attempt.hash) &&
   is_count(attempt.seed) &&
   is_count(attempt.of) &&
+  (attempt.level === undefined || (is_count(attempt.level) && attempt.level <= kMostLevel)) &&
   Number.isFinite(attempt.mark) &&
   Array.isArray(attempt.decisions) &&
   attempt.decisions.every(is_text);
@@ -145,14 +148,14 @@ export class Kept {
   }
 
   /** Keeps an attempt. Once it is finished it counts as a try, and as the best if it earns more than those before.
-   *  @param {Attempt} attempt @param {boolean} finished */
-  keep_exercise(attempt, finished) {
+   *  counts: whether it is a try that was not counted yet.
+   *  @param {Attempt} attempt @param {boolean} finished @param {boolean} counts */
+  keep_exercise(attempt, finished, counts = finished) {
     this.#change(({ exercises }) => {
-      const { tries, best, now } = exercises[attempt.exercise] ?? { tries: 0, best: null, now: null };
-      const counted = finished && now !== null; // it is shown again, finished, after a reload: it counts once
+      const { tries, best } = exercises[attempt.exercise] ?? { tries: 0, best: null };
       const better = finished && (!best || attempt.mark * best.of > best.mark * attempt.of);
       exercises[attempt.exercise] = {
-        tries: tries + (counted ? 1 : 0),
+        tries: tries + (counts ? 1 : 0),
         best: better ? attempt : best,
         now: finished ? null : attempt,
       };

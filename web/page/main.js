@@ -35,6 +35,7 @@ import { Words } from "./words.js";
 /** @import { Preview } from "./preview.js"
  *  @typedef {ReturnType<typeof read_address>} Address */
 
+const kMostLevel = 9; // of an exercise
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
 const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
 const kNotLoaded = "could not be loaded. Check the connection, then try again.";
@@ -77,6 +78,7 @@ class Page {
    *  @type {LessonFile} */
   #draft;
   #exercise = /** @type {string | null} */ (null); // the id of the one that is open
+  #counted = false; // whether it, finished, has counted as a try
   /** What could not be opened, because of its file.
    *  @type {{ asked: Address, reveal: () => void } | null} */
   #wanted = null;
@@ -308,10 +310,13 @@ class Page {
     if (!known) return veil.failed(`There is no exercise “${id.slice(0, 60)}”.`, null);
     if (toml === null)
       return veil.failed(`The exercise ${kNotLoaded}`, () => this.open(asked));
-    const left = asked.practice ? null : this.#kept.exercise(id)?.now;
+    this.#counted = false;
+    const now = asked.practice ? null : this.#kept.exercise(id)?.now;
+    // A level that the address names is the one that counts.
+    const left = asked.level === null || (now?.level ?? 0) === asked.level ? now : null;
     const { student } = this.#kept;
     const seed = asked.seed ?? left?.seed ?? (student ? this.#door.seed_of_name(student) : fresh_seed());
-    const level = asked.seed === null ? (left?.level ?? asked.level) : asked.level;
+    const level = Math.min(asked.level ?? (asked.seed === null ? (left?.level ?? 0) : 0), kMostLevel);
     const error = this.#door.read_exercise(toml, `${id}.toml`) ||
       this.#door.open_exercise(seed, level, asked.practice);
     if (error) return veil.failed(`This exercise cannot be opened. ${error}.`, null);
@@ -565,7 +570,9 @@ class Page {
   #keep_exercise(/** @type {ShownExercise} */ { finished, practises }) {
     if (practises) return;
     const attempt = this.#door.attempt();
-    if (attempt && attempt.decisions.length > 0) this.#kept.keep_exercise(attempt, finished);
+    if (!attempt || attempt.decisions.length === 0) return;
+    this.#kept.keep_exercise(attempt, finished, finished && !this.#counted);
+    this.#counted = finished;
   }
 
   async #share() {

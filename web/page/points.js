@@ -51,7 +51,7 @@ export class PointTools {
     "aria-hidden": "true",
     accept: ".xyz,.csv,.txt,.obj,.ply,.stl,.off,.json",
   });
-  #delete = button("Delete", () => this.#command("delete_point"));
+  #delete = button("Delete", () => this.#command("delete_point"), { class: "button adds-or-takes" });
   #count_label = label("How many", this.#count);
   #axis_labels = kAxes.map((axis, i) => label(axis, this.#axes[i]));
 
@@ -75,7 +75,7 @@ export class PointTools {
         element("button", { type: "submit", class: "button" }, "Scatter"),
       ),
       element("div", { class: "row" },
-        button("Add", () => this.#command("add_point")),
+        button("Add", () => this.#command("add_point"), { class: "button adds-or-takes" }),
         this.#delete,
         button("Reset", () => this.#command("reset_points")),
         button("Open file…", () => this.#file.click()),

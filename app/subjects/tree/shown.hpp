@@ -13,6 +13,7 @@ struct TreeShown : Shown {
   /// The branch that the step is about, or that an open question asks about, and of two trees that of the copy;
   /// kNoIndex for none.
   Index branch = kNoIndex, partner = kNoIndex;
+  bool asks_next = false;  // whether it is asked which node is next: the stack does not tell
   /// The box that a question about an insertion speaks of.
   Index incoming = kNoIndex;
   const hierarchy::SplitsPriced* priced = nullptr;  // until its node is divided

@@ -1,6 +1,7 @@
 // The tree below or beside its boxes, growing as they are gathered into nodes; and what a query keeps on its stack.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "app/marks.hpp"
 #include "app/subjects/tree/draw.hpp"
@@ -147,7 +148,8 @@ class TreePicture {
 /// The nodes that wait, the next one first.
 std::string waiting_words(const TreeShown& shown) {
   std::string words;
-  const auto& waiting = shown.query()->waiting;
+  std::vector<Index> waiting = shown.query()->waiting;
+  if (shown.asks_next) std::sort(waiting.begin(), waiting.end(), std::greater{});
   for (auto node = waiting.rbegin(); node != waiting.rend(); ++node)
     words += (words.empty() ? "" : ", ") + shown.run->name_of(shown.forest(), *node);
   return words.empty() ? "empty" : words;
@@ -188,7 +190,7 @@ float draw_tree_panel(const Look& look, const TreeShown& shown, ImVec2 at, float
     y += look.px(kPanelHead);
   };
   if (shown.query() != nullptr) {
-    heading("Stack, the next node first");
+    heading(shown.asks_next ? "On the stack" : "Stack, the next node first");
     y += paragraph(list, look, Face::kMono, 13, 20, {at.x, y}, width, look->ink, waiting_words(shown));
   } else if (shown.pairs() != nullptr) {
     heading("Stack, the next pair first");

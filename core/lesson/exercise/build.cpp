@@ -8,6 +8,7 @@
 #include "lesson/decide.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
+#include "lesson/point_subject.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr int kMostMoves = 1500, kMovesBeforeNewStart = 500;
 constexpr double kRoom = 0.75;    // how far around the middle things are put, a share of the extent
 constexpr double kGrid = 1000;    // coordinates are rounded to so many parts of a unit: a model is read by people
+constexpr double kFlat = 1e-3;    // as thin as this share of the length, points count as on a line
 constexpr int kSmallestStep = 6;  // a step is the extent halved at most so often
 
 bool rises(const Requirement& due) { return std::isfinite(due.at_least); }
@@ -33,6 +35,26 @@ double missing(const Requirement& due, const Judged& judged) {
   if (!due.goal.empty() || std::isnan(judged.value)) return 1;
   const double bound = rises(due) && judged.value < due.at_least ? due.at_least : due.at_most;
   return std::abs(judged.value - bound) / std::max(std::abs(bound), 1.0);
+}
+
+/// Whether all points lie on a line, or in space in a plane, but for rounding: volumes of nothing, whose ratio says
+/// nothing.
+bool is_flat(const Subject& subject) {
+  if (subject.points() == nullptr) return false;
+  const std::vector<Point3> all = all_points(*subject.points());
+  Point3 along = Point3::Zero();
+  for (const Point3& p : all)
+    if ((p - all.front()).norm() > along.norm()) along = p - all.front();
+  const auto cross = [&](const Point3& p) { return Point3(along.cross(p - all.front())); };
+  Point3 across = Point3::Zero();
+  for (const Point3& p : all)
+    if (cross(p).norm() > across.norm()) across = cross(p);
+  const double reach = along.norm();
+  if (across.norm() <= kFlat * reach * reach) return true;
+  if (subject.dim() == 2) return false;
+  const Point3 normal = across.normalized();
+  return std::all_of(all.begin(), all.end(),
+                     [&](const Point3& p) { return std::abs(normal.dot(p - all.front())) <= kFlat * reach; });
 }
 
 /// A stage whose handles are moved at random, and kept where that brings it nearer.
@@ -99,7 +121,7 @@ class Search {
 
 int level_of(const Exercise& exercise, const Session& session) {
   const Task& task = session.lesson().tasks.front();
-  if (!task.only.empty() && !session.at_task()) return 0;
+  if ((!task.only.empty() && !session.at_task()) || is_flat(session.subject())) return 0;
   if (const AnyPointSet* points = session.subject().points();
       points != nullptr && task.points > 0 && static_cast<int>(fit::size_of(*points)) != task.points)
     return 0;
@@ -110,6 +132,13 @@ int level_of(const Exercise& exercise, const Session& session) {
     least = std::min(least, level_of(*exercise.build, i, due, judged));
   }
   return least;
+}
+
+std::string now_says(const Session& session) {
+  if (is_flat(session.subject()))
+    return session.dim() == 2 ? "All points lie on a line, or nearly so: there is no area to compare."
+                              : "All points lie in a plane, or nearly so: there is no volume to compare.";
+  return session.grade(0).says;
 }
 
 std::vector<std::string> level_texts(const Exercise& exercise, const Session& session) {

@@ -14,6 +14,9 @@ namespace snug::lesson {
 /// How many levels of the task the stage reaches, of Build::levels.
 [[nodiscard]] int level_of(const Exercise& exercise, const Session& session);
 
+/// What stands on the stage, of what is asked: "Excess over the optimum: 9.8 %; it must be at least 18 %."
+[[nodiscard]] std::string now_says(const Session& session);
+
 /// What each level asks for, the lowest first: "at least 5 %".
 [[nodiscard]] std::vector<std::string> level_texts(const Exercise& exercise, const Session& session);
 

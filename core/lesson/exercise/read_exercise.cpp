@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::int64_t kMostDecisions = 100;
 constexpr double kMostApart = 0.2;
+constexpr std::size_t kMostLevels = 9;
 constexpr std::int64_t kMostHarderPoints = 60;
 constexpr std::size_t kMostSteps = 3;                       // to a bound
 constexpr std::string_view kPreviousDecision = "decision";  // the value of "after"
@@ -163,6 +164,10 @@ void read(toml::table& toml, std::string_view name, Exercise& exercise, Complain
   std::optional<Lesson> stage = read_as_written(toml, name, complaints);
   if (!stage || complaints.count() > 0) return;
   exercise.stage = *std::move(stage);
+  for (const Harder& harder : exercise.harder)
+    if ((harder.count || harder.generate) && exercise.stage.points.generate.empty())
+      complaints.add({}, "[[exercise.harder]] has \"count\" or \"generate\" only where [points] generates them");
+  if (exercise.harder.size() > kMostLevels) complaints.add({}, "there are at most 9 [[exercise.harder]]");
   for (std::size_t i = 0; i < exercise.decisions.size(); ++i)
     check_decision(exercise.stage.questions[i], exercise.decisions[i], *exercise.stage.subject, complaints);
 }
@@ -181,7 +186,7 @@ std::string_view Exercise::kind() const {
 
 Exercise at_level(const Exercise& exercise, int level) {
   Exercise own = exercise;
-  own.level = std::min(level, static_cast<int>(exercise.harder.size()));
+  own.level = std::clamp(level, 0, static_cast<int>(exercise.harder.size()));
   for (int i = 0; i < own.level; ++i) {
     const Harder& harder = exercise.harder[i];
     if (harder.count) own.stage.points.count = *harder.count;

@@ -1,6 +1,7 @@
 #include "lesson/exercise/sitting.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "geometry/random.hpp"
@@ -42,6 +43,12 @@ std::string narrowed(const Asked& asked, const Run& run, std::uint64_t seed) {
 /// "The answer: P9."
 std::string told(const Asked& asked, const Run& run) {
   const Truth truth = asked.asking->truth(asked, run);
+  if (asked.ordered) {
+    std::string order = "The order:";
+    int number = 0;
+    for (const int choice : truth.choices) order += ' ' + std::to_string(++number) + ". " + asked.choices[choice] + ';';
+    return order.back() = '.', order;
+  }
   if (asked.many || truth.choices.size() < 2) return "The answer: " + truth.happened + '.';
   std::vector<std::string> right;
   for (const int choice : truth.choices) right.push_back(asked.choices[choice]);
@@ -64,6 +71,13 @@ int hints_for(const Session& session, std::size_t at) {
 /// A hint that tells the answer costs all of the mark.
 double price_of(const Session& session, std::size_t at, int hints) {
   return hints > 0 && hints == hints_for(session, at) ? 1 : kHintPrices[hints];
+}
+
+/// Whether an answer is what a wrong rule decides: of numbers, within the tolerance.
+bool follows(const Asked& asked, const Answer& decided, const Answer& answer) {
+  if (decided.kind == Answer::Kind::kNumber && answer.kind == decided.kind)
+    return std::abs(decided.number - answer.number) <= asked.question->tolerance;
+  return same_answer(asked, decided, answer);
 }
 
 /// The answers to one question, in order.
@@ -114,7 +128,7 @@ std::vector<Marked> Sitting::marked(const Session& session) const {
     Marked one{&asked, tells ? standing_of(session.outcome_of(asked)) : Standing::kOpen, hints_[i], 0};
     const auto tries = given_to(session, *asked.question);
     if (!tries.empty() && tries.back()->right)
-      one.mark = std::max((tries.size() == 1 ? 1 : 0.5) - price_of(session, i, hints_[i]), 0.0);
+      one.mark = std::max((tries.size() == 1 ? 1 : 0.5) - (practises_ ? 0 : price_of(session, i, hints_[i])), 0.0);
     all.push_back(one);
   }
   return all;
@@ -126,7 +140,8 @@ bool Sitting::leads_on(const Session& session) const {
 }
 
 double Sitting::mark(const Session& session) const {
-  if (exercise_->build) return std::max((best_ ? best_->level : 0) - of() * kHintPrices[hints_.front()], 0.0);
+  if (exercise_->build)
+    return std::max((best_ ? best_->level : 0) - (practises_ ? 0 : of() * kHintPrices[hints_.front()]), 0.0);
   double sum = 0;
   for (const Marked& one : marked(session)) sum += one.mark;
   return sum;
@@ -136,8 +151,10 @@ void Sitting::see(const Session& session) {
   if (!exercise_->build || over_ || session.dragging() || seen_ == session.revision()) return;
   seen_ = session.revision();
   const int level = level_of(*exercise_, session);
-  if (level > (best_ ? best_->level : 0)) best_ = Built{session.subject().rows(), level, session.seconds()};
-  over_ = best_ && best_->level == of();
+  if (level <= (best_ ? best_->level : 0)) return;
+  best_ = Built{session.subject().rows(), level, session.seconds()};
+  over_ = best_->level == of();
+  ++changes_;
 }
 
 bool Sitting::back_to_best(Session& session) const {
@@ -145,7 +162,7 @@ bool Sitting::back_to_best(Session& session) const {
   return session.set_rows(best_->rows).has_value();
 }
 
-bool Sitting::finish() { return best_ && !std::exchange(over_, true); }
+bool Sitting::finish() { return best_ && !std::exchange(over_, true) && ++changes_ > 0; }
 
 bool Sitting::show_model(Session& session) const {
   if (!exercise_->build || !over_) return false;
@@ -173,14 +190,12 @@ std::vector<std::string> Sitting::hints(const Session& session) const {
 
 std::string Sitting::hint_words(const Session& session) const {
   if (!has_hint(session)) return {};
-  const double price = next_price(session);
-  const std::string hint(kHintWord);
-  if (price == 0) return hint;
-  if (exercise_->build) {
-    const double marks = price * of();
-    return hint + " for " + plain_number(marks) + (marks == 1 ? " mark" : " marks");
-  }
-  return hint + " for " + (price == 1 ? "the whole mark" : plain_number(price) + " of the mark");
+  const std::size_t now = at(session);
+  const bool tells = !exercise_->build && hints_[now] + 1 == hints_for(session, now);
+  if (tells) return std::string(kShowAnswerWord) + (practises_ ? "" : " (no mark)");
+  if (practises_) return std::string(kHintWord);
+  const double price = next_price(session) * (exercise_->build ? of() : 1);
+  return std::string(kHintWord) + " (costs " + plain_number(price) + ')';
 }
 
 double Sitting::next_price(const Session& session) const {
@@ -197,13 +212,13 @@ const std::string* Sitting::rule_of(const Session& session, const Asked& asked, 
   for (const RuleWords& words : exercise_->decisions[decision_of(*exercise_, *asked.question)].rules) {
     const WrongRule* rule = find_rule(asked, words.name);
     const auto decided = rule->decides(asked, session.run(0));
-    if (!decided || !same_answer(asked, *decided, answer)) continue;
+    if (!decided || !follows(asked, *decided, answer)) continue;
     int before = 0;  // how many wrong answers it explains
     for (const Given& given : session.given())
       for (const Asked& other : session.questions()) {
         if (given.right || other.question->id != given.question || other.asking != asked.asking) continue;
         const auto there = rule->decides(other, session.run(0));
-        before += there && same_answer(other, *there, given.answer);
+        before += there && follows(other, *there, given.answer);
       }
     if (before > most) best = &words.says, most = before;
   }
@@ -224,16 +239,16 @@ std::vector<std::string> Sitting::rules_followed(const Session& session) const {
   const Run& run = session.run(0);
   for (std::size_t kind = 0; kind < exercise_->decisions.size(); ++kind)
     for (const RuleWords& words : exercise_->decisions[kind].rules) {
-      int differs = 0, follows = 0;
+      int differs = 0, followed = 0;
       for (const Asked& asked : session.questions()) {
         if (decision_of(*exercise_, *asked.question) != kind) continue;
         const auto decided = find_rule(asked, words.name)->decides(asked, run);
         const auto tries = given_to(session, *asked.question);
         if (!decided || tries.empty() || judge(asked, *decided, run).right) continue;
         ++differs;
-        follows += same_answer(asked, *decided, tries.front()->answer);
+        followed += follows(asked, *decided, tries.front()->answer);
       }
-      if (differs >= 2 && follows == differs) all.push_back(words.says);
+      if (differs >= 2 && followed == differs) all.push_back(words.says);
     }
   return all;
 }

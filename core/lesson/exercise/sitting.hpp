@@ -40,6 +40,8 @@ class Sitting {
   [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] bool practises() const { return practises_; }
+  /// A number that changes with what is kept of it beside the session's answers: hints, and what was built.
+  [[nodiscard]] std::uint64_t changes() const { return changes_; }
   /// Whether there is a harder level, and what was earned leads there: four fifths of the marks.
   [[nodiscard]] bool leads_on(const Session& session) const;
   /// Whether each decision is told at once.
@@ -74,7 +76,7 @@ class Sitting {
   /// The hints taken for it, in words.
   [[nodiscard]] std::vector<std::string> hints(const Session& session) const;
   [[nodiscard]] bool has_hint(const Session& session) const;
-  /// "Hint for 0.25 of the mark"; empty for none left.
+  /// "Hint (costs 0.25)"; empty for none left.
   [[nodiscard]] std::string hint_words(const Session& session) const;
   /// What the next one costs, a share of the decision's mark; 0 for none left, and where one practises.
   [[nodiscard]] double next_price(const Session& session) const;
@@ -101,7 +103,8 @@ class Sitting {
   std::vector<int> hints_;  // taken for each decision
   std::optional<Built> best_;
   std::uint64_t seen_ = 0;  // the session's revision
-  bool over_ = false;       // whether the student is done with what was built
+  std::uint64_t changes_ = 0;
+  bool over_ = false;  // whether the student is done with what was built
 };
 
 /// The prices of the hints, shares of a decision's mark: of one, of two, of all.

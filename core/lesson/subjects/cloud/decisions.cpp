@@ -245,11 +245,13 @@ std::optional<Answer> none_leaves(const Asked&, const Run&) { return by_choice(0
 
 namespace {
 
-/// The main axis that the last axes had before a step, if any.
+/// The main axis that was found before a pair was chosen along it, if any. A plane's axes come after its normal.
 std::optional<Point3> main_axis_before(const Run& run, int step) {
-  for (int i = step; i-- > 0;)
-    if (const auto* found = std::get_if<AxesFound<double, 3>>(&fit_run(run).trace()[i].step.fact))
-      return found->axes.col(fit_run(run).dim() - 1);
+  for (int i = step; i-- > 0;) {
+    const auto& fact = fit_run(run).trace()[i].step.fact;
+    if (std::holds_alternative<PairChosen>(fact)) return std::nullopt;  // the same pair, told already
+    if (const auto* found = std::get_if<AxesFound<double, 3>>(&fact)) return found->axes.col(2);
+  }
   return std::nullopt;
 }
 

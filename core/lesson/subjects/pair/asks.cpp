@@ -67,18 +67,21 @@ const char* offer_of_axis(Asked& asked, const Run& run) {
 const char* offer_radius_b(Asked& asked, const Run& run) {
   const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
   if (axis.skipped) return "the edges are parallel, so there is no axis";
+  if (row_entries(asked.dim, axis_index(asked.dim, axis.axis)).rotation_b == 0)
+    return "along a normal of its own face, a radius is a half extent";
   asked.of = axis_text(asked.dim, axis.axis);
   asked.number = true;
   asked.unit = "units";
   return nullptr;
 }
 
-/// The trace's lengths are along an axis that is not a unit one.
+/// The trace's lengths are along an axis that need not be a unit one.
 Truth radius_b_truth(const Asked& asked, const Run& run) {
   const auto& axis = *axis_of(pair_run(run).trace(), asked.fact);
-  const std::string radius = length_along(axis, axis.radius_b);
+  const double length = axis.radius_b / axis.length;
+  const std::string radius = number_text(length);
   Truth truth{{}, {}, radius, "Along " + axis_text(asked.dim, axis.axis) + ", r_B is " + radius + "."};
-  truth.number = axis.radius_b / axis.length;
+  truth.number = length;
   truth.tolerance = asked.question->tolerance;
   return truth;
 }

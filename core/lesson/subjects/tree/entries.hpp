@@ -185,10 +185,30 @@ struct Entry<hierarchy::VolumeMade> : EntryDefaults {
   }
 };
 
+/// "next_node": which of the nodes that wait is taken up.
+const char* offer_waiting(Asked& asked, const Run& run);
+const char* offer_visited(Asked& asked, const Run& run);
+Truth next_node_truth(const Asked& asked, const Run& run);
+double next_node_margin(const Asked& asked, const Run& run);
+std::optional<Answer> first_waiting(const Asked& asked, const Run& run);
+double left_out_margin(const Asked& asked, const Run& run);
+std::optional<Answer> by_its_boxes(const Asked& asked, const Run& run);
+inline constexpr std::array kNextNodeRules{WrongRule{"queue", &first_waiting}};
+inline constexpr std::array kLeftOutRules{WrongRule{"its_boxes", &by_its_boxes}};
+
 template <>
 struct Entry<hierarchy::NodeVisited> : EntryDefaults {
   using Fact = hierarchy::NodeVisited;
-  static constexpr std::array kAskings{Asking{"left_out", &offer_yes_no, &left_out_truth}};
+  static constexpr std::array kAskings{Asking{.name = "left_out",
+                                              .offer = &offer_visited,
+                                              .truth = &left_out_truth,
+                                              .margin = &left_out_margin,
+                                              .rules = kLeftOutRules},
+                                       Asking{.name = "next_node",
+                                              .offer = &offer_waiting,
+                                              .truth = &next_node_truth,
+                                              .margin = &next_node_margin,
+                                              .rules = kNextNodeRules}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const Branch& node = where.before().at(fact.node);
     const std::string name = capital(where.beside_name(fact.node));
@@ -226,10 +246,13 @@ struct Entry<hierarchy::BodyTested> : EntryDefaults {
   }
 };
 
+double pair_apart_margin(const Asked& asked, const Run& run);
+
 template <>
 struct Entry<hierarchy::PairTested> : EntryDefaults {
   using Fact = hierarchy::PairTested;
-  static constexpr std::array kAskings{Asking{"apart", &offer_yes_no, &pair_apart_truth}};
+  static constexpr std::array kAskings{
+      Asking{.name = "apart", .offer = &offer_yes_no, .truth = &pair_apart_truth, .margin = &pair_apart_margin}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const TreePairing& pairing = *where.run.pairing();
     if (fact.bodies)

@@ -25,7 +25,7 @@ Scores reaches(const Asked& asked, const Run& run) {
 const char* offer_climb(Asked& asked, const Run& run) {
   const UpdateWhere where{update_run(run), asked.fact, nullptr};
   const fit::NeighborsCompared& fact = compared_of(asked, run);
-  asked.of = where.side(fact.axis, fact.greatest) + ", from " + where.name(fact.vertex);
+  asked.of = where.side(fact.axis, fact.greatest) + ", now at " + where.name(fact.vertex);
   asked.on_stage = true;
   asked.stage_points = fact.neighbors;
   asked.stage_points.push_back(fact.vertex);
