@@ -95,6 +95,19 @@ test("a folder of 200 result files is graded, whatever is wrong with twenty of t
   assert.equal(csv.length, 201);
 });
 
+test("a stage that another could not have built earns nothing, and copies of one are alike", () => {
+  const built = (rows) => (it) => (it.attempts[0].decisions = [`b${rows}@9`]);
+  hand_in("flat.json", "break-pca-box", 3, "Ada", built("0,0;1,0.3"));
+  hand_in("space.json", "break-pca-box", 3, "Ada", built("-1.06,-0.48,0;0.23,0.73,0;0.19,-0.52,0.01;-1.03,0.78,0"));
+  for (const name of ["flat.json", "space.json"]) {
+    const { out, status } = snug(["grade", name, "--json"]);
+    assert.deepEqual([status, json_lines(out)[0].status], [1, "damaged"], name);
+  }
+  mkdirSync(join(folder, "copies"));
+  for (const seed of [1, 2]) hand_in(`copies/${seed}.json`, "break-pca-box", seed, `Student ${seed}`);
+  assert.match(snug(["grade", "copies", "--alike"]).out, /equal decisions on different instances/);
+});
+
 test("an attempt of a file is watched, and what is none is refused", () => {
   hand_in("watched.json", "be-ritter", 3, "Ada");
   refused(["grade", "--watch", "watched.json", "--attempt", "2"], /watched.json: has only 1 attempts?/);
@@ -133,6 +146,7 @@ test("a set is printed on paper, a sheet and a solution for each seed", () => {
   assert.ok(files.length >= 28);
   assert.match(err, /warning: break-pca-box: what is built takes a stage/);
   good(["exercise", "print", "be-ritter", "--seeds", "2", "-o", "sheets"]);
+  good(["exercise", "print", "kdop-overlap-test", "--seeds", "2", "-o", "sheets"]);
   const [sheet, solution] = ["", "-solution"].map((part) => read(`sheets/be-ritter-2${part}.svg`));
   assert.match(sheet, />Name: _+</);
   assert.doesNotMatch(sheet, /lies outside, by/);

@@ -337,6 +337,12 @@ TEST_CASE("what is built earns a mark for each level, and the best stage counts"
   }
   SUBCASE("only what the task leaves to be moved") {
     CHECK_FALSE(sat.session.move(5, {4, 4, 0}));
+    CHECK_FALSE(sat.session.add({1, 1, 0}));
+    CHECK_FALSE(sat.session.remove(0));
+    REQUIRE(sat.session.move(0, {0.1, 0.1, 0}));
+    sat.session.undo();
+    REQUIRE(sat.session.set_rows(*model));  // it is still the task's stage
+    CHECK(level_of(*exercise, sat.session) == 4);
     Rows foreign = *model;
     foreign[5][0] += 1;
     Attempt attempt{exercise->id, exercise->hash, 3, 0, {{0, {}, foreign, 1}}};
@@ -380,6 +386,13 @@ TEST_CASE("a claim is refuted with any number of points, and fewer earn more") {
     REQUIRE(sat.session.set_rows(all));
     return level_of(*exercise, sat.session);
   };
+  for (const Rows& flat : {Rows{{0, 0}, {1, 0.3}}, Rows{{0, 0}, {1, 1}, {2, 2}, {3, 3}}}) {
+    REQUIRE(sat.session.set_rows(flat));
+    CHECK(level_of(*exercise, sat.session) == 0);
+    CHECK(now_says(sat.session).find("line") != std::string::npos);
+  }
+  CHECK_FALSE(sat.session.set_rows({{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {1, 1, 0}}));  // not in space
+  CHECK_FALSE(sat.session.set_float(true));
   CHECK(mark_with(0) == 4);
   CHECK(mark_with(2) == 3);
   CHECK(mark_with(5) == 1);
@@ -396,9 +409,11 @@ TEST_CASE("practice tells at once, takes nothing for a hint, and four fifths of 
   CHECK(sitting.tells_at_once());
   CHECK(sitting.hint_words(*session) == "Hint");
   CHECK(sitting.next_price(*session) == 0);
+  REQUIRE(sitting.take_hint(*session));
   CHECK_FALSE(sitting.leads_on(*session));
   while (!sitting.finished(*session)) REQUIRE(session->propose(model_answer(*session->asked(), session->run(0))));
   CHECK(sitting.leads_on(*session));
+  CHECK(sitting.mark(*session) == sitting.of());
   const Exercise hardest = at_level(*exercise, 99);
   CHECK(hardest.level == 2);
   CHECK(hardest.stage.points.count > exercise->stage.points.count);
@@ -420,6 +435,9 @@ TEST_CASE("lines are shuffled anew for each instance, and a typed number follows
   answer->number += 0.004;  // as it would be typed
   REQUIRE(sat.session.propose(*answer));
   CHECK(sat.sitting.rule_says(sat.session).find("half extents") != std::string::npos);
+  answer->number = sat.right().number + 0.015;  // near the first try, and right
+  CHECK(sat.session.propose(*answer));
+  CHECK(sat.sitting.mark(sat.session) == 0.5);
 }
 
 TEST_CASE("mistakes in what is built are told with their places") {

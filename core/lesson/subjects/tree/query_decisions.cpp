@@ -49,8 +49,8 @@ const char* offer_waiting(Asked& asked, const Run& run) {
 }
 
 const char* offer_visited(Asked& asked, const Run& run) {
-  asked.of =
-      tree_run(run).name_of(tree_run(run).forest(asked.fact), decided_fact<hierarchy::NodeVisited>(asked, run).node);
+  const TreeWhere where{tree_run(run), asked.fact, nullptr};
+  asked.of = where.beside_name(decided_fact<hierarchy::NodeVisited>(asked, run).node);
   return offer_yes_no(asked, run);
 }
 
