@@ -162,7 +162,12 @@ bool Sitting::back_to_best(Session& session) const {
   return session.set_rows(best_->rows).has_value();
 }
 
-bool Sitting::finish() { return best_ && !std::exchange(over_, true) && ++changes_ > 0; }
+bool Sitting::finish() {
+  if (!best_ || over_) return false;
+  over_ = true;
+  ++changes_;
+  return true;
+}
 
 bool Sitting::show_model(Session& session) const {
   if (!exercise_->build || !over_) return false;
@@ -171,7 +176,12 @@ bool Sitting::show_model(Session& session) const {
   return model && session.set_rows(*model);
 }
 
-bool Sitting::take_hint(const Session& session) { return has_hint(session) && ++hints_[at(session)] > 0; }
+bool Sitting::take_hint(const Session& session) {
+  if (!has_hint(session)) return false;
+  ++hints_[at(session)];
+  ++changes_;
+  return true;
+}
 
 bool Sitting::has_hint(const Session& session) const {
   if (exercise_->build) return !over_ && hints_.front() == 0;

@@ -315,7 +315,9 @@ TEST_CASE("what is built earns a mark for each level, and the best stage counts"
     CHECK(sat.sitting.finished(sat.session));
   }
   SUBCASE("a hint costs a mark of four, a step back costs nothing") {
+    const std::uint64_t before = sat.sitting.changes();
     REQUIRE(sat.sitting.take_hint(sat.session));
+    CHECK(sat.sitting.changes() != before);  // or a window that is closed now would give it back
     CHECK(sat.sitting.hint_words(sat.session).empty());
     REQUIRE(sat.session.set_rows(*model));
     sat.sitting.see(sat.session);
