@@ -309,7 +309,8 @@ test("on another example all is asked again, and the answers given before are ke
   await page.keyboard.press("s");
   const answered = await until(page, (it, count) => it.outcomes.length > count, before);
   assert.deepEqual([answered.outcomes.at(-1).question, answered.outcomes.at(-1).on], [asked.id, other.seed]);
-  await page.waitForURL((url) => url.searchParams.get("seed") === String(other.seed)); // it is written a little later
+  const { step } = answered;
+  await page.waitForURL(({ searchParams: of }) => of.get("seed") === `${other.seed}` && of.get("step") === `${step}`);
   await page.reload();
   const again = await until(page, (it, seed) => it.seed === seed && it.outcomes.length > 0 && it.step > 0, other.seed);
   assert.deepEqual([again.outcomes.length, again.tally.skipped, again.edited], [before + 1, 1, false]);
