@@ -141,7 +141,7 @@ std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitt
   column.words(lesson::now_says(session), Face::kRegular, 13, column.look()->muted);
   column.gap(8);
   const int clicked = draw_row(column, {}, 0, row);
-  return clicked < 0 ? std::string() : row[static_cast<std::size_t>(clicked)].id;
+  return clicked < 0 ? std::string() : row[clicked].id;
 }
 
 }  // namespace snug::desktop

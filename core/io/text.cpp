@@ -1,9 +1,13 @@
 #include "io/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <fast_float/fast_float.h>
+#include <string>
 
 #include "geometry/point_set.hpp"
 
@@ -107,6 +111,15 @@ std::string_view fault_of_coordinate(double value, bool allow_nan) {
   if (std::isinf(value) || (std::isnan(value) && !allow_nan)) return "is not a finite number";
   if (std::abs(value) > PointSet<double, 3>::kLargest) return "is too large: coordinates reach to 2^508, about 8.3e152";
   return {};
+}
+
+std::string shortest_text(double value) {
+  std::array<char, 32> digits{};
+  for (const char* format : {"%.15g", "%.16g", "%.17g"}) {
+    std::snprintf(digits.data(), digits.size(), format, value);
+    if (std::strtod(digits.data(), nullptr) == value) break;
+  }
+  return digits.data();
 }
 
 }  // namespace snug::io

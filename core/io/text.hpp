@@ -73,4 +73,7 @@ class Lines {
 /// What is wrong with a coordinate; empty if a PointSet takes it.
 [[nodiscard]] std::string_view fault_of_coordinate(double value, bool allow_nan);
 
+/// The shortest text that reads back as the same number; value: finite.
+[[nodiscard]] std::string shortest_text(double value);
+
 }  // namespace snug::io

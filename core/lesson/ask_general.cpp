@@ -10,6 +10,7 @@
 #include "geometry/sort.hpp"
 #include "geometry/tolerance.hpp"
 #include "lesson/ask.hpp"
+#include "lesson/decide.hpp"
 #include "lesson/names.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
@@ -236,9 +237,6 @@ Truth cheapest_truth(const Asked& asked, const Run& run) {
                    " operations: " + count_text(std::llround(*std::min_element(counts.begin(), counts.end()))) + ".";
   return truth;
 }
-
-/// What is right does not depend on what is larger: a number within its tolerance, lines in their order.
-double no_tie(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
 
 /// How far the sizes that are nearest to each other are apart, as a share of the larger one.
 double order_margin(const Asked& asked, const Run& run) {

@@ -14,6 +14,8 @@ double extent_of(const Subject& subject) {
   return length > 0 ? length : 1;
 }
 
+double no_tie(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
+
 int Scores::greatest() const { return of[std::max_element(values.begin(), values.end()) - values.begin()]; }
 int Scores::least() const { return of[std::min_element(values.begin(), values.end()) - values.begin()]; }
 

@@ -11,6 +11,9 @@ namespace snug::lesson {
 /// The length of the diagonal of the box around all handles, scene units; 1 if they are all in one place.
 [[nodiscard]] double extent_of(const Subject& subject);
 
+/// The margin of what no other answer comes near to: lines in their order, a number within its tolerance.
+[[nodiscard]] double no_tie(const Asked& asked, const Run& run);
+
 /// A value for each handle or choice, of which the greatest is right.
 struct Scores {
   std::vector<int> of;  // handles or choices

@@ -61,15 +61,7 @@ Fields fields_of(const Row& row) {
 // ---- values as text: shared by both formats, except for missing values
 
 /// The shortest text that reads back to the same bits; empty if the value is not finite.
-std::string text_of(double value) {
-  if (!std::isfinite(value)) return {};
-  std::array<char, 32> buffer{};
-  for (const char* format : {"%.15g", "%.16g", "%.17g"}) {
-    std::snprintf(buffer.data(), buffer.size(), format, value);
-    if (std::strtod(buffer.data(), nullptr) == value) break;
-  }
-  return buffer.data();
-}
+std::string text_of(double value) { return std::isfinite(value) ? io::shortest_text(value) : std::string(); }
 std::string text_of(std::int64_t value) { return std::to_string(value); }
 std::string text_of(int value) { return std::to_string(value); }
 std::string text_of(bool value) { return value ? "true" : "false"; }

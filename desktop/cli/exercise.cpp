@@ -254,7 +254,7 @@ void add_lessons(CLI::App& command, std::string& folder) {
 }
 
 void add_level(CLI::App& command, int& level) {
-  command.add_option("--level", level, "How hard, from 0")->transform(whole_number(0, 9));
+  command.add_option("--level", level, "How hard, from 0")->transform(whole_number(0, lesson::kMostLevels));
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {

@@ -7,7 +7,6 @@
 namespace snug::desktop {
 namespace {
 
-constexpr double kMostLevel = 9;
 constexpr double kMostSeed = 0x1p53;  // what a page's numbers can hold
 
 const Json* find(const Json& json, const char* key) {
@@ -34,7 +33,7 @@ tl::expected<Claimed, std::string> attempt_of(const Json& json) {
     return tl::unexpected<std::string>("\"seed\" is no whole number from 0 to 2^53");
   claimed.attempt.seed = seed->get<std::uint64_t>();
   if (const Json* level = find(json, "level"); level != nullptr) {
-    if (!level->is_number_integer() || level->get<double>() < 0 || level->get<double>() > kMostLevel)
+    if (!level->is_number_integer() || level->get<double>() < 0 || level->get<double>() > lesson::kMostLevels)
       return tl::unexpected<std::string>("\"level\" is no whole number from 0 to 9");
     claimed.attempt.level = level->get<int>();
   }

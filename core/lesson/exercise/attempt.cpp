@@ -15,21 +15,11 @@ namespace {
 using AnswerKind = Answer::Kind;
 constexpr std::size_t kMostRows = 10'000;
 
-/// With as few digits as bring back the same number.
-std::string digits_of(double value) {
-  std::array<char, 40> digits{};
-  for (const char* format : {"%.15g", "%.16g", "%.17g"}) {
-    std::snprintf(digits.data(), digits.size(), format, value);
-    if (io::parse_number(digits.data()) == value) break;
-  }
-  return digits.data();
-}
-
 std::string built_text(const Rows& rows) {
   std::string text;
   for (const std::vector<double>& row : rows) {
     text += text.empty() ? 'b' : ';';
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + digits_of(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + io::shortest_text(row[i]);
   }
   return text;
 }
@@ -46,7 +36,7 @@ std::string text_of(const Answer& answer) {
     case AnswerKind::kChoice: return 'c' + std::to_string(answer.value);
     case AnswerKind::kPoints: return 'l' + list_text(answer.list);
     case AnswerKind::kOrder: return 'o' + list_text(answer.list);
-    case AnswerKind::kNumber: return 'n' + digits_of(answer.number);
+    case AnswerKind::kNumber: return 'n' + io::shortest_text(answer.number);
     case AnswerKind::kSkipped: break;
   }
   return "s";

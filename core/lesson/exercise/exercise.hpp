@@ -33,7 +33,8 @@ struct Decision {
 
 /// An example that the student builds: the stage's one task, met in levels, of which each earns a mark.
 struct Build {
-  /// Of each requirement of the task, what is met on the way to its bound, the easiest first; none: it is met or not.
+  /// For each requirement of the task, the bounds that earn a mark before its own is reached, the easiest first. A
+  /// requirement without any is met or not met.
   std::vector<std::vector<double>> steps;
   int levels = 1;     // one more than there are steps
   std::string claim;  // what the example refutes; empty for none
@@ -73,6 +74,9 @@ struct ExerciseDraft {
 /// Reads an exercise's file. name: for errors and for the id. Mistakes, each with its line and column: those of a
 /// lesson's file; a fact that cannot be decided; a wrong rule that there is not.
 [[nodiscard]] ExerciseDraft read_exercise(std::string_view toml, std::string_view name);
+
+/// As many levels as there are at most above the first.
+inline constexpr int kMostLevels = 9;
 
 /// The exercise at a level, counted from 0; at the highest if it has no such level.
 [[nodiscard]] Exercise at_level(const Exercise& exercise, int level);

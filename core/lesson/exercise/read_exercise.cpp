@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::int64_t kMostDecisions = 100;
 constexpr double kMostApart = 0.2;
-constexpr std::size_t kMostLevels = 9;
 constexpr std::int64_t kMostHarderPoints = 60;
 constexpr std::size_t kMostSteps = 3;                       // to a bound
 constexpr std::string_view kPreviousDecision = "decision";  // the value of "after"
@@ -167,7 +166,7 @@ void read(toml::table& toml, std::string_view name, Exercise& exercise, Complain
   for (const Harder& harder : exercise.harder)
     if ((harder.count || harder.generate) && exercise.stage.points.generate.empty())
       complaints.add({}, "[[exercise.harder]] has \"count\" or \"generate\" only where [points] generates them");
-  if (exercise.harder.size() > kMostLevels) complaints.add({}, "there are at most 9 [[exercise.harder]]");
+  if (std::ssize(exercise.harder) > kMostLevels) complaints.add({}, "there are at most 9 [[exercise.harder]]");
   for (std::size_t i = 0; i < exercise.decisions.size(); ++i)
     check_decision(exercise.stage.questions[i], exercise.decisions[i], *exercise.stage.subject, complaints);
 }

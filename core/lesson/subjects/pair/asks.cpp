@@ -91,8 +91,6 @@ void read_tolerance(TomlTable& table, Question& question) {
   if (!(question.tolerance > 0) || std::isinf(question.tolerance)) table.wrong("tolerance", "must be above 0");
 }
 
-double no_other_number(const Asked&, const Run&) { return std::numeric_limits<double>::infinity(); }
-
 std::optional<Answer> sum_of_half_extents(const Asked& asked, const Run&) {
   const auto* boxes = as<PairSubject>(*asked.subject);
   if (boxes == nullptr) return std::nullopt;

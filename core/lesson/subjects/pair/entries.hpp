@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lesson/decide.hpp"
 #include "lesson/held_volume.hpp"
 #include "lesson/subjects/pair/feature.hpp"
 #include "lesson/subjects/pair/pair.hpp"
@@ -36,7 +37,6 @@ inline constexpr std::array kSeparatesRules{WrongRule{"only_a", &without_b}, Wro
 const char* offer_radius_b(Asked& asked, const Run& run);
 Truth radius_b_truth(const Asked& asked, const Run& run);
 void read_tolerance(TomlTable& table, Question& question);
-double no_other_number(const Asked& asked, const Run& run);
 std::optional<Answer> sum_of_half_extents(const Asked& asked, const Run& run);
 std::optional<Answer> whole_width(const Asked& asked, const Run& run);
 inline constexpr std::array kRadiusRules{WrongRule{"sum", &sum_of_half_extents}, WrongRule{"width", &whole_width}};
@@ -58,7 +58,7 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
                                               .truth = &radius_b_truth,
                                               .figure = "radius_b",
                                               .read = &read_tolerance,
-                                              .margin = &no_other_number,
+                                              .margin = &no_tie,
                                               .rules = kRadiusRules},
                                        Asking{"entries_a", &offer_entries_a, &entries_a_truth},
                                        Asking{"entries_b", &offer_entries_b, &entries_b_truth}};

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t kMostChoices = 4;
 
-template <class Fact>
-const Fact& fact_of(const Asked& asked, const Run& run) {
-  return *std::get_if<Fact>(&tree_run(run).trace()[asked.fact].step.fact);
-}
-
 Truth axis_truth(int axis, const std::string& why) {
   const std::string letter = axis_letter(axis);
   return {{axis}, {}, letter, why + letter + "."};
@@ -58,7 +53,7 @@ bool merges(const hierarchy::NodesMerged& fact, const Pair& pair) {
 
 /// The pair that is merged, and the smallest of the others; in the order of their names.
 std::vector<Pair> pairs_offered(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::NodesMerged>(asked, run);
+  const auto& fact = tree_fact<hierarchy::NodesMerged>(asked, run);
   std::vector<Pair> pairs = pairs_before(tree_run(run).forest(asked.fact));
   std::stable_partition(pairs.begin(), pairs.end(), [&](const Pair& pair) { return merges(fact, pair); });
   pairs.resize(std::min(pairs.size(), kMostChoices));
@@ -69,7 +64,7 @@ std::vector<Pair> pairs_offered(const Asked& asked, const Run& run) {
 /// The nodes beside which a box might be inserted: where it is, what is around, above and below there, and others.
 std::vector<Index> places_offered(const Asked& asked, const Run& run) {
   const Forest& forest = tree_run(run).forest(asked.fact);
-  const Index right = fact_of<hierarchy::BodyInserted>(asked, run).beside;
+  const Index right = tree_fact<hierarchy::BodyInserted>(asked, run).beside;
   const Index parent = forest.parent_of(right);
   std::vector<Index> near{right};
   const auto add = [&](Index i) {
@@ -108,14 +103,14 @@ double cheapest_along(const hierarchy::SplitsPriced& fact, int axis) {
 }  // namespace
 
 Truth priced_axis_truth(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::SplitsPriced>(asked, run);
+  const auto& fact = tree_fact<hierarchy::SplitsPriced>(asked, run);
   Truth truth = axis_truth(fact.axis, "The cheapest split is along ");
   const auto [x, y] = number_texts_apart(cheapest_along(fact, 0), cheapest_along(fact, 1));
   truth.sentence += " The cheapest border along x costs " + x + " tests, along y " + y + ".";
   return truth;
 }
 Truth split_axis_truth(const Asked& asked, const Run& run) {
-  return axis_truth(fact_of<hierarchy::SplitChosen>(asked, run).axis, "The node is split along ");
+  return axis_truth(tree_fact<hierarchy::SplitChosen>(asked, run).axis, "The node is split along ");
 }
 
 const char* offer_pairs(Asked& asked, const Run& run) {
@@ -133,7 +128,7 @@ const char* offer_pairs(Asked& asked, const Run& run) {
 /// A pair whose box is as large, to the last bit, is right as well.
 Truth pair_truth(const Asked& asked, const Run& run) {
   const std::vector<Pair> pairs = pairs_offered(asked, run);
-  const auto& fact = fact_of<hierarchy::NodesMerged>(asked, run);
+  const auto& fact = tree_fact<hierarchy::NodesMerged>(asked, run);
   const Pair& merged = *std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return merges(fact, pair); });
   Truth truth{{},
               {},
@@ -155,7 +150,7 @@ const char* offer_places(Asked& asked, const Run& run) {
   return nullptr;
 }
 Truth beside_truth(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::BodyInserted>(asked, run);
+  const auto& fact = tree_fact<hierarchy::BodyInserted>(asked, run);
   const std::vector<Index> places = places_offered(asked, run);
   const auto right = static_cast<int>(std::find(places.begin(), places.end(), fact.beside) - places.begin());
   const std::string& name = asked.choices[right];
@@ -175,7 +170,7 @@ Truth rotates_truth(const Asked& asked, const Run& run) {
 }
 
 Truth left_out_truth(const Asked& asked, const Run& run) {
-  switch (fact_of<hierarchy::NodeVisited>(asked, run).answer) {
+  switch (tree_fact<hierarchy::NodeVisited>(asked, run).answer) {
     case hierarchy::Answer::kPrune: return yes("The query misses the node's box, and so everything in it.");
     case hierarchy::Answer::kAccept: return no("The node is inside the query, so everything below it is taken.");
     case hierarchy::Answer::kDescend: break;
@@ -190,19 +185,19 @@ double merging_loss(const TreeRun& run, Index node) {
 }
 
 Truth loses_truth(const Asked& asked, const Run& run) {
-  const double loss = merging_loss(tree_run(run), fact_of<hierarchy::VolumeMade>(asked, run).node);
+  const double loss = merging_loss(tree_run(run), tree_fact<hierarchy::VolumeMade>(asked, run).node);
   if (loss > 0) return yes("The merged volume is " + loss_words(loss) + " larger.");
   return no("Both are equally large.");
 }
 
 Truth found_truth(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::BodyTested>(asked, run);
+  const auto& fact = tree_fact<hierarchy::BodyTested>(asked, run);
   const std::string box = "box " + box_name(fact.body) + ".";
   return fact.answer == hierarchy::Answer::kPrune ? no("The query misses " + box) : yes("The query meets " + box);
 }
 
 Truth pair_apart_truth(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::PairTested>(asked, run);
+  const auto& fact = tree_fact<hierarchy::PairTested>(asked, run);
   const std::string what = fact.bodies ? "The two boxes " : "The boxes of the two nodes ";
   return fact.overlap ? no(what + "overlap.") : yes(what + "are apart along an axis.");
 }
@@ -211,12 +206,12 @@ Truth pair_apart_truth(const Asked& asked, const Run& run) {
 
 /// As a share of the cheaper one's cost.
 double priced_axis_margin(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::SplitsPriced>(asked, run);
+  const auto& fact = tree_fact<hierarchy::SplitsPriced>(asked, run);
   const double x = cheapest_along(fact, 0), y = cheapest_along(fact, 1);
   return std::abs(x - y) / std::min(x, y);
 }
 std::optional<Answer> longest_axis(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<hierarchy::SplitsPriced>(asked, run);
+  const auto& fact = tree_fact<hierarchy::SplitsPriced>(asked, run);
   return by_choice(fact.high[0] - fact.low[0] >= fact.high[1] - fact.low[1] ? 0 : 1);
 }
 

@@ -4,10 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lesson/decide.hpp"
 #include "lesson/subjects/tree/tree_run.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
+
+/// The fact that is asked about.
+template <class Fact>
+const Fact& tree_fact(const Asked& asked, const Run& run) {
+  return *std::get_if<Fact>(&tree_run(run).trace()[asked.fact].step.fact);
+}
 
 using TreeWhere = TreeRun::Where;
 
@@ -189,7 +196,6 @@ struct Entry<hierarchy::VolumeMade> : EntryDefaults {
 const char* offer_waiting(Asked& asked, const Run& run);
 const char* offer_visited(Asked& asked, const Run& run);
 Truth next_node_truth(const Asked& asked, const Run& run);
-double next_node_margin(const Asked& asked, const Run& run);
 std::optional<Answer> first_waiting(const Asked& asked, const Run& run);
 double left_out_margin(const Asked& asked, const Run& run);
 std::optional<Answer> by_its_boxes(const Asked& asked, const Run& run);
@@ -207,7 +213,7 @@ struct Entry<hierarchy::NodeVisited> : EntryDefaults {
                                        Asking{.name = "next_node",
                                               .offer = &offer_waiting,
                                               .truth = &next_node_truth,
-                                              .margin = &next_node_margin,
+                                              .margin = &no_tie,
                                               .rules = kNextNodeRules}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const Branch& node = where.before().at(fact.node);

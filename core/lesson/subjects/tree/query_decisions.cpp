@@ -1,19 +1,11 @@
 // What an exercise asks of a query that goes through a tree: which node is next, and what is left out.
 #include <algorithm>
-#include <limits>
 
 #include "lesson/decide.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 
 namespace snug::lesson {
 namespace {
-
-constexpr double kNoTie = std::numeric_limits<double>::infinity();
-
-template <class Fact>
-const Fact& decided_fact(const Asked& asked, const Run& run) {
-  return *std::get_if<Fact>(&tree_run(run).trace()[asked.fact].step.fact);
-}
 
 /// The nodes that wait, by their numbers: their order on the stack is what is asked.
 std::vector<Index> waiting_at(const Asked& asked, const Run& run) {
@@ -50,17 +42,15 @@ const char* offer_waiting(Asked& asked, const Run& run) {
 
 const char* offer_visited(Asked& asked, const Run& run) {
   const TreeWhere where{tree_run(run), asked.fact, nullptr};
-  asked.of = where.beside_name(decided_fact<hierarchy::NodeVisited>(asked, run).node);
+  asked.of = where.beside_name(tree_fact<hierarchy::NodeVisited>(asked, run).node);
   return offer_yes_no(asked, run);
 }
 
 Truth next_node_truth(const Asked& asked, const Run& run) {
-  const Index next = decided_fact<hierarchy::NodeVisited>(asked, run).node;
+  const Index next = tree_fact<hierarchy::NodeVisited>(asked, run).node;
   const std::string name = tree_run(run).name_of(tree_run(run).forest(asked.fact), next);
   return {{choice_of(asked, run, next).value}, {}, name, name + " is on top of the stack."};
 }
-
-double next_node_margin(const Asked&, const Run&) { return kNoTie; }
 
 /// As if the nodes waited in a queue.
 std::optional<Answer> first_waiting(const Asked& asked, const Run& run) {
@@ -70,7 +60,7 @@ std::optional<Answer> first_waiting(const Asked& asked, const Run& run) {
 /// A point, or a box; other queries are not decided by hand.
 double left_out_margin(const Asked& asked, const Run& run) {
   const TreeRun& own = tree_run(run);
-  const Box2& node = own.forest(asked.fact).at(decided_fact<hierarchy::NodeVisited>(asked, run).node).box;
+  const Box2& node = own.forest(asked.fact).at(tree_fact<hierarchy::NodeVisited>(asked, run).node).box;
   const std::string_view method = asked.question->gate.algorithm;
   const double gap = method == "point_query" ? outside_of(node, own.query().at[0])
                      : method == "box_query" ? gap_between(node, query_box(own.query()))
@@ -82,14 +72,14 @@ double left_out_margin(const Asked& asked, const Run& run) {
 std::optional<Answer> by_its_boxes(const Asked& asked, const Run& run) {
   if (asked.question->gate.algorithm != "point_query") return std::nullopt;
   const TreeRun& own = tree_run(run);
-  const Branch& node = own.forest(asked.fact).at(decided_fact<hierarchy::NodeVisited>(asked, run).node);
+  const Branch& node = own.forest(asked.fact).at(tree_fact<hierarchy::NodeVisited>(asked, run).node);
   const bool inside = std::any_of(node.boxes.begin(), node.boxes.end(),
                                   [&](Index box) { return outside_of(own.boxes()[box], own.query().at[0]) <= 0; });
   return by_choice(inside ? kNo : kYes);
 }
 
 double pair_apart_margin(const Asked& asked, const Run& run) {
-  const auto& fact = decided_fact<hierarchy::PairTested>(asked, run);
+  const auto& fact = tree_fact<hierarchy::PairTested>(asked, run);
   const TreeRun& own = tree_run(run);
   const TreePairing& pairing = *own.pairing();
   const Box2& a = fact.bodies ? own.boxes()[fact.a] : own.forest(asked.fact).at(fact.a).box;
