@@ -38,7 +38,7 @@ const whole = (/** @type {any} */ entry) => ({
 /** @returns {KeptData} */
 const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {}, exercises: {}, student: "" });
 
-const kMostLevel = 9;
+export const kMostLevel = 9; // of an exercise
 
 /** Whether it can be an attempt, as a result file has it. */
 const is_attempt = (/** @type {any} */ attempt) =>

@@ -10,7 +10,7 @@ import { Exercise, fresh_seed, result_text, save_file } from "./exercise.js";
 import { SceneFile } from "./file.js";
 import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
-import { Kept } from "./kept.js";
+import { Kept, kMostLevel } from "./kept.js";
 import { listen_to_keys } from "./keys.js";
 import { name_layout } from "./layout.js";
 import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
@@ -35,7 +35,6 @@ import { Words } from "./words.js";
 /** @import { Preview } from "./preview.js"
  *  @typedef {ReturnType<typeof read_address>} Address */
 
-const kMostLevel = 9; // of an exercise
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
 const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
 const kNotLoaded = "could not be loaded. Check the connection, then try again.";
