@@ -48,6 +48,14 @@ async function decide(page, name) {
   await page.keyboard.press("Enter");
 }
 
+/** Makes all decisions in order. */
+async function decide_all(page, names) {
+  for (const [i, name] of names.entries()) {
+    await at(page, i);
+    await decide(page, name);
+  }
+}
+
 test("a tap decides, the step is played at once, and what happened is told beside the next decision", async (t) => {
   const names = await answers_of(t, "be-quickhull", 11);
   const page = await visit(t, "?exercise=be-quickhull&seed=11");
@@ -66,10 +74,7 @@ test("each exercise is done by keyboard alone, for every mark", async (t) => {
   for (const id of ["be-ritter", "sat-plane", "p-and-n-vertex"]) {
     const names = await answers_of(t, id, 3);
     const page = await visit(t, `?exercise=${id}&seed=3`);
-    for (const [i, name] of names.entries()) {
-      await at(page, i);
-      await decide(page, name);
-    }
+    await decide_all(page, names);
     const over = await until(page, (now) => now.exercise.finished);
     assert.equal(over.exercise.mark, names.length, id);
     assert.equal(await page.locator(".mark-line").textContent(), `${names.length} of ${names.length}`);
@@ -148,10 +153,7 @@ test("by finger on a phone, with targets large enough, and the summary leads to 
 test("the course lists the sets, with the marks that were reached", async (t) => {
   const names = await answers_of(t, "be-quickhull", 6);
   const page = await load(t, "?exercise=be-quickhull&seed=6");
-  for (const [i, name] of names.entries()) {
-    await at(page, i);
-    await decide(page, name);
-  }
+  await decide_all(page, names);
   await until(page, (now) => now.exercise.finished);
   await page.waitForTimeout(500);
   await page.locator("#home").click();
@@ -244,10 +246,7 @@ test("practice has no mark, takes nothing for hints, and keeps nothing", async (
   await until(page, (now) => now.exercise.hints.length === 1);
   const names = await answers_of(t, "be-aabb-centre", 4);
   const again = await visit(t, "?exercise=be-aabb-centre&seed=4&practice=1");
-  for (const [i, name] of names.entries()) {
-    await at(again, i);
-    await decide(again, name);
-  }
+  await decide_all(again, names);
   await until(again, (now) => now.exercise.finished);
   assert.equal(await again.locator(".mark-line").count(), 0);
   await again.getByRole("button", { name: "Do it for a mark" }).click();
@@ -258,11 +257,20 @@ test("practice has no mark, takes nothing for hints, and keeps nothing", async (
 test("who does well is led to a harder instance", async (t) => {
   const names = await answers_of(t, "be-aabb-centre", 5);
   const page = await visit(t, "?exercise=be-aabb-centre&seed=5");
-  for (const [i, name] of names.entries()) {
-    await at(page, i);
-    await decide(page, name);
-  }
+  await decide_all(page, names);
   await page.getByRole("button", { name: "Harder instance" }).click();
   await until(page, (now) => now.exercise?.level === 1);
   assert.match(page.url(), /&level=1$/);
+});
+
+test("an exercise's formulas are typeset, in its text and in what it asks", async (t) => {
+  const page = await visit(t, "?exercise=radii-of-boxes&seed=4");
+  assert.ok(await page.locator("#prose math").count() >= 6);
+  assert.equal(await page.locator(".ask .prompt math").count(), 1);
+  const words = await page.locator("#prose").evaluate((prose) => {
+    const copy = prose.cloneNode(true);
+    for (const math of copy.querySelectorAll("math")) math.remove();
+    return copy.textContent;
+  });
+  assert.doesNotMatch(words, /[a-z]_[a-zA-Z]/);
 });

@@ -154,7 +154,8 @@ export class Exercise {
       !practises && this.#best_of(exercise.exercise),
       ...followed.map((says) => element("p", { class: "rule" }, says)),
       build && build.levels.length > 1 && this.#levels(build.levels),
-      element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row, practises)))),
+      rows.length > 0 &&
+        element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row, practises)))),
       element("div", { class: "commit" },
         build && button(this.#words.show_model, this.#do("show_model"), { class: "quiet" }),
         this.#other_terms(exercise),
