@@ -16,7 +16,7 @@ using app::Icon;
 constexpr float kCorner = 12, kApart = 8;
 constexpr int kButtons = 4;
 
-constexpr float kTitleSize = 15, kTitleLeading = 21, kTitleMargin = 24, kAbove = 20;  // of the title
+constexpr float kTitleSize = 15, kTitleLeading = 21, kTitleMargin = 24, kAbove = 20, kBeneath = 8;  // of the title
 
 float side_of(const app::Look& look) { return look.px(32); }
 
@@ -58,7 +58,7 @@ void draw_presentation(Shell& shell, const app::Rect& stage) {
 
 float title_height(const Shell& shell, const app::Look& look, float width) {
   const auto lines = app::lines_of(look, Face::kSemiBold, kTitleSize, title_of(shell), width - 2 * kTitleMargin);
-  return look.px(kTitleLeading) * static_cast<float>(lines.size()) + kAbove;
+  return look.px(kTitleLeading) * static_cast<float>(lines.size()) + kAbove + kBeneath;
 }
 
 void draw_title(Shell& shell, const app::Rect& rect) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "app/marks.hpp"
 #include "desktop/card_parts.hpp"
@@ -266,13 +267,21 @@ void lead_on(Shell& shell, const std::string& command) {
   else if (!command.empty()) shell.app().command(command);
 }
 
+/// Where the card stands that was so high in the last frame.
+app::Rect card_in(const Shell& shell, const app::Rect& place, float measured) {
+  if (shell.presenting) return place;
+  const float width = std::floor(std::min(place.width - 2 * kBeside, shell.app().look().px(608)));
+  const float height = std::clamp(measured, 1.0f, place.height * 0.66f);
+  return {std::floor(place.x + (place.width - width) / 2), place.y + place.height - height - kBelow, width, height};
+}
+
 }  // namespace
 
-void draw_question_card(Shell& shell, const app::Rect& stage) {
+void draw_question_card(Shell& shell, const app::Rect& place) {
   const lesson::Session& session = shell.session();
   const lesson::Asked* asked = session.asked();
   const lesson::Outcome *deciding = session.deciding(), *outcome = session.outcome();
-  const float before = shell.foot;
+  const float before = std::exchange(shell.question_height, 0);
   shell.foot = 0;
   const lesson::Sitting* const sitting = shell.app().sitting();
   const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary();
@@ -282,34 +291,33 @@ void draw_question_card(Shell& shell, const app::Rect& stage) {
     return;
   }
   const app::Look& look = shell.app().look();
-  const float width = std::floor(std::min(stage.width - 2 * kBeside, look.px(608)));
-  const float height = std::clamp(before - kBelow, 1.0f, stage.height * 0.66f);
-  const app::Rect card{std::floor(stage.x + (stage.width - width) / 2), stage.y + stage.height - height - kBelow, width,
-                       height};
+  const app::Rect card = card_in(shell, place, before);
   std::string command;
   {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);
-    pane.list()->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
-    pane.list()->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
+    const float round = shell.presenting ? 0.0f : 8.0f;
+    pane.list()->AddRectFilled({card.x, card.y}, {card.x + card.width, card.y + card.height}, look->panel, round);
+    pane.list()->AddRect({card.x, card.y}, {card.x + card.width, card.y + card.height}, look->line, round, 0, 1);
     // On a low window the card is not as high as what it says: then it scrolls, by the wheel and with the focus.
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && io.MouseWheel != 0)
       ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() - kWheel * io.MouseWheel, 0.0f, ImGui::GetScrollMaxY()));
     const float top = card.y + 16 - ImGui::GetScrollY();
-    Column column(look, card.x + kPad, top, width - 2 * kPad);
+    Column column(look, card.x + kPad, top, card.width - 2 * kPad);
     if (asked != nullptr) draw_question(shell, column, *asked);
     else if (deciding != nullptr) draw_deciding(column, session, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
     else if (over && sitting != nullptr) command = draw_mark(shell, column, *sitting);
     else if (builds) command = draw_build(shell, column, *sitting);
     else command = draw_summary(shell, column);
-    shell.foot = std::ceil(column.y() - top + 32) + kBelow;
-    if (shell.foot != before) ImGui::SetScrollY(0);  // it says something else
+    shell.question_height = std::ceil(column.y() - top + 32);
+    if (!shell.presenting) shell.foot = shell.question_height + kBelow;
+    if (shell.question_height != before) ImGui::SetScrollY(0);  // it says something else
     ImGui::SetCursorScreenPos({column.x(), column.y() + 15});
     ImGui::Dummy({1, 1});
-    app::fade_foot(pane.list(), {card.x + 1, card.y, width - 2, height - 1}, look->panel);
+    app::fade_foot(pane.list(), {card.x + 1, card.y, card.width - 2, card.height - 1}, look->panel);
   }
-  shell.measured_anew = shell.measured_anew || shell.foot != before;
+  shell.measured_anew = shell.measured_anew || shell.question_height != before;
   lead_on(shell, command);
 }
 

@@ -58,7 +58,7 @@ std::string font_bytes(std::string_view name) {
 
 /// The rectangles of all parts; empty for those that are not shown.
 struct Parts {
-  app::Rect window, header, strip, column, cover, title, side_tabs, stored, code, controls;
+  app::Rect window, header, strip, column, cover, title, question, side_tabs, stored, code, controls;
   app::Layout app;
 };
 
@@ -104,8 +104,9 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float bar = lecture ? 0 : look.px(48), strip = shell.strip().empty() ? 0 : shell.strip_height;
   const float header = bar + strip;
   const float column = lecture && !shell.text_shown ? 0 : side_width(extent.width, 0.29f, 300, 380, 0.22f, 432, scale);
-  const float inspector = side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
-  constexpr float kLowScreen = 900;
+  const float inspector = lecture ? side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale)
+                                  : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
+  constexpr float kLowScreen = 900, kLeastSide = 400;
   shell.low = lecture && extent.height < kLowScreen;
   const bool no_timeline = cover && shell.app().cover()->shown();  // it is the stage's
   const float timeline = no_timeline ? 0 : shell.low ? app::low_timeline_height(look) : app::timeline_height(look);
@@ -124,13 +125,18 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
   const float title = lecture ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
+  // The whole stage is the question's figure: the question stands beside it.
+  const float question = lecture ? std::min(shell.question_height, height - title) : 0;
+  parts.question = {right, header + title, inspector, question};
+  const float side = height - title - question;  // what numbers and pseudocode have
   const bool code_tab = !lecture && !cover && numbers_fill(shell, look, height);
   // A presentation has no tabs: where the numbers may need the whole column, they have the most of it.
-  const float code = code_tab ? 0 : std::min(shell.code_height, height * (shell.app().figures_fill() ? 0.38f : 0.52f));
-  const float below = lecture && cover ? std::min(shell.pinned_height, height * 0.52f) : code;
+  const bool no_code = code_tab || side < look.px(kLeastSide);
+  const float code = no_code ? 0 : std::min(shell.code_height, side * (shell.app().figures_fill() ? 0.38f : 0.52f));
+  const float below = lecture && cover ? std::min(shell.pinned_height, side * 0.52f) : code;
   parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
-  parts.app.inspector = {right, header + title, inspector, height - title - below};
+  parts.app.inspector = {right, header + title + question, inspector, side - below};
   place_side(parts, look, shell, code_tab);
   parts.app.tools = lecture ? presentation_reach(look) : 0;
   parts.app.foot = shell.foot;
@@ -175,7 +181,7 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   app.frame(parts.app, now);
   if (const float wanted = app.figures_height(); wanted > shell.figures_most)
     shell.figures_most = wanted, shell.measured_anew = true;
-  draw_question_card(shell, parts.app.stage);
+  draw_question_card(shell, shell.presenting ? parts.question : parts.app.stage);
   if (shell.presenting) draw_presentation(shell, parts.app.stage);
   else draw_invitation(app, parts.app.stage);
   for (const float x : {parts.column.width, parts.app.inspector.x}) {

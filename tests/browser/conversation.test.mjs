@@ -2,7 +2,8 @@
 // acknowledged; and a lesson ends with a summary.
 import { after, before, test } from "node:test";
 import {
-  answer, assert, drag, go_on, handles, kinds, kPhone, kWide, lessons, moved, start, state, still, stop, until, visit,
+  answer, assert, drag, go_on, handles, kinds, kPhone, kWide, lessons, load, moved, start, state, still, stop, until,
+  visit,
 } from "./support.mjs";
 
 before(start);
@@ -156,6 +157,26 @@ test("while a question stands, what the run comes to is told nowhere", async (t)
       );
     assert.deepEqual([outcome, lit.handles], [null, []]);
     assert.equal(await page.locator("#ask .right, #ask .said").count(), 0);
+  }
+});
+
+test("in a lecture the question stands beside the stage, its choices and its answer in sight", async (t) => {
+  for (const [lesson, question] of [["epsilons", "unit-size"], ["cost-volumes", "front"], ["obb-axes", "nearest"]]) {
+    const page = await load(t, `?lesson=${lesson}&step=0`, { viewport: { width: 1280, height: 720 } });
+    await page.locator("#present").click();
+    await page.locator(".presenting").waitFor();
+    await page.keyboard.press("End");
+    await until(page, (now, id) => now.asked?.id === id, question);
+    await still(page);
+    const [stage, card, answer] = await Promise.all(
+      [page.locator("#stage"), page.locator(".ask .card"), page.getByRole("button", { name: "Answer" }).last()]
+        .map((part) => part.boundingBox()));
+    assert.ok(card.x >= stage.x + stage.width - 1 && stage.height >= 500, `${lesson}: ${JSON.stringify(stage)}`);
+    assert.ok(answer.y + answer.height <= 720, `${lesson}: ${JSON.stringify(answer)}`);
+    for (const choice of await page.locator(".ask .choices .button").all()) {
+      const { y, height } = await choice.boundingBox();
+      assert.ok(y + height <= answer.y + 1, `${lesson}: ${await choice.textContent()}`);
+    }
   }
 });
 

@@ -1,5 +1,5 @@
 # A lecture on usual screens: what its buttons, the sentence, the controls and the timeline leave free of the stage is at
-# least half as high as the screen, with two rows of controls as well.
+# least half as high as the screen, with two rows of controls as well, and while a question stands.
 . tests/desktop/support.sh
 opened='s.lesson !== null'
 controls() { # situations, whether it has sliders; a lesson without questions, whose cards would have the sentence's place and more
@@ -35,3 +35,11 @@ for of in '0 0' '2 0' '2 1'; do # no row of controls, one, two
     done
     close_window
 done
+open_window epsilons --question unit-size
+xdotool key F5
+until_state 's.presenting && s.asked !== null'
+for size in 1280x720 1366x768; do
+    xdotool windowsize --sync "$window" "${size%x*}" "${size#*x}"
+    until_state "s.height === ${size#*x} && s.asked !== null && s.freeHeight >= s.height / 2"
+done
+close_window
