@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <span>
 
 #include "lesson/prose_figures.hpp"
 #include "query/support_function.hpp"
@@ -51,6 +52,20 @@ class Page {
             (dashed ? " stroke-dasharray=\"2 1\"" : "") + "/>\n";
   }
   void dot(double x, double y) { svg_ += "<circle cx=\"" + mm(x) + "\" cy=\"" + mm(y) + "\" r=\".8\"/>\n"; }
+  /// A square beside each choice, to be marked or numbered. Returns where the next line would be.
+  double choices(double x, double y, std::span<const std::string> all) {
+    constexpr double kSquare = 3.4, kLetter = 1.95, kGap = 6;
+    double at = x;
+    for (const std::string& choice : all) {
+      const double width = kSquare + 2 + kLetter * static_cast<double>(choice.size());
+      if (at > x && at + width > kPageWidth - kMargin) at = x, y += kLine;
+      polygon({{{at, y - kSquare + .4}, {at + kSquare, y - kSquare + .4}, {at + kSquare, y + .4}, {at, y + .4}}},
+              false);
+      text(at + kSquare + 2, y, choice);
+      at += width + kGap;
+    }
+    return y + kLine;
+  }
   /// Breaks words into lines. Returns where the next line would be.
   double paragraph(double x, double y, std::string_view words, const char* more = "") {
     while (!words.empty()) {
@@ -187,6 +202,7 @@ tl::expected<std::string, InputError> sheet_of(const lesson::Exercise& exercise,
     y = page.paragraph(kMargin, y, std::to_string(++number) + ". " + plain_now(asked.prompt, figures));
     const lesson::Truth truth = asked.asking->truth(asked, session.run(0));
     if (solved) y = page.paragraph(kMargin + 6, y, truth.happened + ". " + truth.sentence, "font-style=\"italic\"");
+    else if (!asked.choices.empty() && !asked.on_stage) y = page.choices(kMargin + 6, y, asked.choices);
     else page.line(kMargin + 6, y + 1, kPageWidth - kMargin, y + 1), y += kLine;
     y += kBetween;
   }

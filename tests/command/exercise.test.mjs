@@ -151,5 +151,7 @@ test("a set is printed on paper, a sheet and a solution for each seed", () => {
   assert.match(sheet, />Name: _+</);
   assert.doesNotMatch(sheet, /lies outside, by/);
   assert.match(solution, /P\d+\. P\d+ is the next in the list that lies outside, by/);
+  const boxes = read("sheets/kdop-overlap-test-1.svg");
+  assert.match(boxes, />yes<[^]*>no</, "choices are there to be marked");
   refused(["exercise", "print", "nothing", "-o", "sheets"], /there is no exercise "nothing"/);
 });

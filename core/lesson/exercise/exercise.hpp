@@ -25,9 +25,9 @@ struct RuleWords {
 struct Decision {
   std::string hint;
   bool at_once = false;  // whether it is asked right after the decision before it, and what lies between is played then
-  int least = 1;         // how often it comes at least
-  bool balanced = false;   // whether of half the instances all right answers are the same, and of the others not
-  bool skip_ties = false;  // whether what is too near to a tie is left to the program, or passes the seed over
+  int least = 1, most = 100;  // how often it comes at least, and after how many the program goes on alone
+  bool balanced = false;      // whether of half the instances all right answers are the same, and of the others not
+  bool skip_ties = false;     // whether what is too near to a tie is left to the program, or passes the seed over
   std::vector<RuleWords> rules;
 };
 

@@ -45,13 +45,17 @@ std::vector<Question> questions_of(const Exercise& exercise, const Run& run) {
   return all;
 }
 
-/// Leaves to the program what is too near to a tie, where the exercise says so.
-void skip_ties(const Exercise& exercise, Lesson& lesson, const std::vector<Asked>& asked, const Run& run) {
+/// Leaves to the program what is too near to a tie, and what is asked often enough, where the exercise says so.
+void leave_some(const Exercise& exercise, Lesson& lesson, const std::vector<Asked>& asked, const Run& run) {
   std::vector<std::string> skipped;
-  for (const Asked& one : asked)
-    if (exercise.decisions[decision_of(exercise, *one.question)].skip_ties &&
-        one.asking->margin(one, run) < exercise.apart)
-      skipped.push_back(one.question->id);
+  std::vector<int> left(exercise.decisions.size());
+  for (const Asked& one : asked) {
+    const std::size_t kind = decision_of(exercise, *one.question);
+    const Decision& decision = exercise.decisions[kind];
+    const bool tied = decision.skip_ties && one.asking->margin(one, run) < exercise.apart;
+    if (tied || left[kind] == decision.most) skipped.push_back(one.question->id);
+    else ++left[kind];
+  }
   std::erase_if(lesson.questions, [&](const Question& one) { return is_among(skipped, one.id); });
 }
 
@@ -143,7 +147,7 @@ tl::expected<Instance, InputError> make_instance(const Exercise& exercise, std::
     lesson.questions = questions_of(exercise, *run);
     for (Question& question : lesson.questions) question.shuffled = instance.own;
     const auto all = [&] { return asked_on(lesson, lesson.algorithms.front(), *subject, *run, false); };
-    skip_ties(exercise, lesson, all(), *run);
+    leave_some(exercise, lesson, all(), *run);
     const std::vector<Asked> asked = all();
     const std::string lack = lacks(exercise, asked, *run, varied);
     if (lack.empty()) return instance;

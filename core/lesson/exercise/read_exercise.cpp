@@ -76,6 +76,7 @@ Decision read_decision(toml::table& toml, Complaints& complaints) {
   Decision decision;
   decision.hint = table.text_or("hint", "");
   decision.least = static_cast<int>(table.integer_or("least", 0, kMostDecisions, 1));
+  decision.most = static_cast<int>(table.integer_or("most", 1, kMostDecisions, kMostDecisions));
   decision.balanced = table.flag_or("balanced", false);
   decision.skip_ties = table.flag_or("skip_ties", false);
   if (decision.hint.empty()) complaints.add(table.place(), "[[question]] lacks the key \"hint\"");
@@ -88,7 +89,7 @@ Decision read_decision(toml::table& toml, Complaints& complaints) {
   if (toml.contains("nth")) table.wrong("nth", "is not for exercises: a decision comes wherever the run has its step");
   decision.at_once = table.text_or("after", "") == kPreviousDecision;
   if (decision.at_once) toml.erase("after");
-  for (const std::string_view key : {"hint", "least", "rules", "nth", "skip_ties", "balanced"}) toml.erase(key);
+  for (const std::string_view key : {"hint", "least", "most", "rules", "nth", "skip_ties", "balanced"}) toml.erase(key);
   return decision;
 }
 

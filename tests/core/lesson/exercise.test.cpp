@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -12,6 +13,7 @@
 #include "lesson/exercise/sets.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/names.hpp"
+#include "lesson/subjects/cloud/fit_run.hpp"
 #include "number/fnv.hpp"
 
 using namespace snug;
@@ -476,4 +478,37 @@ TEST_CASE("what the run chooses is what is right: the pair along the main axis, 
       CHECK(checked >= 1);
       if (std::string_view(id) == "be-wu") CHECK(checked == 1);  // the pair is asked for once
     }
+}
+
+TEST_CASE("what a rectangle touches, and the edge of the smallest, is what the calipers found") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    Sat sat(exercise_of("turn-the-calipers"), seed);
+    const FitRun& run = fit_run(sat.session.run(0));
+    std::array<Index, 2> best{};
+    int edges = 0;
+    for (const Asked& asked : sat.session.questions()) {
+      const Truth truth = asked.asking->truth(asked, run);
+      if (asked.asking->name == "smallest_edge") {
+        const auto& ends = asked.choice_handles[static_cast<std::size_t>(truth.choices.front())];
+        CHECK(std::equal(ends.begin(), ends.end(), best.begin(), best.end()));
+        continue;
+      }
+      const auto& tried = *std::get_if<fit::BoxTried<double, 3>>(&run.trace()[asked.fact].step.fact);
+      if (tried.better) best = {tried.on[0], tried.on[1]};
+      std::vector<Index> right = truth.points, touched(tried.on.begin() + 2, tried.on.end());
+      std::sort(right.begin(), right.end()), std::sort(touched.begin(), touched.end());
+      CHECK(right == touched);
+      ++edges;
+    }
+    CHECK(edges >= 3);
+  }
+}
+
+TEST_CASE("a decision is asked no more often than its exercise says") {
+  Sat sat(exercise_of("be-iterative-ritter"), 5);
+  const auto sides = std::count_if(sat.session.questions().begin(), sat.session.questions().end(),
+                                   [](const Asked& asked) { return asked.asking->name == "side"; });
+  CHECK(sides == 8);
+  CHECK(sat.session.run(0).steps() > 40);  // it goes on for more passes
 }

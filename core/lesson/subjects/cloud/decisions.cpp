@@ -10,6 +10,7 @@
 #include "lesson/subjects/cloud/fit_asks.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
+#include "lesson/subjects/cloud/passes.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::lesson {
@@ -455,5 +456,19 @@ double smaller_margin(const Asked& asked, const Run& run) {
       before = std::min(before, turned->area);
   return before == kNever ? kNever : std::abs(fact.area - before) / std::max(fact.area, before);
 }
+
+// ---- the passes of an iterative run -------------------------------------------------------------------------
+
+/// By how much the smaller of both areas is smaller, as a share of the other: radii are compared by their numbers.
+double better_margin(const Asked& asked, const Run& run) {
+  const FitTrace trace = fit_run(run).trace();
+  const auto best = best_before(trace, asked.fact + 1);
+  if (!best) return 0;
+  const double radius = fit::size_of(trace[asked.fact].step.volume, asked.dim);
+  const double ratio = std::min(radius, *best) / std::max(radius, *best);
+  return 1 - ratio * ratio;
+}
+
+std::optional<Answer> always_better(const Asked&, const Run&) { return by_choice(kYes); }
 
 }  // namespace snug::lesson

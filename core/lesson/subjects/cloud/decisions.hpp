@@ -65,6 +65,11 @@ std::optional<Answer> sign_about_origin(const Asked& asked, const Run& run);
 /// "smaller", of facet_asks.hpp.
 double smaller_margin(const Asked& asked, const Run& run);
 
+/// "better" of a pass, of fit_asks.hpp.
+double better_margin(const Asked& asked, const Run& run);
+std::optional<Answer> always_better(const Asked& asked, const Run& run);
+inline constexpr std::array kBetterRules{WrongRule{"always", &always_better}};
+
 inline constexpr std::array kFarthestRules{WrongRule{"nearest", &nearest_point},
                                            WrongRule{"one_axis", &farthest_along_an_axis}};
 inline constexpr std::array kAxisRules{WrongRule{"nearest", &nearest_pair}, WrongRule{"widest", &widest_pair}};

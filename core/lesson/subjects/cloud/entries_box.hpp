@@ -1,6 +1,7 @@
 // The entries of the facts that fitters of boxes, sphere-swept volumes and k-DOPs report.
 #pragma once
 
+#include "lesson/subjects/cloud/calipers_decisions.hpp"
 #include "lesson/subjects/cloud/edge_pairs.hpp"
 #include "lesson/subjects/cloud/entries_sphere.hpp"
 
@@ -9,6 +10,7 @@ namespace snug::lesson {
 template <>
 struct Entry<fit::ExtentsFound<double, 3>> : FitEntry {
   using Fact = fit::ExtentsFound<double, 3>;
+  static constexpr std::array kAskings{kSmallestEdge, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::string lengths;
     for (int i = 0; i < where.dim(); ++i) lengths += (i > 0 ? " × " : "") + number_text(fact.lengths[i]);
@@ -92,6 +94,7 @@ struct Entry<fit::PointsChosen> : FitEntry {
 template <>
 struct Entry<fit::BoxTried<double, 3>> : FitEntry {
   using Fact = fit::BoxTried<double, 3>;
+  static constexpr std::array kAskings{kTouched, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "The box " + axes_of(fact, where) + " has " + where.size_word() + number_text(fact.measure) +
            (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");

@@ -38,8 +38,12 @@ inline constexpr Asking kLeaves{.name = "leaves",
                                 .rules = kLeavesRules};
 inline constexpr Asking kAxis{
     .name = "axis", .offer = &offer_axes, .truth = &axis_truth, .margin = &axis_margin, .rules = kAxisRules};
-inline constexpr Asking kBetter{
-    .name = "better", .offer = &offer_yes_no, .truth = &better_truth, .figure = kResultFigure};
+inline constexpr Asking kBetter{.name = "better",
+                                .offer = &offer_yes_no,
+                                .truth = &better_truth,
+                                .figure = kResultFigure,
+                                .margin = &better_margin,
+                                .rules = kBetterRules};
 inline constexpr Asking kHolds{"holds", &offer_counts, &holds_truth};
 inline constexpr Asking kOutside{
     .name = "outside", .offer = &offer_left_outside, .truth = &left_outside_truth, .figure = "outside_count"};

@@ -194,4 +194,43 @@ std::optional<Answer> any_vertex_outside(const Asked&, const Run& run) {
   return by_choice(static_cast<int>(out ? Culling::kOutside : Culling::kInside));
 }
 
+// ---- the planes that children are tested against ------------------------------------------------------------
+
+namespace {
+
+PlaneSet crossed(const Asked& asked, const Run& run) {
+  const auto& result = std::get_if<query::Classified>(&frustum_run(run).trace()[asked.fact].step.fact)->result;
+  return result.rejected_by < 0 ? result.crossing : 0;
+}
+
+}  // namespace
+
+const char* offer_planes_left(Asked& asked, const Run& run) {
+  if (crossed(asked, run) == 0) return "\"planes_left\" can only be asked of a volume that crosses a plane";
+  for (int plane = 0; plane < std::ssize(asked.subject->planes()); ++plane)
+    asked.add_choice(plane_name(asked.dim, plane));
+  asked.many = true;
+  return nullptr;
+}
+
+Truth planes_left_truth(const Asked& asked, const Run& run) {
+  const PlaneSet planes = crossed(asked, run);
+  Truth truth;
+  for (int plane = 0; plane < std::ssize(asked.choices); ++plane)
+    if ((planes >> plane & 1) != 0) truth.choices.push_back(plane);
+  truth.happened = plane_names(asked.dim, planes);
+  truth.sentence = "The " + frustum_run(run).body() + " crosses " + truth.happened +
+                   ", and is inside every other plane, as all in it is.";
+  return truth;
+}
+
+std::optional<Answer> every_plane(const Asked& asked, const Run&) {
+  return by_choice((1 << std::ssize(asked.choices)) - 1);
+}
+/// Those that the volume is inside of.
+std::optional<Answer> planes_passed(const Asked& asked, const Run& run) {
+  const int passed = ((1 << std::ssize(asked.choices)) - 1) & ~static_cast<int>(crossed(asked, run));
+  return passed == 0 ? std::nullopt : std::optional(by_choice(passed));
+}
+
 }  // namespace snug::lesson

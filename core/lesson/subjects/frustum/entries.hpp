@@ -33,6 +33,12 @@ inline constexpr std::array kNVertexRules{WrongRule{"opposite", &vertex_along}};
 inline constexpr std::array kPlaneSideRules{WrongRule{"center", &side_of_center},
                                             WrongRule{"p_vertex", &side_of_p_vertex}};
 inline constexpr std::array kVerdictRules{WrongRule{"any_outside", &any_vertex_outside}};
+/// "planes_left": the planes that the children of the volume must still be tested against.
+const char* offer_planes_left(Asked& asked, const Run& run);
+Truth planes_left_truth(const Asked& asked, const Run& run);
+std::optional<Answer> every_plane(const Asked& asked, const Run& run);
+std::optional<Answer> planes_passed(const Asked& asked, const Run& run);
+inline constexpr std::array kPlanesLeftRules{WrongRule{"every", &every_plane}, WrongRule{"passed", &planes_passed}};
 
 /// Whether a plane was tested against a box, by its vertices; else against a ball or a point, by its centre.
 [[nodiscard]] inline bool of_box(const query::PlaneTested<double, 3>& fact) { return fact.p_vertex >= 0; }
@@ -118,7 +124,13 @@ struct Entry<query::Classified> : EntryDefaults {
                                               .truth = &culling_verdict_truth,
                                               .figure = "verdict",
                                               .margin = &culling_margin,
-                                              .rules = kVerdictRules}};
+                                              .rules = kVerdictRules},
+                                       Asking{.name = "planes_left",
+                                              .offer = &offer_planes_left,
+                                              .truth = &planes_left_truth,
+                                              .figure = "verdict",
+                                              .margin = &culling_margin,
+                                              .rules = kPlanesLeftRules}};
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     using query::Culling;
     const query::CullResult& result = fact.result;

@@ -303,13 +303,23 @@ std::optional<Answer> vertex_nearest_origin(const Asked& asked, const Run& run);
 inline constexpr std::array kNextVertexRules{WrongRule{"wrong_sign", &vertex_along_v},
                                              WrongRule{"nearest", &vertex_nearest_origin}};
 Truth contains_origin_truth(const Asked& asked, const Run& run);
+/// "kept": the vertices of the simplex, with the one found last, that its point nearest to the origin needs.
+const char* offer_simplex(Asked& asked, const Run& run);
+Truth kept_truth(const Asked& asked, const Run& run);
+double kept_margin(const Asked& asked, const Run& run);
+std::optional<Answer> keep_all(const Asked& asked, const Run& run);
+std::optional<Answer> keep_newest(const Asked& asked, const Run& run);
+inline constexpr std::array kKeptRules{WrongRule{"all", &keep_all}, WrongRule{"newest", &keep_newest}};
 const char* offer_own_and_gjk(Asked& asked, const Run& run);
 Truth cheaper_truth(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<query::NearestFound> : EntryDefaults {
   using Fact = query::NearestFound;
-  static constexpr std::array kAskings{Asking{"contains_origin", &offer_yes_no, &contains_origin_truth}};
+  static constexpr std::array kAskings{
+      Asking{"contains_origin", &offer_yes_no, &contains_origin_truth},
+      Asking{
+          .name = "kept", .offer = &offer_simplex, .truth = &kept_truth, .margin = &kept_margin, .rules = kKeptRules}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto& pairs = fact.corners;
     std::string names;

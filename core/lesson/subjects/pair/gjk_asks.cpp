@@ -90,6 +90,91 @@ Truth contains_origin_truth(const Asked& asked, const Run& run) {
   return no("The origin lies outside: the simplex comes no nearer to it than " + number_text(nearest.distance) + ".");
 }
 
+// ---- the part of the simplex that is kept -------------------------------------------------------------------
+
+namespace {
+
+/// The vertices of A and B, in pairs: those that were kept last, and those found since.
+std::vector<Index> simplex_before(const Asked& asked, const Run& run) {
+  std::vector<Index> corners;
+  for (int i = 0; i < asked.fact; ++i) {
+    const auto& fact = pair_run(run).trace()[i].step.fact;
+    if (const auto* nearest = std::get_if<query::NearestFound>(&fact)) corners = nearest->corners;
+    else if (const auto* support = std::get_if<query::SupportFound>(&fact)) {
+      corners.push_back(support->a);
+      corners.push_back(support->b);
+    }
+  }
+  return corners;
+}
+
+/// Whether each vertex of the simplex is kept.
+std::vector<bool> kept_of(const Asked& asked, const Run& run) {
+  const std::vector<Index> before = simplex_before(asked, run);
+  const auto& after = std::get_if<query::NearestFound>(&pair_run(run).trace()[asked.fact].step.fact)->corners;
+  std::vector<bool> kept;
+  for (std::size_t i = 0; i < before.size(); i += 2) {
+    bool found = false;
+    for (std::size_t k = 0; k < after.size(); k += 2) found |= after[k] == before[i] && after[k + 1] == before[i + 1];
+    kept.push_back(found);
+  }
+  return kept;
+}
+
+}  // namespace
+
+const char* offer_simplex(Asked& asked, const Run& run) {
+  const std::vector<Index> corners = simplex_before(asked, run);
+  if (asked.dim != 2 || corners.size() < 4) return "\"kept\" can only be asked in the plane, of several vertices";
+  const PairWhere where{pair_run(run), asked.fact, nullptr};
+  for (std::size_t i = 0; i < corners.size(); i += 2)
+    asked.add_choice(difference_name(corners[i], corners[i + 1], where),
+                     handles_of_vertices(std::array{corners[i], corners[i + 1]}, where));
+  asked.many = true;
+  return nullptr;
+}
+
+Truth kept_truth(const Asked& asked, const Run& run) {
+  const std::vector<bool> kept = kept_of(asked, run);
+  Truth truth;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i]) truth.choices.push_back(static_cast<int>(i));
+  for (const int right : truth.choices)
+    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(right)];
+  const bool all = truth.choices.size() == 3;
+  truth.sentence = all                         ? "The triangle contains the origin: all three vertices are kept."
+                   : truth.choices.size() == 1 ? "The vertex " + truth.happened + " is the nearest point itself."
+                                               : "The nearest point lies on the edge of " + truth.happened + ".";
+  return truth;
+}
+
+/// No vertex that is kept can be spared, and none that is dropped lies before the line through the nearest point.
+double kept_margin(const Asked& asked, const Run& run) {
+  const std::vector<Point3> simplex = difference_points(pair_of(asked), simplex_before(asked, run));
+  const std::vector<bool> kept = kept_of(asked, run);
+  std::vector<Point3> own;
+  for (std::size_t i = 0; i < simplex.size(); ++i)
+    if (kept[i]) own.push_back(simplex[i]);
+  const Point3 v = nearest_of(own);
+  const double distance = own.size() > 2 ? 0 : v.norm();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < own.size() && own.size() > 1; ++i) {
+    std::vector<Point3> others = own;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    least = std::min(least, nearest_of(others).norm() - distance);
+  }
+  for (std::size_t i = 0; i < simplex.size() && distance > 0; ++i)
+    if (!kept[i]) least = std::min(least, simplex[i].dot(v) / distance - distance);
+  return least / extent_of(*asked.subject);
+}
+
+std::optional<Answer> keep_all(const Asked& asked, const Run&) {
+  return by_choice((1 << std::ssize(asked.choices)) - 1);
+}
+std::optional<Answer> keep_newest(const Asked& asked, const Run&) {
+  return by_choice(1 << (std::ssize(asked.choices) - 1));
+}
+
 const char* offer_own_and_gjk(Asked& asked, const Run&) {
   const std::string_view own = own_test(pair_of(asked));
   if (own.empty()) return "\"cheaper\" can only be asked of two volumes that have a test of their own besides GJK";

@@ -192,14 +192,22 @@ struct Entry<hierarchy::VolumeMade> : EntryDefaults {
   }
 };
 
-/// "next_node": which of the nodes that wait is taken up.
+/// "next_node": which of the nodes that wait is taken up. Where a ray looks for the first box, a node waits once it is
+/// tested, and is taken up when its children or its box are.
 const char* offer_waiting(Asked& asked, const Run& run);
 const char* offer_visited(Asked& asked, const Run& run);
 Truth next_node_truth(const Asked& asked, const Run& run);
 std::optional<Answer> first_waiting(const Asked& asked, const Run& run);
 double left_out_margin(const Asked& asked, const Run& run);
 std::optional<Answer> by_its_boxes(const Asked& asked, const Run& run);
-inline constexpr std::array kNextNodeRules{WrongRule{"queue", &first_waiting}};
+double next_node_margin(const Asked& asked, const Run& run);
+std::optional<Answer> left_child_first(const Asked& asked, const Run& run);
+inline constexpr std::array kNextNodeRules{WrongRule{"queue", &first_waiting}, WrongRule{"left", &left_child_first}};
+inline constexpr Asking kNextNode{.name = "next_node",
+                                  .offer = &offer_waiting,
+                                  .truth = &next_node_truth,
+                                  .margin = &next_node_margin,
+                                  .rules = kNextNodeRules};
 inline constexpr std::array kLeftOutRules{WrongRule{"its_boxes", &by_its_boxes}};
 
 template <>
@@ -210,11 +218,7 @@ struct Entry<hierarchy::NodeVisited> : EntryDefaults {
                                               .truth = &left_out_truth,
                                               .margin = &left_out_margin,
                                               .rules = kLeftOutRules},
-                                       Asking{.name = "next_node",
-                                              .offer = &offer_waiting,
-                                              .truth = &next_node_truth,
-                                              .margin = &no_tie,
-                                              .rules = kNextNodeRules}};
+                                       kNextNode};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const Branch& node = where.before().at(fact.node);
     const std::string name = capital(where.beside_name(fact.node));
@@ -240,7 +244,7 @@ struct Entry<hierarchy::NodeVisited> : EntryDefaults {
 template <>
 struct Entry<hierarchy::BodyTested> : EntryDefaults {
   using Fact = hierarchy::BodyTested;
-  static constexpr std::array kAskings{Asking{"found", &offer_yes_no, &found_truth}};
+  static constexpr std::array kAskings{Asking{"found", &offer_yes_no, &found_truth}, kNextNode};
   static std::string sentence(const Fact& fact, const TreeWhere&) {
     return "Box " + box_name(fact.body) + " is tested itself: the query " +
            (fact.answer == hierarchy::Answer::kPrune ? "misses it." : "meets it.");
@@ -252,13 +256,14 @@ struct Entry<hierarchy::BodyTested> : EntryDefaults {
   }
 };
 
+const char* offer_pair_tested(Asked& asked, const Run& run);
 double pair_apart_margin(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<hierarchy::PairTested> : EntryDefaults {
   using Fact = hierarchy::PairTested;
   static constexpr std::array kAskings{
-      Asking{.name = "apart", .offer = &offer_yes_no, .truth = &pair_apart_truth, .margin = &pair_apart_margin}};
+      Asking{.name = "apart", .offer = &offer_pair_tested, .truth = &pair_apart_truth, .margin = &pair_apart_margin}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const TreePairing& pairing = *where.run.pairing();
     if (fact.bodies)
