@@ -8,6 +8,7 @@
 #include <span>
 
 #include "lesson/prose_figures.hpp"
+#include "lesson/subjects/frustum/frustum_box.hpp"
 #include "query/support_function.hpp"
 
 namespace snug::desktop {
@@ -123,20 +124,37 @@ Outline outline_of(const fit::Volume3& volume) {
   return outline;
 }
 
-/// What is drawn: outlines, of which the dashed ones are the frustum's, and named points.
+/// What is drawn: outlines, of which the dashed ones are the frustum's, and named points and sides.
 struct Figure {
   std::vector<Outline> solid, dashed;
-  std::vector<std::pair<std::string, Point3>> points;
+  std::vector<std::pair<std::string, Point3>> points, sides;
   Point3 least = Point3::Constant(1e300), greatest = Point3::Constant(-1e300);
   void hold(const Point3& p) { least = least.cwiseMin(p), greatest = greatest.cwiseMax(p); }
 };
+
+/// The names of a frustum's planes, each in the middle of the side that lies in it.
+std::vector<std::pair<std::string, Point3>> names_of_planes(const lesson::Subject& subject, const Outline& ring) {
+  std::vector<std::pair<std::string, Point3>> named;
+  const lesson::Rows planes = subject.planes();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point3 middle = (ring[i] + ring[(i + 1) % ring.size()]) / 2;
+    const auto off = [&](const auto& row) { return std::abs(row[0] * middle[0] + row[1] * middle[1] + row[2]); };
+    const auto nearest =
+        std::min_element(planes.begin(), planes.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+    named.emplace_back(lesson::plane_name(subject.dim(), static_cast<int>(nearest - planes.begin())), middle);
+  }
+  return named;
+}
 
 tl::expected<Figure, InputError> figure_of(const lesson::Subject& subject) {
   Figure figure;
   if (subject.dim() == 3) return tl::unexpected(InputError{.what = "it is in space, and paper is flat"});
   for (const fit::Volume3& volume : subject.volumes()) figure.solid.push_back(outline_of(volume));
   const auto things = subject.things();
-  if (!subject.planes().empty()) figure.dashed.push_back(ring_of(subject, things.back()));
+  if (!subject.planes().empty()) {
+    figure.dashed.push_back(ring_of(subject, things.back()));
+    figure.sides = names_of_planes(subject, figure.dashed.back());
+  }
   if (figure.solid.empty() && subject.points() == nullptr)
     for (const auto& handles : things)
       if (things.size() > 1) figure.solid.push_back(ring_of(subject, handles));
@@ -168,6 +186,10 @@ void draw(Page& page, const Figure& figure, double top, double room) {
       for (const Point3& p : outline) corners.push_back(place(p));
       page.polygon(corners, outlines == &figure.dashed);
     }
+  for (const auto& [name, p] : figure.sides) {
+    const auto [x, y] = place(p);
+    page.text(x + 2, y - 1.2, name, 3.6, "font-style=\"italic\"");
+  }
   for (const auto& [name, p] : figure.points) {
     const auto [x, y] = place(p);
     page.dot(x, y);

@@ -153,5 +153,7 @@ test("a set is printed on paper, a sheet and a solution for each seed", () => {
   assert.match(solution, /P\d+\. P\d+ is the next in the list that lies outside, by/);
   const boxes = read("sheets/kdop-overlap-test-1.svg");
   assert.match(boxes, />yes<[^]*>no</, "choices are there to be marked");
+  const frustum = read("sheets/p-and-n-vertex-1.svg");
+  for (const plane of ["left", "right", "near", "far"]) assert.equal(frustum.match(`>${plane}<`)?.length, 1, plane);
   refused(["exercise", "print", "nothing", "-o", "sheets"], /there is no exercise "nothing"/);
 });
