@@ -9,6 +9,7 @@
 #include "app/look.hpp"
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
+#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/picture.hpp"
 #include "desktop/shell.hpp"
@@ -100,7 +101,7 @@ float case_height(const app::Look& look, const std::vector<LessonFile>& files, f
 std::uint32_t CourseScreen::picture(const std::string& id, bool dark) {
   const std::string name = id + (dark ? "-dark.png" : ".png");
   if (const auto found = pictures_.find(name); found != pictures_.end()) return found->second;
-  const auto bytes = read_file((program_folder() / "assets" / "course" / name).string());
+  const auto bytes = read_file((data_folder() / "assets" / "course" / name).string());
   const std::uint32_t texture = bytes ? texture_of_png(*bytes) : 0;
   return pictures_[name] = texture;
 }

@@ -7,6 +7,7 @@
 #include "app/cover.hpp"
 #include "app/cover_picture.hpp"
 #include "desktop/cli/cost_file.hpp"
+#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/kept_answers.hpp"
@@ -17,7 +18,7 @@ namespace snug::desktop {
 namespace {
 
 std::string mesh_path(const std::string& name) {
-  return (program_folder() / "assets" / "meshes" / (name + ".ply")).string();
+  return (data_folder() / "assets" / "meshes" / (name + ".ply")).string();
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "app/widgets.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/chart_picture.hpp"
+#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/controls.hpp"
@@ -51,7 +52,7 @@ int stop(const std::string& why) {
 
 std::string font_bytes(std::string_view name) {
   for (const char* extension : {".otf", ".ttf"})
-    if (auto bytes = read_file((program_folder() / "assets" / "fonts" / (std::string(name) + extension)).string()))
+    if (auto bytes = read_file((data_folder() / "assets" / "fonts" / (std::string(name) + extension)).string()))
       return *bytes;
   return {};
 }
@@ -463,7 +464,7 @@ int run_window(const WindowOptions& options) {
     chart = std::move(*read);
   }
   if (font_bytes("Inter-Regular").empty())
-    return stop((program_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
+    return stop((data_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
   if (chart && ending_of(options.screenshot) == "svg") {
     const auto written =
         write_file(options.screenshot, svg_of(*chart, static_cast<float>(options.width),

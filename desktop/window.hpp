@@ -11,7 +11,7 @@
 namespace snug::desktop {
 
 struct WindowOptions {
-  std::string folder;                      // of the lessons; empty for the one beside the program
+  std::string folder;                      // of the lessons; empty for the program's own
   std::string lesson;                      // its id, or its file; empty for the first
   std::string exercise;                    // its id, to open instead of a lesson; empty for none
   std::optional<lesson::Attempt> attempt;  // to watch: what was decided in it; none to decide

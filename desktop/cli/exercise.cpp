@@ -250,7 +250,7 @@ CommandResult run_check(const ExerciseOptions& options) {
 }
 
 void add_lessons(CLI::App& command, std::string& folder) {
-  command.add_option("--lessons", folder, "Folder of the lessons; by default the one beside the program");
+  command.add_option("--lessons", folder, "Folder of the lessons; by default the program's own");
 }
 
 void add_level(CLI::App& command, int& level) {

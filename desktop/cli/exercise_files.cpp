@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr const char* kSetsFile = "sets.toml";
 
 fs::path exercises_folder(const std::string& folder) {
-  return (folder.empty() ? program_folder() / "lessons" : fs::path(folder)) / "exercises";
+  return (folder.empty() ? data_folder() / "lessons" : fs::path(folder)) / "exercises";
 }
 
 tl::expected<std::vector<std::string>, InputError> exercise_paths(const std::string& folder) {

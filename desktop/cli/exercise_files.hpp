@@ -17,7 +17,7 @@ struct ExerciseFile {
   std::shared_ptr<const lesson::Exercise> exercise;
 };
 
-/// The exercises of a lessons folder ("" is the one beside the program), by id. Errors: those of the folder, and of the
+/// The exercises of a lessons folder ("" is the program's own), by id. Errors: those of the folder, and of the
 /// first bad file.
 [[nodiscard]] tl::expected<std::vector<ExerciseFile>, InputError> read_exercises(const std::string& folder);
 /// The exercise with an id, or of the file that a path leads to. Errors: those of its file; no such exercise.

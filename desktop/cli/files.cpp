@@ -143,10 +143,4 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-fs::path program_folder() {
-  std::error_code error;
-  const fs::path program = fs::canonical("/proc/self/exe", error);
-  return error ? fs::current_path(error) : program.parent_path();
-}
-
 }  // namespace snug::desktop

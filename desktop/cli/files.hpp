@@ -74,7 +74,4 @@ class NewFile {
 /// Writes a whole file at once; "-" is standard output. Errors: those of NewFile.
 [[nodiscard]] tl::expected<void, InputError> write_file(const std::string& path, std::string_view bytes);
 
-/// The program's folder: lessons/ and assets/ are beside the program.
-[[nodiscard]] std::filesystem::path program_folder();
-
 }  // namespace snug::desktop

@@ -163,7 +163,7 @@ CommandResult run_play(const LessonOptions& options) {
 }
 
 void add_folder(CLI::App& command, std::string& folder) {
-  command.add_option("--lessons", folder, "Folder of the lesson files; by default the one beside the program");
+  command.add_option("--lessons", folder, "Folder of the lesson files; by default the program's own");
 }
 
 }  // namespace

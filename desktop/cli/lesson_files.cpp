@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/subjects.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path folder_or_own(const std::string& folder) {
-  return folder.empty() ? program_folder() / "lessons" : fs::path(folder);
+  return folder.empty() ? data_folder() / "lessons" : fs::path(folder);
 }
 
 /// The folder of the named cases, in that of the lessons.
@@ -176,7 +177,7 @@ lesson::Beside beside(const std::string& path) {
 
 tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson) {
   if (lesson.points.mesh.empty()) return std::nullopt;
-  const fs::path path = program_folder() / "assets" / "meshes" / (lesson.points.mesh + ".ply");
+  const fs::path path = data_folder() / "assets" / "meshes" / (lesson.points.mesh + ".ply");
   return read_point_file(path.string()).map([](io::PointFile&& mesh) { return std::optional(std::move(mesh)); });
 }
 

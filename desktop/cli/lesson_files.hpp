@@ -33,7 +33,7 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// The id of the lesson in a file: the file's name without .toml.
 [[nodiscard]] std::string id_of(const std::string& path);
 
-/// The paths of a folder's lessons, by name; "" is the folder beside the program. Errors: those of the folder.
+/// The paths of a folder's lessons, by name; "" is the program's own folder. Errors: those of the folder.
 [[nodiscard]] tl::expected<std::vector<std::string>, InputError> lesson_paths(const std::string& folder);
 
 /// The course of a folder; none if it has no course file. Errors: those of lesson::read_course.
@@ -46,7 +46,7 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// none of these files.
 [[nodiscard]] tl::expected<std::vector<std::string>, InputError> files_of(const std::string& folder);
 
-/// Every lesson of a folder in the order of its course, or by id if it has none; "" is the folder beside the program.
+/// Every lesson of a folder in the order of its course, or by id if it has none; "" is the program's own folder.
 /// Errors: those of the folder, and of the first bad file.
 [[nodiscard]] tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string& folder);
 

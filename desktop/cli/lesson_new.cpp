@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_commands.hpp"
 #include "lesson/names.hpp"
@@ -34,7 +35,7 @@ std::vector<std::string_view> subject_names() {
 CommandResult run_new(const NewOptions& options) {
   if (!is_id(options.id))
     return bad_input("a lesson's id has small letters, digits and hyphens, and at most 64 of them: " + options.id);
-  const std::filesystem::path example = program_folder() / "lessons" / "examples" / (options.subject + ".toml");
+  const std::filesystem::path example = data_folder() / "lessons" / "examples" / (options.subject + ".toml");
   const auto names = subject_names();
   std::error_code error;
   if (!lesson::is_among(names, options.subject) || !std::filesystem::exists(example, error))
