@@ -16,10 +16,8 @@ char** arguments;
 int become_window(const snug::desktop::WindowOptions&) {
   const auto program = snug::desktop::window_program();
   ::execv(program.c_str(), arguments);
-  if (errno == ENOENT)
-    std::fprintf(stderr, "snug: the window is not installed: there is no %s\n", program.c_str());
-  else
-    std::fprintf(stderr, "snug: %s: %s\n", program.c_str(), std::strerror(errno));
+  if (errno == ENOENT) std::fprintf(stderr, "snug: the window is not installed: there is no %s\n", program.c_str());
+  else std::fprintf(stderr, "snug: %s: %s\n", program.c_str(), std::strerror(errno));
   return 2;
 }
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/definitions.hpp"
+#include "desktop/cli/did_you_mean.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -24,7 +26,7 @@ constexpr const char* kFooter =
     "Data goes to standard output, messages to standard error; - as a file name is standard input or output. A file\n"
     "may have up to 512 MiB. Exit status: 0 done, 1 a check failed, 2 bad input or usage: one line on standard\n"
     "error, \"snug: FILE:LINE: what is wrong\", and nothing on standard output.\n"
-    "`snug COMMAND --help` describes a command in full.";
+    "`snug help COMMAND` describes a command in full.";
 
 /// Prints a message as one line.
 void complain(std::string what) {
@@ -74,21 +76,47 @@ std::vector<std::string> joined_numbers(int argc, const char* const* argv) {
   return joined;
 }
 
-/// The subcommands read so far: "snug lesson check".
-std::string command_line_of(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return app.get_name() + (chosen.empty() ? "" : " " + command_line_of(*chosen.front()));
+/// The subcommand read so far: "snug lesson check".
+Defined chosen_of(const CLI::App& app) {
+  Defined chosen{app.get_name(), &app};
+  for (auto below = app.get_subcommands(); !below.empty(); below = chosen.app->get_subcommands())
+    chosen = {chosen.call + ' ' + below.front()->get_name(), below.front()};
+  return chosen;
+}
+
+/// What follows the parser's message: the option or the command that may have been meant.
+std::string meant(const Defined& chosen, const std::vector<std::string>& unexpected) {
+  for (const std::string& word : unexpected) {
+    std::vector<std::string> known;
+    if (word.starts_with('-'))
+      for (const CLI::Option* option : options_of(*chosen.app))
+        for (std::string& name : names_of(*option)) known.push_back(std::move(name));
+    else
+      for (const CLI::App* command : subcommands_of(*chosen.app)) known.push_back(command->get_name());
+    if (std::string says = did_you_mean(word.substr(0, word.find('=')), known); !says.empty()) return says;
+  }
+  return {};
+}
+
+/// What was wrong with the arguments, in one line.
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const Defined chosen = chosen_of(app);
+  // The parser took a mistyped command for a lesson, and its options for the window's.
+  const auto& lesson = app.get_option("LESSON")->results();
+  if (chosen.app == &app && !lesson.empty())
+    if (auto wrong = neither_command_nor_lesson(app, lesson.front())) return *std::move(wrong);
+  return error.what() + meant(chosen, app.remaining(true)) + " (see `" + chosen.call + " --help`)";
 }
 
 int run(int argc, const char* const* argv, int (*open_window)(const WindowOptions&)) {
   CLI::App app(kDescription, "snug");
   app.footer(kFooter);
-  app.set_version_flag("--version", SNUG_VERSION);
+  app.set_version_flag("-V,--version", SNUG_VERSION);
   app.require_subcommand(0, 1);
   Commands commands{app, open_window, {}};
-  for (const auto add :
-       {add_window, add_fit, add_algorithms, add_cases, add_update, add_overlap, add_cull, add_cost, add_which,
-        add_chart, add_scene, add_lesson, add_exercise, add_grade, add_trace_hash, add_render})
+  for (const auto add : {add_window, add_fit, add_algorithms, add_cases, add_update, add_overlap, add_cull, add_cost,
+                         add_which, add_chart, add_scene, add_lesson, add_exercise, add_grade, add_trace_hash,
+                         add_render, add_help, add_made_of_definitions})
     add(commands);
   try {
     app.parse(joined_numbers(argc, argv));
@@ -98,7 +126,7 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
     complain(std::string("standard output: ") + std::strerror(errno));
     return 2;
   } catch (const CLI::ParseError& error) {
-    complain(std::string(error.what()) + " (see `" + command_line_of(app) + " --help`)");
+    complain(usage_error(app, error));
     return 2;
   }
   return run_chosen(commands);

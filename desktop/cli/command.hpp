@@ -5,6 +5,7 @@
 #include <charconv>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -79,6 +80,11 @@ void add_exercise(Commands& commands);
 void add_grade(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
+void add_help(Commands& commands);
+void add_made_of_definitions(Commands& commands);
+
+/// Why a word is no use where a command or a lesson could stand; none if it is a lesson, or may be a file.
+[[nodiscard]] std::optional<std::string> neither_command_nor_lesson(const CLI::App& snug, const std::string& word);
 
 /// Adds a subcommand with its options, which live as long as the parser may write to them.
 template <class Options, class Run>

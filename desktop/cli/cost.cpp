@@ -4,6 +4,7 @@
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/cost_text.hpp"
+#include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/measured_points.hpp"
 #include "desktop/cli/progress.hpp"
@@ -53,6 +54,12 @@ bool is_named(const fit::Algorithm& algorithm, const std::string& name) {
   return name == algorithm.name || name == std::string(algorithm.volume) + ":" + std::string(algorithm.name);
 }
 
+Wrong no_algorithm(const std::string& name) {
+  std::vector<std::string> known;
+  for (const fit::Algorithm& algorithm : fit::algorithms()) known.emplace_back(algorithm.name);
+  return wrong("there is no algorithm \"" + name + "\"; `snug algorithms` lists all" + did_you_mean(name, known));
+}
+
 /// The chosen algorithms, in the catalogue's order, whatever the order of the names.
 tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const CostOptions& options, int dim) {
   const bool known = std::find(kVolumeNames.begin(), kVolumeNames.end(), options.volume) != kVolumeNames.end();
@@ -67,7 +74,7 @@ tl::expected<std::vector<const fit::Algorithm*>, InputError> algorithms_of(const
     if (wanted && fit::takes(algorithm, dim)) chosen.push_back(&algorithm);
   }
   for (std::size_t i = 0; i < met.size(); ++i)
-    if (!met[i]) return wrong("there is no algorithm \"" + options.algorithms[i] + "\"; `snug algorithms` lists all");
+    if (!met[i]) return no_algorithm(options.algorithms[i]);
   if (chosen.empty()) return wrong("none of these algorithms takes " + std::to_string(dim) + "-D points");
   return chosen;
 }

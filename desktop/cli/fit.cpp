@@ -1,5 +1,6 @@
 #include "desktop/cli/cases.hpp"
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/timing.hpp"
@@ -23,26 +24,30 @@ struct FitOptions {
   std::string file, name;  // a file's path, or a case's name
 };
 
-/// The volumes, or one volume's algorithms, as a list for a sentence.
-std::string names(std::string_view volume) {
-  std::string list;
-  std::string_view last;
+/// The volumes, or one volume's algorithms.
+std::vector<std::string> known_names(std::string_view volume) {
+  std::vector<std::string> names;
   for (const fit::Algorithm& algorithm : fit::algorithms()) {
     const std::string_view name = volume.empty() ? algorithm.volume : algorithm.name;
-    if ((!volume.empty() && algorithm.volume != volume) || name == last) continue;
-    list.append(list.empty() ? "" : ", ").append(name);
-    last = name;
+    const bool listed = !names.empty() && names.back() == name;
+    if (!listed && (volume.empty() || algorithm.volume == volume)) names.emplace_back(name);
   }
+  return names;
+}
+std::string list_of(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list.append(list.empty() ? "" : ", ").append(name);
   return list;
 }
 
 tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& options) {
   if (const fit::Algorithm* algorithm = fit::find_algorithm(options.volume, options.algorithm)) return algorithm;
-  const std::string known = names(options.volume);
-  return tl::unexpected(InputError{.what = options.volume.empty() || known.empty()
-                                               ? "there is no volume \"" + options.volume + "\"; known: " + names("")
-                                               : "there is no algorithm \"" + options.algorithm + "\" for " +
-                                                     options.volume + "; known: " + known});
+  const auto volumes = known_names(""), known = known_names(options.volume);
+  if (options.volume.empty() || known.empty())
+    return tl::unexpected(InputError{.what = "there is no volume \"" + options.volume +
+                                             "\"; known: " + list_of(volumes) + did_you_mean(options.volume, volumes)});
+  return tl::unexpected(InputError{.what = "there is no algorithm \"" + options.algorithm + "\" for " + options.volume +
+                                           "; known: " + list_of(known) + did_you_mean(options.algorithm, known)});
 }
 
 /// The points that are fitted, and where they are in float, what they were before they were rounded.
@@ -190,7 +195,7 @@ void add_fit(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("fit", "Fit a volume to the points of a file");
   command.footer(kFitFooter);
   const auto options = add_command<FitOptions>(commands, command, run_fit);
-  command.add_option("--volume", options->volume, "Kind of volume: " + names(""));
+  command.add_option("--volume", options->volume, "Kind of volume: " + list_of(known_names("")));
   command.add_option("--algorithm", options->algorithm, "Algorithm; `snug algorithms` lists all");
   command.add_option("--scalar", options->scalar, "Number type: double or float; by default double, or a case's own")
       ->check(CLI::IsMember({"double", "float"}));

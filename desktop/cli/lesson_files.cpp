@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "desktop/cli/data_folder.hpp"
+#include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/subjects.hpp"
 
@@ -133,9 +134,14 @@ tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string
   return in_order(std::move(lessons), *course);
 }
 
+std::vector<std::string> lesson_ids(const std::string& folder) {
+  const auto paths = toml_files(folder_or_own(folder));
+  return paths ? ids_of(*paths) : std::vector<std::string>();
+}
+
 InputError no_lesson(const std::string& folder, const std::string& id) {
   const std::string list = "`snug lesson list" + (folder.empty() ? "" : " --lessons " + folder) + '`';
-  return {.what = "there is no lesson \"" + id + "\"; " + list + " lists them"};
+  return {.what = "there is no lesson \"" + id + "\"; " + list + " lists them" + did_you_mean(id, lesson_ids(folder))};
 }
 
 tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,

@@ -61,6 +61,9 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// The case of a name. Errors: those of its file; no such case.
 [[nodiscard]] tl::expected<LessonFile, InputError> find_case(const std::string& name);
 
+/// The ids of a folder's lessons, by name; none if it cannot be read.
+[[nodiscard]] std::vector<std::string> lesson_ids(const std::string& folder);
+
 /// Says that a folder has no lesson with an id.
 [[nodiscard]] InputError no_lesson(const std::string& folder, const std::string& id);
 

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/definitions.hpp"
+#include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/drafts.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
@@ -37,9 +39,6 @@ tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
 
 /// The lesson that shows a point file that no lesson was named for: all volumes around it, side by side.
 constexpr const char* kPointsLesson = "which-volume";
-
-/// Whether the program has a lesson with that id.
-bool is_offered(const std::string& id) { return find_lesson("", id, lesson::Checked::kAsWritten).has_value(); }
 
 /// Reports what can be found wrong before there is a window, and then opens it.
 CommandResult open_on(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {
@@ -127,6 +126,15 @@ void add_common(CLI::App& command, WindowOptions& options) {
 
 bool is_own(const WindowOptions& options) { return !options.folder.empty() || is_path(options.lesson); }
 
+std::optional<std::string> neither_command_nor_lesson(const CLI::App& snug, const std::string& word) {
+  if (is_path(word) || find_lesson("", word, lesson::Checked::kAsWritten)) return std::nullopt;
+  std::vector<std::string> commands;
+  for (const CLI::App* command : subcommands_of(snug)) commands.push_back(command->get_name());
+  std::string meant = did_you_mean(word, commands);
+  if (meant.empty()) meant = did_you_mean(word, lesson_ids(""));
+  return '"' + word + "\" is neither a command nor a lesson" + meant + " (see `snug --help`)";
+}
+
 void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
   auto word = std::make_shared<std::string>();
@@ -136,12 +144,12 @@ void add_window(Commands& commands) {
   CLI::Option* const lesson = commands.app.add_option("--lesson", options->lesson, "The same as LESSON");
   commands.app.add_option("LESSON", *word, kWhich)->excludes(lesson);
   add_common(commands.app, *options);
-  commands.chosen = [options, word, open_window = commands.open_window]() -> CommandResult {
+  commands.chosen = [options, word, snug = &commands.app, open_window = commands.open_window]() -> CommandResult {
     if (!word->empty() && options->points_file.empty() && io::is_point_extension(ending_of(*word)))
       options->points_file = *word, options->lesson = kPointsLesson;
     else if (!word->empty()) options->lesson = *word;
-    if (!word->empty() && !is_own(*options) && !is_offered(options->lesson))
-      return bad_input('"' + *word + "\" is neither a command nor a lesson (see `snug --help`)");
+    if (!word->empty() && !is_own(*options))
+      if (const auto wrong = neither_command_nor_lesson(*snug, options->lesson)) return bad_input(*wrong);
     if (options->width < kLeastWidth || options->height < kLeastHeight)
       return bad_input("--size: the window is at least " + std::to_string(kLeastWidth) + "x" +
                        std::to_string(kLeastHeight) + "; snug render draws smaller pictures");

@@ -254,6 +254,31 @@ test("usage errors name the help of the subcommand they are about", () => {
   refused(["render", "sphere-ritter"], /\(see `snug render --help`\)\n$/);
 });
 
+test("a mistyped command, option, algorithm or lesson is told what it may have been", () => {
+  const meant = (args, word) => refused(args, new RegExp(`; did you mean "${word}"\\?`));
+  meant(["fti"], "fit");
+  meant(["fti", "--volume", "obb", tetra], "fit");
+  meant(["overl", tetra], "overlap");
+  meant(["sphere-riter"], "sphere-ritter");
+  meant(["render", "sphere-riter", "-o", "x.png"], "sphere-ritter");
+  meant(["lesson", "chek", "x.toml"], "check");
+  meant(["fit", "--volum", "obb", tetra], "--volume");
+  meant(["fit", "--scalr=float", tetra], "--scalar");
+  meant(["fit", "--volume", "shpere", "--algorithm", "welzl", tetra], "sphere");
+  meant(fit_args("wezl", tetra), "welzl");
+  meant(["cost", "--algorithms", "ritter,pivto", tetra], "pivot");
+  meant(["help", "lesson", "lst"], "list");
+  for (const far of [["cube"], ["fit", "--colour", tetra], ["sphere-"], ["help", "x"]])
+    assert.doesNotMatch(snug(far).err, /did you mean/, far.join(" "));
+});
+
+test("snug help says what --help says", () => {
+  for (const command of [[], ["fit"], ["lesson"], ["lesson", "check"], ["help"]])
+    assert.equal(good(["help", ...command]), good([...command, "--help"]));
+  refused(["help", "nothing"], '"nothing" is not a command of snug');
+  assert.equal(good(["-V"]), good(["--version"]));
+});
+
 test("a picture is a PNG, and a chart may be SVG as well, whatever it is called", () => {
   for (const name of ["x.jpg", "x", "x.png.txt"]) {
     const line = `${name}: pictures are written as PNG: the name must end in .png, or be - for standard output`;

@@ -1,0 +1,70 @@
+#include "desktop/cli/definitions.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "fit/catalogue.hpp"
+
+namespace snug::desktop {
+namespace {
+
+/// What follows an option that every command reads in the same way.
+std::vector<std::string> catalogued(const CLI::Option& option) {
+  std::vector<std::string> found;
+  const auto& names = option.get_lnames();
+  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const bool volumes = has("volume");
+  if (!volumes && !has("algorithm")) return found;
+  for (const fit::Algorithm& algorithm : fit::algorithms())
+    found.emplace_back(volumes ? algorithm.volume : algorithm.name);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+void add_commands(const Defined& command, std::vector<Defined>& all) {
+  all.push_back(command);
+  for (const CLI::App* sub : subcommands_of(*command.app))
+    add_commands({command.call + ' ' + sub->get_name(), sub}, all);
+}
+
+}  // namespace
+
+std::vector<const CLI::App*> subcommands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); });
+}
+
+std::vector<Defined> all_commands(const CLI::App& snug) {
+  std::vector<Defined> all;
+  add_commands({snug.get_name(), &snug}, all);
+  return all;
+}
+
+std::vector<const CLI::Option*> options_of(const CLI::App& app) {
+  return app.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back('-' + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+
+std::vector<std::string> values_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // of one that is checked "TEXT:{double,float}"
+  const auto begin = type.find('{'), end = type.rfind('}');
+  if (begin == std::string::npos || end == std::string::npos) return catalogued(option);
+  std::vector<std::string> values;
+  std::istringstream list(type.substr(begin + 1, end - begin - 1));
+  for (std::string value; std::getline(list, value, ',');) values.push_back(value);
+  return values;
+}
+
+std::string help_of(const Defined& command) {
+  return command.app->get_formatter()->make_help(command.app, command.call, CLI::AppFormatMode::Normal);
+}
+
+}  // namespace snug::desktop
