@@ -85,9 +85,9 @@ if [[ tests/browser/package-lock.json -nt tests/browser/node_modules/.package-lo
 fi
 # The core's tests are compiled once for this machine: with the sanitizers where those are asked for.
 if [[ ${sanitize:-} ]]; then
-    if built release snug_app_tests snug_desktop; then suites release -E '^core[.]'; fi
+    if built release snug_app_tests snug_install; then suites release -E '^core[.]'; fi
     if built sanitize snug_tests snug_fuzz; then suites sanitize; fi
-elif built release snug_tests snug_app_tests snug_desktop; then
+elif built release snug_tests snug_app_tests snug_install; then
     suites release
 fi
 if built wasm all; then suites wasm; fi
