@@ -8,6 +8,7 @@
 #include "app/cover_picture.hpp"
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/data_folder.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/kept_answers.hpp"
@@ -219,7 +220,15 @@ void Shell::use_dropped(const std::vector<std::string>& paths) {
 
 std::string Shell::new_file(const std::string& stem, const std::string& extension) {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::current_path(error);
+  std::filesystem::path folder = std::filesystem::current_path(error);
+  if (!defaults().results.empty()) {
+    folder = defaults().results;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+      notice = "Not saved: " + folder.string() + ": " + error.message() + ". " + defaults().file + " names it.";
+      return {};
+    }
+  }
   if (error || !std::filesystem::exists(folder, error)) {
     notice = "Not saved: the folder that Snug was started in is no longer there. Start Snug in another one.";
     return {};

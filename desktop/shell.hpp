@@ -164,8 +164,9 @@ class Shell {
  private:
   void take_files();
   void keep_exercise();
-  /// A new file in the folder that the program was started in: stem.csv, stem-2.csv, stem-3.csv …, the first that does
-  /// not exist; nothing is overwritten. Empty, with a notice, if the folder is gone.
+  /// A new file in the class's folder of results, or else in the folder that the program was started in: stem.csv,
+  /// stem-2.csv, stem-3.csv …, the first that does not exist; nothing is overwritten. Empty, with a notice, if there is
+  /// no such folder.
   [[nodiscard]] std::string new_file(const std::string& stem, const std::string& extension);
   [[nodiscard]] const std::string& of_strip() const;
   void read_again();

@@ -18,6 +18,7 @@
 #include "desktop/chart_file.hpp"
 #include "desktop/chart_picture.hpp"
 #include "desktop/cli/data_folder.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/controls.hpp"
@@ -261,9 +262,9 @@ void restore_view(app::Settings& settings, const std::optional<KeptView>& view) 
 }
 
 /// The theme that SNUG_THEME names, for labs that set one for every seat.
-app::Theme theme_of_environment() {
+app::Theme theme_of_environment(std::string_view otherwise = "") {
   const char* name = std::getenv("SNUG_THEME");
-  const std::string_view theme = name != nullptr ? name : "";
+  const std::string_view theme = name != nullptr ? name : otherwise;
   return theme == "dark"        ? app::Theme::kDark
          : theme == "contrast"  ? app::Theme::kHighContrast
          : theme == "projector" ? app::Theme::kProjector
@@ -392,8 +393,14 @@ void run(GlfwHost& host, Shell& shell) {
 }
 
 /// Returns the lesson to open first: the one that was asked for, or that of the course to start or go on with.
+/// Whether a student who was not here before begins with the lesson that the class's defaults name.
+bool begins_with_defaults(const Shell& shell) {
+  return !defaults().first_lesson.empty() && !shell.writing() && shell.kept().last().empty();
+}
+
 std::string first_lesson(const Shell& shell, const WindowOptions& options) {
   if (!options.lesson.empty()) return is_path(options.lesson) ? id_of(options.lesson) : options.lesson;
+  if (begins_with_defaults(shell)) return defaults().first_lesson;
   return shell.lessons().empty() ? std::string() : shell.lessons()[shell.lead().first].lesson.id;
 }
 
@@ -408,6 +415,7 @@ int open_first(Shell& shell, const WindowOptions& options) {
   }
   const bool picture = !options.screenshot.empty();
   const bool bare = options.at.empty() && !options.seed && options.points_file.empty() && !picture;
+  const bool begins = begins_with_defaults(shell);
   const std::string id = first_lesson(shell, options);
   if (const KeptLesson* kept = shell.kept().lesson(id))
     shell.app().keep_answers(id, lesson::kept_answers_of(kept->answers));
@@ -415,7 +423,7 @@ int open_first(Shell& shell, const WindowOptions& options) {
   if (const auto opened = shell.open(id); !opened)
     return shell.writing() && !picture ? 0 : stop(opened.error().message());
   if (bare) shell.go_to_kept_place();
-  shell.course_shown = bare && options.lesson.empty();
+  shell.course_shown = bare && options.lesson.empty() && !begins;
   if (!options.at.situation.empty())
     if (const auto shown = shell.session().show_situation(options.at.situation); !shown)
       return stop(shown.error().message());
@@ -486,7 +494,7 @@ int run_window(const WindowOptions& options) {
                 .here = native_provenance()});
   if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
   app.settings().prose_in_canvas = true;
-  app.settings().theme = theme_of_environment();
+  app.settings().theme = theme_of_environment(options.screenshot.empty() ? defaults().theme : "");
   if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
   restore_view(app.settings(), kept.view);
   Shell shell(app, std::move(lessons->files), std::move(kept), std::move(lessons->drafts));

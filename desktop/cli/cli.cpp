@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/definitions.hpp"
 #include "desktop/cli/did_you_mean.hpp"
 
@@ -46,7 +47,10 @@ int print(const Printed& printed) {
 }
 
 int run_chosen(const Commands& commands) {
-  const CommandResult result = commands.chosen();
+  const CommandResult result =
+      read_defaults().map_error([](InputError&& error) { return std::vector{std::move(error)}; }).and_then([&] {
+        return commands.chosen();
+      });
   if (result) return print(*result);
   for (const InputError& error : result.error()) complain(error.message());
   return 2;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "desktop/cli/data_folder.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
 
@@ -14,8 +15,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSetsFile = "sets.toml";
 
+/// A class's lessons may come without exercises: then the program's own stand.
 fs::path exercises_folder(const std::string& folder) {
-  return (folder.empty() ? data_folder() / "lessons" : fs::path(folder)) / "exercises";
+  constexpr const char* kExercises = "exercises";
+  std::error_code error;
+  if (!folder.empty()) return fs::path(folder) / kExercises;
+  const fs::path own = lessons_folder() / kExercises;
+  return fs::exists(own, error) ? own : data_folder() / "lessons" / kExercises;
 }
 
 tl::expected<std::vector<std::string>, InputError> exercise_paths(const std::string& folder) {

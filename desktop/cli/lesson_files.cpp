@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "desktop/cli/data_folder.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/subjects.hpp"
@@ -13,13 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_or_own(const std::string& folder) {
-  return folder.empty() ? data_folder() / "lessons" : fs::path(folder);
-}
+fs::path folder_or_own(const std::string& folder) { return folder.empty() ? lessons_folder() : fs::path(folder); }
 
-/// The folder of the named cases, in that of the lessons.
+/// The folder of the named cases, which come with the program.
 constexpr const char* kCases = "cases";
-std::string folder_of_cases() { return (folder_or_own("") / kCases).string(); }
+std::string folder_of_cases() { return (data_folder() / "lessons" / kCases).string(); }
 
 /// Hidden files are an editor's own; a pipe would be waited for.
 bool is_lesson(const fs::directory_entry& entry) {

@@ -59,13 +59,18 @@ std::string arguments_of(const CLI::App& app) {
   return text;
 }
 
-constexpr const char* kEnvironment = R"(.SH ENVIRONMENT
+constexpr const char* kFiles = R"(.SH FILES
+.TP
+.I ~/.local/state/snug/course.json
+What the window keeps: answers, and the place in each lesson. XDG_STATE_HOME leads elsewhere.
+.TP
+.I ~/.config/snug/snug.toml, /etc/xdg/snug/snug.toml
+What everybody of a class begins with: lessons, theme, first_lesson, results. The first that exists counts;
+XDG_CONFIG_HOME and XDG_CONFIG_DIRS lead elsewhere.
+.SH ENVIRONMENT
 .TP
 .B SNUG_THEME
 The window's and the pictures' look at the start: light, dark, contrast or projector.
-.TP
-.B XDG_STATE_HOME
-The window keeps answers and the place in each lesson in snug/course.json there; ~/.local/state by default.
 )";
 
 }  // namespace
@@ -86,7 +91,7 @@ std::string manual_of(const CLI::App& snug) {
          << plain(command.app->get_description()) << ".\n"
          << arguments_of(*command.app) << as_written(command.app->get_footer());
   }
-  page << ".SH \"STREAMS AND EXIT STATUS\"\n" << as_written(snug.get_footer()) << kEnvironment;
+  page << ".SH \"STREAMS AND EXIT STATUS\"\n" << as_written(snug.get_footer()) << kFiles;
   return page.str();
 }
 
