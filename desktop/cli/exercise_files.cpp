@@ -5,6 +5,7 @@
 
 #include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/defaults.hpp"
+#include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
 
@@ -58,7 +59,10 @@ tl::expected<ExerciseFile, InputError> find_exercise(const std::string& folder, 
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
     if (id_of(path) == id) return read_exercise_file(path);
-  return tl::unexpected(InputError{.what = "there is no exercise \"" + id + "\"; `snug exercise list` lists them"});
+  std::vector<std::string> known;
+  for (const std::string& path : *paths) known.push_back(id_of(path));
+  return tl::unexpected(InputError{.what = "there is no exercise \"" + id + "\"; `snug exercise list` lists them" +
+                                           did_you_mean(id, known)});
 }
 
 tl::expected<std::vector<lesson::ExerciseSet>, InputError> read_sets_of(const std::string& folder) {

@@ -163,7 +163,8 @@ tl::expected<std::vector<LessonFile>, InputError> read_cases() {
 
 tl::expected<LessonFile, InputError> find_case(const std::string& name) {
   if (const auto path = path_of_case(name)) return read_lesson_file(*path, lesson::Checked::kAsWritten);
-  return tl::unexpected(InputError{.what = "there is no case \"" + name + "\"; `snug cases` lists them"});
+  return tl::unexpected(InputError{.what = "there is no case \"" + name + "\"; `snug cases` lists them" +
+                                           did_you_mean(name, lesson_ids(folder_of_cases()))});
 }
 
 lesson::Beside beside(const std::string& path) {

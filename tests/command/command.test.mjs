@@ -268,6 +268,8 @@ test("a mistyped command, option, algorithm or lesson is told what it may have b
   meant(fit_args("wezl", tetra), "welzl");
   meant(["cost", "--algorithms", "ritter,pivto", tetra], "pivot");
   meant(["help", "lesson", "lst"], "list");
+  meant(["exercise", "make", "be-rittr"], "be-ritter");
+  meant(["fit", "--case", "nedle"], "needle");
   for (const far of [["cube"], ["fit", "--colour", tetra], ["sphere-"], ["help", "x"]])
     assert.doesNotMatch(snug(far).err, /did you mean/, far.join(" "));
 });
