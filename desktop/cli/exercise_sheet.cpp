@@ -8,7 +8,6 @@
 #include <span>
 
 #include "lesson/prose_figures.hpp"
-#include "lesson/subjects/frustum/frustum_box.hpp"
 #include "query/support_function.hpp"
 
 namespace snug::desktop {
@@ -132,28 +131,39 @@ struct Figure {
   void hold(const Point3& p) { least = least.cwiseMin(p), greatest = greatest.cwiseMax(p); }
 };
 
-/// The names of a frustum's planes, each in the middle of the side that lies in it.
-std::vector<std::pair<std::string, Point3>> names_of_planes(const lesson::Subject& subject, const Outline& ring) {
-  std::vector<std::pair<std::string, Point3>> named;
-  const lesson::Rows planes = subject.planes();
+/// What the questions call a frustum's planes, in their order: each is asked about as it is tested.
+std::vector<std::string> planes_asked(const lesson::Session& session) {
+  std::vector<std::string> names;
+  for (const lesson::Asked& asked : session.questions())
+    if (asked.question->gate.fact == "plane_tested" && (names.empty() || names.back() != asked.of))
+      names.push_back(asked.of);
+  return names;
+}
+
+/// The names of planes, each in the middle of the side that lies in it.
+std::vector<std::pair<std::string, Point3>> sides_of(const lesson::Rows& planes, const Outline& ring,
+                                                     const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, Point3>> sides;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point3 middle = (ring[i] + ring[(i + 1) % ring.size()]) / 2;
     const auto off = [&](const auto& row) { return std::abs(row[0] * middle[0] + row[1] * middle[1] + row[2]); };
     const auto nearest =
         std::min_element(planes.begin(), planes.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
-    named.emplace_back(lesson::plane_name(subject.dim(), static_cast<int>(nearest - planes.begin())), middle);
+    const auto plane = static_cast<std::size_t>(nearest - planes.begin());
+    if (plane < names.size()) sides.emplace_back(names[plane], middle);
   }
-  return named;
+  return sides;
 }
 
-tl::expected<Figure, InputError> figure_of(const lesson::Subject& subject) {
+tl::expected<Figure, InputError> figure_of(const lesson::Session& session) {
   Figure figure;
+  const lesson::Subject& subject = session.subject();
   if (subject.dim() == 3) return tl::unexpected(InputError{.what = "it is in space, and paper is flat"});
   for (const fit::Volume3& volume : subject.volumes()) figure.solid.push_back(outline_of(volume));
   const auto things = subject.things();
   if (!subject.planes().empty()) {
     figure.dashed.push_back(ring_of(subject, things.back()));
-    figure.sides = names_of_planes(subject, figure.dashed.back());
+    figure.sides = sides_of(subject.planes(), figure.dashed.back(), planes_asked(session));
   }
   if (figure.solid.empty() && subject.points() == nullptr)
     for (const auto& handles : things)
@@ -203,7 +213,7 @@ tl::expected<std::string, InputError> sheet_of(const lesson::Exercise& exercise,
                                                std::uint64_t seed, bool solved) {
   if (exercise.build)
     return tl::unexpected(InputError{.what = exercise.id + ": what is built takes a stage that answers, and no paper"});
-  const auto figure = figure_of(session.subject());
+  const auto figure = figure_of(session);
   if (!figure) return tl::unexpected(InputError{.what = exercise.id + ": " + figure.error().what});
   Page page;
   page.text(kMargin, kMargin + 4, exercise.stage.title, 6.5, "font-weight=\"600\"");
