@@ -1,5 +1,5 @@
 # Where an installed Snug has its parts, and `cmake --install`'s components: cli (the command and the lessons), window,
-# libraries (those that the window needs and a system may lack), development (the core for other programs).
+# libraries (those that the programs need and a system may lack), development (the core for other programs).
 include(GNUInstallDirs)
 include(CheckLinkerFlag)
 
@@ -18,6 +18,7 @@ endfunction()
 snug_way(SNUG_COMMAND_TO_DATA ${CMAKE_INSTALL_BINDIR} ${SNUG_DATA})
 snug_way(SNUG_COMMAND_TO_WINDOW ${CMAKE_INSTALL_BINDIR} ${SNUG_WINDOW_FOLDER})
 snug_way(SNUG_WINDOW_TO_DATA ${SNUG_WINDOW_FOLDER} ${SNUG_DATA})
+snug_way(SNUG_COMMAND_TO_LIBRARIES ${CMAKE_INSTALL_BINDIR} ${SNUG_LIBRARIES})
 snug_way(SNUG_WINDOW_TO_LIBRARIES ${SNUG_WINDOW_FOLDER} ${SNUG_LIBRARIES})
 
 set(SNUG_STATIC_CXX -static-libstdc++ -static-libgcc)

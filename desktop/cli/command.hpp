@@ -80,6 +80,7 @@ void add_exercise(Commands& commands);
 void add_grade(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
+void add_package(Commands& commands);
 void add_help(Commands& commands);
 void add_made_of_definitions(Commands& commands);
 

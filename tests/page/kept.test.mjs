@@ -14,7 +14,7 @@ const kEntry = {
   task: false,
 };
 const kWhole = { ...kEntry, told: null, tried: null };
-const kData = { version: 1, last: "a", invited: 3, lessons: { a: kEntry }, exercises: {}, student: "" };
+const kData = { version: 1, count: 0, last: "a", invited: 3, lessons: { a: kEntry }, exercises: {}, student: "" };
 const kAttempt = { exercise: "e", hash: "0f", seed: 7, decisions: ["p1@0.5"], hints: 0, mark: 1, of: 4, seconds: 2 };
 
 /** A storage that holds a text. wrong: what it throws. */
@@ -36,7 +36,8 @@ for (const text of ["{", "[1, 2]", '"x"', "{}"])
     assert.deepEqual([kept.works, kept.set_aside, kept.last, kept.lesson("a")], [true, true, null, null]);
     assert.equal(texts.get("snug-course-damaged"), text);
     kept.keep_lesson("a", kWhole);
-    assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), { ...kData, invited: 0, lessons: { a: kWhole } });
+    const now = { ...kData, count: 1, invited: 0, lessons: { a: kWhole } };
+    assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), now);
   });
 
 test("an entry that cannot be understood counts as not begun, a damaged place in a question as none", () => {
@@ -59,7 +60,7 @@ test("what was tried and told is kept; erased, the invitations stay followed", (
   assert.equal(new Kept().last, "b");
   kept.keep_invited(2);
   kept.erase();
-  assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), { ...kData, last: null, lessons: {} });
+  assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), { ...kData, count: 2, last: null, lessons: {} });
 });
 
 test("an attempt is kept until it is finished; then it counts once, and the best stays", () => {
@@ -67,16 +68,16 @@ test("an attempt is kept until it is finished; then it counts once, and the best
   const kept = new Kept();
   assert.equal(kept.exercise("e"), null);
   kept.keep_exercise(kAttempt, false);
-  assert.deepEqual(new Kept().exercise("e"), { tries: 0, best: null, now: kAttempt });
+  assert.deepEqual(new Kept().exercise("e"), { tries: 0, best: null, now: kAttempt, at: 1 });
   assert.deepEqual(kept.attempts, []);
   const good = { ...kAttempt, mark: 3 };
   kept.keep_exercise(good, true);
   for (const attempt of [good, { ...kAttempt, mark: 2 }]) kept.keep_exercise(attempt, true, false);
-  assert.deepEqual(kept.exercise("e"), { tries: 1, best: good, now: null });
+  assert.deepEqual(kept.exercise("e"), { tries: 1, best: good, now: null, at: 2 });
   kept.keep_exercise(kAttempt, false);
   kept.keep_exercise(kAttempt, true);
   kept.keep_student("A name");
-  assert.deepEqual(new Kept().exercise("e"), { tries: 2, best: good, now: null });
+  assert.deepEqual(new Kept().exercise("e"), { tries: 2, best: good, now: null, at: 4 });
   assert.deepEqual(new Kept().attempts, [good]);
   kept.erase();
   assert.deepEqual([kept.exercise("e"), kept.student], [null, "A name"]);
@@ -88,9 +89,37 @@ test("what was kept before there were exercises is kept; an attempt that cannot 
   const wrong = [{ seed: -1 }, { mark: null }, { decisions: [7] }, { hash: 3 }].map((it) => ({ ...kAttempt, ...it }));
   for (const now of [...wrong, null, 7]) {
     storage(JSON.stringify({ ...kData, exercises: { e: { tries: 1, best: kAttempt, now }, f: { best: kAttempt } } }));
-    assert.deepEqual(new Kept().exercise("e"), { tries: 1, best: kAttempt, now: null });
+    assert.deepEqual(new Kept().exercise("e"), { tries: 1, best: kAttempt, now: null, at: 0 });
     assert.equal(new Kept().exercise("f"), null);
   }
+});
+
+test("what two places keep is joined: the newer attempt goes on, the best and whole one stays", () => {
+  storage();
+  const kept = new Kept();
+  const [own, other] = [{ ...kAttempt, seed: 1 }, { ...kAttempt, seed: 2 }];
+  kept.keep_exercise({ ...own, mark: 3 }, true);
+  kept.keep_exercise(own, false);
+  const from = (entry) => ({ count: 9, lessons: { a: kWhole }, exercises: { e: entry } });
+  kept.merge(from({ tries: 4, best: { ...other, mark: 2 }, now: other, at: 1 }));
+  assert.deepEqual(kept.exercise("e"), { tries: 4, best: { ...own, mark: 3 }, now: own, at: 2 });
+  kept.merge(from({ tries: 1, best: { ...other, mark: 3, decisions: [] }, now: other, at: 7 }));
+  assert.deepEqual(kept.exercise("e"), { tries: 4, best: { ...own, mark: 3 }, now: other, at: 7 });
+  assert.deepEqual([kept.lesson("a"), kept.data.count], [kWhole, 11]);
+});
+
+test("a package keeps under its own name; where it may only read nothing stays, and a mark alone is no result", () => {
+  const texts = storage(JSON.stringify(kData));
+  const kept = new Kept();
+  kept.move_to("set.x.1", { name: "Lamarr, Hedy" });
+  assert.deepEqual([kept.lesson("a"), kept.student], [null, "Lamarr, Hedy"]);
+  kept.keep_exercise(kAttempt, true);
+  assert.deepEqual([...texts.keys()], ["snug-course", "snug-course.set.x.1"]);
+  kept.move_to("set.x.1", { reads: true });
+  kept.keep_exercise({ ...kAttempt, exercise: "f", decisions: [] }, true);
+  assert.deepEqual([kept.works, kept.attempts], [false, [kAttempt]]);
+  kept.move_to("set.x.1");
+  assert.equal(kept.exercise("f"), null);
 });
 
 test("a later version's storage is left as it is", () => {

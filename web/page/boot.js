@@ -3,20 +3,23 @@
 
 // The course is shown at once; a lesson stays under the veil until the program is loaded. Its largest files are asked
 // for here, before the page's modules have arrived.
+// A package opens what it is of: some courses' sites drop what an address asks for.
+const said_in = (/** @type {string} */ name) =>
+  document.querySelector(`meta[name="snug-${name}"]`)?.getAttribute("content") ?? "";
+const opens = said_in("opens");
+if (opens && !/[?&](lesson|exercise)=/.test(location.search)) history.replaceState(null, "", opens);
+const names = said_in("names"); // how a package calls the files: "plain", or "inside" of this one
+
 const given = new URLSearchParams(location.search);
 const to_lesson = given.get("lesson") ?? given.get("exercise");
 document.documentElement.dataset.view = to_lesson === null ? "course" : "lesson";
 
 /** @param {string} href @param {string} rel @param {string} as */
 function ask_for(href, rel, as) {
-  document.head.append(Object.assign(document.createElement("link"), { rel, as, href, crossOrigin: "anonymous" }));
+  const link = document.createElement("link");
+  document.head.append(Object.assign(link, { rel, as, href: window.snug.at(href), crossOrigin: "anonymous" }));
 }
 
-if (to_lesson !== null) {
-  ask_for("snug.wasm", "preload", "fetch");
-  ask_for("snug.js", "modulepreload", "script");
-  for (const file of ["sizes.json", "formulas.json"]) ask_for(file, "preload", "fetch");
-}
 
 // Scripts and tests can use this at once; main.js fills it in.
 window.snug = {
@@ -28,7 +31,16 @@ window.snug = {
   saved: () => "nowhere",
   handles: () => [],
   frameTimes: () => [],
+  // Servers of courses refuse files of endings that they do not know.
+  at: (path) =>
+    names === "plain" ? path.replace(/\.(wasm|ply|otf|ttf)$/, "$&.bin").replace(/\.toml$/, "$&.txt") : path,
 };
+
+if (to_lesson !== null && names !== "inside") {
+  ask_for("snug.wasm", "preload", "fetch");
+  ask_for("snug.js", "modulepreload", "script");
+  for (const file of ["sizes.json", "formulas.json"]) ask_for(file, "preload", "fetch");
+}
 
 // If the page's own files do not arrive, it must still say so. A script's load error does not bubble, so it is
 // captured.

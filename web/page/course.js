@@ -121,7 +121,7 @@ export class Course {
   show_theme(/** @type {boolean} */ dark) {
     for (const image of /** @type {NodeListOf<HTMLImageElement>} */ (document.querySelectorAll("[data-picture]"))) {
       const source = `course/${image.dataset.picture}${dark ? "-dark" : ""}.png`;
-      if (image.getAttribute("src") !== source) image.src = source;
+      if (image.dataset.shown !== source) [image.dataset.shown, image.src] = [source, window.snug.at(source)];
     }
   }
 
@@ -166,7 +166,8 @@ export class Course {
     const minutes = exercises.reduce((sum, { minutes: own }) => sum + own, 0);
     return element("section", { class: "set", "aria-labelledby": `set-${id}` },
       element("h3", { id: `set-${id}` }, title),
-      element("p", { class: "label" }, `${lecture} · ${exercises.length} exercises · about ${minutes} min`),
+      element("p", { class: "label" },
+        lecture && `${lecture} · ${exercises.length} exercises · `, `about ${minutes} min`),
       element("ol", { class: "set-list" }, ...exercises.map((exercise) => this.#exercise_line(exercise))),
       this.#set_foot(id, exercises),
     );
@@ -176,11 +177,11 @@ export class Course {
    *  @param {string} id @param {ExerciseEntry[]} exercises */
   #set_foot(id, exercises) {
     const says = element("p", { class: "label" });
-    const attempts = () => exercises.flatMap((exercise) => this.#kept.exercise(exercise.id)?.best ?? []);
+    const own = (/** @type {Attempt} */ attempt) => exercises.some((exercise) => exercise.id === attempt.exercise);
     const hand_in = button("Hand in", () =>
-      save_file(result_text(this.#kept.student, attempts(), this.version), `${id}.json`));
+      save_file(result_text(this.#kept.student, this.#kept.attempts.filter(own), this.version), `${id}.json`));
     this.#feet.push(() => {
-      const best = attempts();
+      const best = exercises.flatMap((exercise) => this.#kept.exercise(exercise.id)?.best ?? []);
       const mark = best.reduce((sum, own) => sum + own.mark, 0);
       const of = best.reduce((sum, own) => sum + own.of, 0);
       const done = `${best.length} of ${exercises.length} exercises done`;

@@ -16,7 +16,8 @@ export async function open_door(downloads, attempt) {
   const fonts = Object.entries(kFonts).map(async ([font, path]) => ({ font, bytes: await downloads.bytes(path) }));
   const [program, glue, ...loaded] = await Promise.all([
     downloads.answer("snug.wasm", "application/wasm"),
-    import(`./snug.js${attempt ? `?attempt=${attempt}` : ""}`),
+    // @ts-expect-error: it is made when the page is built
+    attempt ? import(`./snug.js?attempt=${attempt}`) : import("./snug.js"),
     ...fonts,
   ]);
   /** @type {Door} */
@@ -42,7 +43,7 @@ export function warm_up() {
   if (navigator.connection?.saveData) return;
   const begin = () => {
     for (const path of ["snug.wasm", "snug.js", ...Object.values(kFonts)])
-      fetch(path, { priority: "low" }).then((answer) => answer.arrayBuffer()).catch(() => {});
+      fetch(window.snug.at(path), { priority: "low" }).then((answer) => answer.arrayBuffer()).catch(() => {});
   };
   setTimeout(() => (window.requestIdleCallback ?? setTimeout)(begin), kQuiet);
 }

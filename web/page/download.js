@@ -27,7 +27,7 @@ export class Downloads {
   /** The file as a Response that reports progress while it arrives. Throws if it does not arrive.
    *  @param {string} path @param {string} type */
   async answer(path, type) {
-    const [sizes, answer] = await Promise.all([this.#sizes, fetch(path)]);
+    const [sizes, answer] = await Promise.all([this.#sizes, fetch(window.snug.at(path))]);
     if (!answer.ok || !answer.body) throw new Error(`${path}: ${answer.status}`);
     this.#expected.set(path, sizes[path] ?? 0);
     this.#arrived.set(path, 0);

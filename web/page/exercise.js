@@ -3,7 +3,8 @@
 import { button, by_id, element, followed_here, set_hidden, set_text, spelled } from "./dom.js";
 import { exercise_link } from "./address.js";
 import { link_of } from "./lesson_menu.js";
-/** @import { Kept } from "./kept.js" */
+/** @import { Kept } from "./kept.js"
+ *  @import { Saving } from "./saving.js" */
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "·" };
 const kEnd = 2 ** 30; // a step after all others: the player stops at what is open
@@ -34,13 +35,15 @@ export class Exercise {
   #again;
   #hand_in;
   #exercises;
+  #saving;
   #words;
 
   /** exercises: the course's. again: on another instance. hand_in: saves the result.
    *  @param {Door} door @param {Act} act
    *  @param {{ exercises: ExerciseEntry[], kept: Kept, go: GoTo, again: (terms?: Terms) => void,
-   *    hand_in: () => void }} of */
-  constructor(door, act, { exercises, kept, go, again, hand_in }) {
+   *    hand_in: () => void, saving: Saving }} of */
+  constructor(door, act, { exercises, kept, go, again, hand_in, saving }) {
+    this.#saving = saving;
     this.#words = door.words();
     this.#door = door;
     this.#act = act;
@@ -59,6 +62,14 @@ export class Exercise {
   place(/** @type {ShownExercise} */ { decision, decisions, countKnown, mark, practises }) {
     const so_far = practises ? "practice, no mark" : mark === null ? "told at the end" : `mark ${mark}`;
     return [`Decision ${decision + 1}${countKnown ? ` of ${decisions}` : ""}`, so_far];
+  }
+
+  /** Where it is kept, beside the card's heading. */
+  say_saved(/** @type {HTMLElement} */ card) {
+    const heading = card.querySelector(".kicker");
+    const head = element("div", { class: "card-head" });
+    heading?.replaceWith(head);
+    if (heading) head.append(heading, this.#saving.line());
   }
 
   /** Where the player stands before what was decided last. */

@@ -1,5 +1,6 @@
-// What is kept, on this device only: each lesson's progress, the student's place in it, and the answers given. If the
-// storage is forbidden, full, damaged or another version's, nothing else is lost.
+// What is kept on this device: each lesson's progress, the student's place in it, and the answers given. If the storage
+// is forbidden, full, damaged or another version's, nothing else is lost. A course's site may keep the marks as well
+// (packaged.js, splice.js): the counter says which of two is newer.
 
 const kKey = "snug-course";
 const kAside = "snug-course-damaged"; // what could not be understood, as it was
@@ -36,7 +37,8 @@ const whole = (/** @type {any} */ entry) => ({
 });
 
 /** @returns {KeptData} */
-const nothing = () => ({ version: kVersion, last: null, invited: 0, lessons: {}, exercises: {}, student: "" });
+const nothing = () =>
+  ({ version: kVersion, count: 0, last: null, invited: 0, lessons: {}, exercises: {}, student: "" });
 
 export const kMostLevel = 9; // of an exercise
 
@@ -53,11 +55,29 @@ const is_attempt = (/** @type {any} */ attempt) =>
   attempt.decisions.every(is_text);
 
 /** @returns {KeptExercise} */
-const whole_exercise = (/** @type {any} */ { tries, best, now }) => ({
+const whole_exercise = (/** @type {any} */ { tries, best, now, at, hides }) => ({
   tries,
   best: is_attempt(best) ? best : null,
   now: is_attempt(now) ? now : null,
+  at: is_count(at) ? at : 0,
+  ...(hides === true && { hides }),
 });
+
+/** The better of two attempts, or what there is; of two with the same mark one that has its decisions.
+ *  @param {Attempt | null} one @param {Attempt | null} other */
+function better(one, other) {
+  if (!one || !other) return one ?? other;
+  const more = other.mark * one.of - one.mark * other.of;
+  return more > 0 || (more === 0 && one.decisions.length === 0) ? other : one;
+}
+
+/** What two devices keep of an exercise, with nothing lost.
+ *  @param {KeptExercise} one @param {KeptExercise} other @returns {KeptExercise} */
+function both(one, other) {
+  const newer = other.at > one.at ? other : one;
+  const [best, second] = newer === one ? [one.best, other.best] : [other.best, one.best];
+  return { ...newer, best: better(best, second), tries: Math.max(one.tries, other.tries) };
+}
 
 /** Exercises came later: what is kept of lessons alone is kept. */
 function exercises_in(/** @type {any} */ data) {
@@ -85,6 +105,7 @@ function understood(text) {
     .map(([id, entry]) => [id, whole(entry)]);
   return {
     version: kVersion,
+    count: is_count(data.count) ? data.count : 0,
     last: is_text(data.last) ? data.last : null,
     invited: is_count(data.invited) ? data.invited : 0,
     lessons: Object.fromEntries(lessons),
@@ -96,11 +117,50 @@ function understood(text) {
 export class Kept {
   #data = nothing();
   #works = true;
-  #written = "";
+  #key = kKey;
+  #changed = () => {};
+  #name = ""; // as the course's site calls the student
 
   constructor() {
     this.#read();
   }
+
+  // ---- a course's site ----------------------------------------------------------------------------------------
+
+  /** Keeps everything under a name of its own: that of a package, and of a student who may share the device. reads:
+   *  nothing is written. name: the student's.
+   *  @param {string} own @param {{ reads?: boolean, name?: string }} of */
+  move_to(own, { reads = false, name = "" } = {}) {
+    this.#key = `${kKey}.${own}`;
+    this.#name = name;
+    this.#data = nothing();
+    this.#read();
+    if (reads) this.#works = false;
+  }
+
+  /** changed: called after each change. */
+  on_change(/** @type {() => void} */ changed) {
+    this.#changed = changed;
+  }
+
+  /** @returns {Readonly<KeptData>} */
+  get data() {
+    return this.#data;
+  }
+
+  /** Takes over what another place has kept. Of an exercise that both have, the newer one goes on, and the best attempt
+   *  stays.
+   *  @param {{ count: number, lessons: Record<string, KeptLesson>, exercises: Record<string, KeptExercise> }} other */
+  merge({ count, lessons, exercises }) {
+    this.#change((data) => {
+      data.count = Math.max(data.count, count);
+      for (const [id, entry] of Object.entries(lessons)) data.lessons[id] ??= entry;
+      for (const [id, entry] of Object.entries(exercises))
+        data.exercises[id] = data.exercises[id] ? both(data.exercises[id], entry) : entry;
+    });
+  }
+
+  // ---- what is kept -------------------------------------------------------------------------------------------
 
   /** Whether kept data survives a reload. */
   get works() {
@@ -148,28 +208,30 @@ export class Kept {
   }
 
   /** Keeps an attempt. Once it is finished it counts as a try, and as the best if it earns more than those before.
-   *  counts: whether it is a try that was not counted yet.
+   *  counts: whether it is a try that was not counted yet. hides: whether its mark is not told before its end.
    *  @param {Attempt} attempt @param {boolean} finished @param {boolean} counts */
-  keep_exercise(attempt, finished, counts = finished) {
-    this.#change(({ exercises }) => {
-      const { tries, best } = exercises[attempt.exercise] ?? { tries: 0, best: null };
-      const better = finished && (!best || attempt.mark * best.of > best.mark * attempt.of);
-      exercises[attempt.exercise] = {
-        tries: tries + (counts ? 1 : 0),
-        best: better ? attempt : best,
+  keep_exercise(attempt, finished, counts = finished, hides = false) {
+    this.#change(({ exercises, count }) => {
+      const before = exercises[attempt.exercise] ?? { tries: 0, best: null, now: null, at: 0 };
+      const entry = {
+        tries: before.tries + (counts ? 1 : 0),
+        best: finished ? better(before.best, attempt) : before.best,
         now: finished ? null : attempt,
+        at: before.at,
+        ...(hides && { hides }),
       };
+      if (JSON.stringify(entry) !== JSON.stringify(before)) exercises[attempt.exercise] = { ...entry, at: count + 1 };
     });
   }
 
-  /** The best attempts, for a result file. */
+  /** The best attempts, for a result file: of one that came back from a course's site, perhaps only the mark did. */
   get attempts() {
-    return Object.values(this.#data.exercises).flatMap(({ best }) => best ?? []);
+    return Object.values(this.#data.exercises).flatMap(({ best }) => (best && best.decisions.length > 0 ? best : []));
   }
 
-  /** The student's name, if it was typed: it stays on the device, and makes the seed. */
+  /** The student's name, if it was typed or a course's site has it: it stays on the device, and makes the seed. */
   get student() {
-    return this.#data.student;
+    return this.#data.student || this.#name;
   }
 
   keep_student(/** @type {string} */ name) {
@@ -192,7 +254,7 @@ export class Kept {
 
   #read() {
     try {
-      const text = localStorage.getItem(kKey);
+      const text = localStorage.getItem(this.#key);
       const data = understood(text);
       this.#works = data !== null; // a later version's data is left as it is
       if (data) this.#data = data;
@@ -203,14 +265,15 @@ export class Kept {
 
   #change(/** @type {(data: KeptData) => void} */ change) {
     if (this.#works) this.#read();
+    const before = JSON.stringify(this.#data);
     change(this.#data);
-    const text = JSON.stringify(this.#data);
-    if (!this.#works || text === this.#written) return;
+    if (JSON.stringify(this.#data) === before) return;
+    this.#data.count += 1;
     try {
-      localStorage.setItem(kKey, text);
-      this.#written = text;
+      if (this.#works) localStorage.setItem(this.#key, JSON.stringify(this.#data));
     } catch {
       this.#works = false;
     }
+    this.#changed();
   }
 }

@@ -23,6 +23,7 @@ import { PointTools } from "./points.js";
 import { Presentation } from "./presentation.js";
 import { QuestionCard } from "./question.js";
 import { Reading } from "./reading.js";
+import { Saving } from "./saving.js";
 import { ScalarSwitch } from "./scalar.js";
 import { Settings } from "./settings.js";
 import { Side } from "./side.js";
@@ -37,6 +38,7 @@ import { Words } from "./words.js";
 
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
 const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
+const kChanged = "This exercise has changed since you began it, so you begin anew. Your best mark stays.";
 const kNotLoaded = "could not be loaded. Check the connection, then try again.";
 // Milliseconds between updates of the HTML during a drag: one in every frame would cost a layout each.
 const kPanelsDelay = 250;
@@ -85,9 +87,9 @@ class Page {
 
   /** preview: where the lessons are being written, else null.
    *  @param {{ door: Door, downloads: Downloads, course: Course, gallery: Gallery | null,
-   *    formulas: Record<string, string>, settings: Settings, kept: Kept, embed: boolean, preview: Preview | null,
-   *    go_to: GoTo }} of */
-  constructor({ door, downloads, course, gallery, formulas, settings, kept, embed, preview, go_to }) {
+   *    formulas: Record<string, string>, settings: Settings, kept: Kept, saving: Saving, embed: boolean,
+   *    preview: Preview | null, go_to: GoTo }} of */
+  constructor({ door, downloads, course, gallery, formulas, settings, kept, saving, embed, preview, go_to }) {
     const { lessons, exercises, playground } = course;
     this.#door = door;
     this.#downloads = downloads;
@@ -109,7 +111,8 @@ class Page {
       kept,
       go: go_to,
       again: (terms) => go_to(this.#exercise ?? "", { ...terms, seed: fresh_seed() }),
-      hand_in: () => this.#hand_in(),
+      hand_in: () => this.hand_in(),
+      saving,
     });
     const after = {
       next: embed ? () => undefined : next,
@@ -163,7 +166,6 @@ class Page {
     // The timeline has a locked button "Answer" on the canvas.
     by_id("timeline").addEventListener("click", () => this.#view?.asked && question.show());
     by_id("share").addEventListener("click", () => this.#share());
-    addEventListener("pagehide", () => this.leave());
     this.#go_to = go_to;
   }
 
@@ -216,6 +218,11 @@ class Page {
   }
 
   // ---- lessons ------------------------------------------------------------------------------------------------
+
+  /** Keeps the student's place at once. */
+  keep_now() {
+    this.#write_address();
+  }
 
   /** Keeps the student's place before something else is shown. */
   leave() {
@@ -325,15 +332,16 @@ class Page {
     this.#show_lesson();
     this.#opening = false;
     clear_notices();
+    if (left && left.hash !== this.#door.attempt()?.hash && !asked.practice) asked.problems.push(kChanged);
     notice_all(asked.problems);
     veil.lift();
     this.act(() => {});
   }
 
-  /** Saves the attempt as a result file. */
-  #hand_in() {
-    const attempt = this.#door.attempt();
-    if (attempt) save_file(this.result(), `${attempt.exercise}-${attempt.seed}.json`);
+  /** Saves the attempt as a result file, or the best ones. */
+  hand_in() {
+    const attempt = this.#exercise === null ? null : this.#door.attempt();
+    save_file(this.result(), attempt ? `${attempt.exercise}-${attempt.seed}.json` : "snug-result.json");
     notice("The result file is saved. It is no signature: it proves that these decisions earn this mark.", "told");
   }
 
@@ -544,7 +552,7 @@ class Page {
     if (address !== location.search) history.replaceState(null, "", address);
     this.written = address;
     if (this.#embed) by_id("whole").href = address.replace("&embed=1", "");
-    else this.#keep(address);
+    if (!this.#embed || this.#view.exercise) this.#keep(address);
   }
 
   /** Keeps the student's place and answers, once the student has done something here. */
@@ -566,11 +574,11 @@ class Page {
     });
   }
 
-  #keep_exercise(/** @type {ShownExercise} */ { finished, practises }) {
+  #keep_exercise(/** @type {ShownExercise} */ { finished, practises, mark }) {
     if (practises) return;
     const attempt = this.#door.attempt();
     if (!attempt || attempt.decisions.length === 0) return;
-    this.#kept.keep_exercise(attempt, finished, finished && !this.#counted);
+    this.#kept.keep_exercise(attempt, finished, finished && !this.#counted, mark === null);
     this.#counted = finished;
   }
 
@@ -649,6 +657,7 @@ class Site {
   #downloads = new Downloads((share) => veil.progress(share));
   #settings = new Settings();
   #kept = new Kept();
+  #saving = new Saving(this.#kept, () => this.#save_file());
   /** @type {Course} */
   #course;
   #gallery = /** @type {Gallery | null} */ (null);
@@ -669,6 +678,9 @@ class Site {
       if (location.search !== this.#shown && !stands) this.show({ back: true });
     });
     by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
+    addEventListener("pagehide", () => (this.#page?.keep_now(), this.#saving.link?.finish()));
+    document.addEventListener("visibilitychange", () =>
+      document.hidden && (this.#page?.keep_now(), this.#saving.link?.flush()));
   }
 
   /** Shows what the address asks for. */
@@ -715,9 +727,12 @@ class Site {
   async #bring_course() {
     /** @type {CourseFile} */
     const made = JSON.parse(await this.#downloads.text("course.json"));
+    const packaged = made.package && (await import("./packaged.js"));
+    if (made.package) packaged?.join(made.package, this.#kept, this.#saving, () => this.#save_file());
     const course = new Course(made, this.#kept, (id) => this.#go_into(id));
     if (made.preview) await this.#follow(made.preview);
-    else this.#gallery = new Gallery(this.#downloads, (id) => this.#go_into(id));
+    else if (!made.package || made.package.kind === "course")
+      this.#gallery = new Gallery(this.#downloads, (id) => this.#go_into(id));
     this.#settings.on_change(() => course.show_theme(["dark", "contrast"].includes(this.#settings.theme)));
     return course;
   }
@@ -775,6 +790,7 @@ class Site {
       formulas: this.#typeset,
       settings: this.#settings,
       kept: this.#kept,
+      saving: this.#saving,
       embed,
       preview: this.#preview,
       go_to: (id, terms) => this.#go_into(id, terms),
@@ -820,7 +836,12 @@ class Site {
 
   /** Where what is done is kept. */
   saved() {
-    return this.#kept.works ? "device" : "nowhere";
+    return this.#saving.state;
+  }
+
+  #save_file() {
+    if (this.#page) this.#page.hand_in();
+    else save_file(this.result(), "snug-result.json");
   }
 
   /** Opens what an address asks for as if nothing had been answered, without loading the page again. */

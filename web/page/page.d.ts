@@ -7,7 +7,8 @@ interface Window {
     state(): any; // PageState, in a lesson
     exercise(): ExerciseState | null;
     result(): string;
-    saved(): "device" | "nowhere";
+    saved(): SavedState;
+    at(path: string): string;
     handles(): Handle[];
     frameTimes(): FrameTime[];
     restart(search: string): Promise<unknown>;
@@ -45,6 +46,18 @@ type PageState = Omit<View, "asked"> & {
   trace: string | null;
   mistakes: string[];
 };
+
+/** Where what a student does is kept: on the device, handed to the course, given back by it, or nowhere. */
+type SavedState = "device" | "course" | "seen" | "nowhere";
+
+/** What else keeps what a student does (packaged.js, splice.js). */
+interface SavingLink {
+  readonly state: SavedState;
+  readonly words: string;
+  save(): void; // after each change
+  flush(): void; // when the page is hidden
+  finish(): void; // when it is left
+}
 
 /** What window.snug.exercise() tells. */
 interface ExerciseState {
@@ -101,6 +114,17 @@ interface CourseFile {
   sets?: ExerciseSet[];
   exercises?: ExerciseEntry[];
   version?: string;
+  package?: PackageOf;
+}
+/** What a package is about, and what counts in it (`snug package`). */
+interface PackageOf {
+  name: string;
+  kind: "lesson" | "exercise" | "set" | "course";
+  id: string;
+  title: string;
+  lessons: string[];
+  exercises: string[];
+  scorm: boolean;
 }
 /** As course.js numbers them. */
 type CourseLesson = LessonEntry & { number: number; chapter: string };
@@ -119,10 +143,12 @@ interface KeptLesson {
   told: string | null;
   tried: Tried | null;
 }
-/** How many attempts were finished, the best of them, and one that is not. */
-type KeptExercise = { tries: number; best: Attempt | null; now: Attempt | null };
+/** How many attempts were finished, the best of them, and one that is not; the counter at its last change; and whether
+ *  the mark of the one that is not finished is not told yet. */
+type KeptExercise = { tries: number; best: Attempt | null; now: Attempt | null; at: number; hides?: boolean };
 interface KeptData {
   version: number;
+  count: number; // of changes
   last: string | null;
   invited: number;
   lessons: Record<string, KeptLesson>;

@@ -104,6 +104,7 @@ export class QuestionCard {
     const card = this.#card_of(view);
     this.#waiting = view.waiting;
     if (!asked) this.#choices = [];
+    if (card && view.exercise && !view.exercise.practises) this.#exercise.say_saved(card);
     box.replaceChildren(...(card ? [card] : []));
     const prompt_of = (/** @type {Outcome} */ { question }) =>
       view.predictions.find(({ id }) => id === question)?.prompt ?? "";
