@@ -67,7 +67,6 @@ tl::expected<void, InputError> write_folder(const fs::path& folder, const SiteFi
     return tl::unexpected(InputError{.what = what, .file = folder.string()});
   };
   std::error_code error;
-  if (fs::exists(folder, error)) return cannot("is there already: name a new folder");
   fs::path part = folder;
   part += ".part";
   fs::remove_all(part, error);
@@ -106,6 +105,9 @@ tl::expected<void, InputError> write_package(const PackageOptions& options, Pack
 CommandResult run_package(const PackageOptions& options) {
   if (static_cast<int>(options.zip.empty()) + options.folder.empty() + options.one_file.empty() != 2)
     return bad_input("say where to: one of -o FILE.zip, --static FOLDER and --single FILE.html");
+  std::error_code unknown;
+  if (!options.folder.empty() && fs::exists(options.folder, unknown))
+    return bad_input(InputError{.what = "is there already: name a new folder", .file = options.folder});
   const PackageKind kind = !options.zip.empty()      ? PackageKind::kScorm
                            : !options.folder.empty() ? PackageKind::kFolder
                                                      : PackageKind::kOneFile;

@@ -35,7 +35,7 @@ export function strict(api, broken) {
 export class WorstSite {
   requests = 0;
   logged_out = false;
-  constructor(server) {
+  constructor(/** @type {Record<string, string>} */ server) {
     this.server = server;
   }
   /** A new session. */

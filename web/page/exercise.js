@@ -18,6 +18,18 @@ export const fresh_seed = () => crypto.getRandomValues(new Uint32Array(1))[0] % 
 export const result_text = (student, attempts, version) =>
   `${JSON.stringify({ snug_result: kVersion, version, student, attempts }, null, 1)}\n`;
 
+/** An attempt whose first decisions have the times at which they were made, and the others come after them.
+ *  @param {Attempt} attempt @param {string[]} before @returns {Attempt} */
+export function with_times(attempt, before) {
+  const times = (/** @type {string} */ decision) => Number(decision.split("@")[1]);
+  const from = Math.max(0, ...before.map(times));
+  const decisions = attempt.decisions.map((decision, i) => {
+    const [made] = decision.split("@");
+    return made === before[i]?.split("@")[0] ? before[i] : `${made}@${(from + times(decision)).toFixed(1)}`;
+  });
+  return { ...attempt, decisions, seconds: Math.max(0, ...decisions.map(times)) };
+}
+
 /** @param {string} text @param {string} name */
 export function save_file(text, name) {
   const href = URL.createObjectURL(new Blob([text], { type: "application/json" }));

@@ -6,7 +6,7 @@ import { open_door, warm_up } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
-import { Exercise, fresh_seed, result_text, save_file } from "./exercise.js";
+import { Exercise, fresh_seed, result_text, save_file, with_times } from "./exercise.js";
 import { SceneFile } from "./file.js";
 import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
@@ -80,6 +80,7 @@ class Page {
   #draft;
   #exercise = /** @type {string | null} */ (null); // the id of the one that is open
   #counted = false; // whether it, finished, has counted as a try
+  #taken_up = /** @type {string[]} */ ([]); // its decisions that were made before it was opened
   /** What could not be opened, because of its file.
    *  @type {{ asked: Address, reveal: () => void } | null} */
   #wanted = null;
@@ -328,6 +329,7 @@ class Page {
     if (error) return veil.failed(`This exercise cannot be opened. ${error}.`, null);
     this.#wanted = null;
     const goes_on = left?.seed === seed && (left.level ?? 0) === level && left.hash === this.#door.attempt()?.hash;
+    this.#taken_up = left && goes_on ? left.decisions : [];
     if (left && goes_on) this.#door.take_up_attempt(left.decisions);
     this.#show_lesson();
     this.#opening = false;
@@ -338,9 +340,15 @@ class Page {
     this.act(() => {});
   }
 
+  /** The attempt that is open. The program times what it takes up as made now. */
+  #attempt() {
+    const attempt = this.#exercise === null ? null : this.#door.attempt();
+    return attempt && with_times(attempt, this.#taken_up);
+  }
+
   /** Saves the attempt as a result file, or the best ones. */
   hand_in() {
-    const attempt = this.#exercise === null ? null : this.#door.attempt();
+    const attempt = this.#attempt();
     save_file(this.result(), attempt ? `${attempt.exercise}-${attempt.seed}.json` : "snug-result.json");
     notice("The result file is saved. It is no signature: it proves that these decisions earn this mark.", "told");
   }
@@ -576,7 +584,7 @@ class Page {
 
   #keep_exercise(/** @type {ShownExercise} */ { finished, practises, mark }) {
     if (practises) return;
-    const attempt = this.#door.attempt();
+    const attempt = this.#attempt();
     if (!attempt || attempt.decisions.length === 0) return;
     this.#kept.keep_exercise(attempt, finished, finished && !this.#counted, mark === null);
     this.#counted = finished;
@@ -631,7 +639,7 @@ class Page {
 
   /** The text of the result file: of the attempt that is open, or else of the best ones. */
   result() {
-    const open = this.#exercise !== null && this.#door.attempt();
+    const open = this.#attempt();
     return result_text(this.#kept.student, open ? [open] : this.#kept.attempts, this.#version);
   }
 

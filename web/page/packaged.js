@@ -13,6 +13,9 @@ const kGoes = "Your marks and decisions go to your course. Your place in each le
 const kRoomSays = "Your course has room for 4,096 characters. Of the oldest attempts it keeps the mark alone: " +
   "save the file to have their decisions as well.";
 
+/** Once the page is seen: opening it takes all notices away. */
+const tell = (/** @type {string} */ text) => window.snug.ready.then(() => notice(text, "told"));
+
 /** Two students may share a device: neither reads the other's answers, nor who it was. */
 function number_of(/** @type {string} */ student) {
   let hash = 0x811c9dc5;
@@ -63,7 +66,7 @@ class Link {
     const { data } = this.#kept;
     const { text: body, gave_way } = pack(data, this.#of);
     this.gave_way = gave_way;
-    if (gave_way.join() !== this.#told && gave_way.length > 0) notice(kRoomSays, "told");
+    if (gave_way.join() !== this.#told && gave_way.length > 0) tell(kRoomSays);
     this.#told = gave_way.join();
     const earned = { score: score_of(data, this.#of), complete: is_complete(data, this.#of) };
     this.#scorm?.save({ count: data.count, body, ...earned });
@@ -105,13 +108,13 @@ function say_alone(/** @type {() => void} */ save_file) {
 function say_gone(kept, { exercises }) {
   const gone = Object.keys(kept.data.exercises).filter((id) => !exercises.includes(id));
   if (gone.length > 0)
-    notice(`Your course has replaced this package, now without ${gone.join(", ")}. ` +
+    tell(`Your course has replaced this package, now without ${gone.join(", ")}. ` +
       "What you did there is kept, and does not count.");
 }
 
 /** The session with the course's site, begun; null where there is none.
- *  @param {PackageOf} of @param {() => void} tell */
-function begin({ name }, tell) {
+ *  @param {PackageOf} of @param {() => void} changed */
+function begin({ name }, changed) {
   const api = find_api(window);
   if (!api) return null;
   const scorm = new Scorm(api, {
@@ -119,7 +122,7 @@ function begin({ name }, tell) {
     later: (what, ms) => setTimeout(what, ms),
     forget: (timer) => clearTimeout(timer),
     reach: () => reach(name),
-    tell,
+    tell: changed,
   });
   const begun = scorm.begin();
   return begun && { scorm, ...begun };
@@ -143,6 +146,7 @@ export function join(of, kept, saving, save_file) {
   if (!begun) say_alone(save_file);
   if (of.kind !== "course") say_gone(kept, of);
   link.save();
+  saving.show();
   addEventListener("online", () => link.flush());
   // The session is over with the page: one that comes back is another.
   addEventListener("pageshow", (event) => event.persisted && location.reload());

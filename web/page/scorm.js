@@ -3,7 +3,7 @@
 // Source: ADL, SCORM 1.2 Run-Time Environment, 2001.
 import { unpack, whole_text } from "./course_text.js";
 
-const kBetween = 5000; // milliseconds between two commits: more freeze some sites
+const kBetween = 3000; // milliseconds between two commits: more freeze some sites
 const kRetry = 20_000; // milliseconds until a site that did not answer is tried again
 const kMostWindows = 20;
 const kFinal = ["completed", "passed", "failed"];

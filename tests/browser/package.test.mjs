@@ -1,0 +1,272 @@
+// Packages on courses' sites, in Chromium: what a zip has in it, and a student who decides, leaves, comes back, loses
+// the connection, has two tabs open, or finds the package replaced.
+import { execFileSync } from "node:child_process";
+import { appendFileSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { assert, load, start_on, stop } from "./support.mjs";
+import { answers_of, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
+
+const shop = workshop();
+let host;
+before(async () => {
+  for (const [what, name] of [
+    ["exercise:be-quickhull", "exercise"], ["set:collision", "set"], ["lesson:sphere-ritter", "lesson"],
+    ["course", "course"],
+  ])
+    shop.unpacked(what, name);
+  await start_on(async () => (host = await serve_packages(shop.at(""))));
+});
+after(async () => {
+  await stop();
+  shop.remove();
+});
+
+/** A course's site that has opened a package. */
+async function enter(t, path, site = "strict") {
+  const page = await load(t, `lms.html?site=${site}`, { wait: false });
+  await page.waitForFunction(() => window.lms);
+  if (path) await page.evaluate((to) => window.lms.open(to), `${path}/`);
+  return page;
+}
+const lms = (page, name, ...args) => page.evaluate(([own, given]) => window.lms[own](...given), [name, args]);
+const arrived = (page) => page.evaluate(() => window.lms.site.arrived);
+const broken = (page) => page.evaluate(() => window.lms.site.broken);
+const kQuick = "be-quickhull";
+
+/** Puts what a device has kept of a package's student there. */
+const fill = (page, name, { exercises, lessons = {} }) => page.evaluate(([key, student, kept]) => {
+  const whole = { version: 1, count: 50, last: null, invited: 3, student: "", ...kept };
+  localStorage.setItem(`snug-course.${key}${student}`, JSON.stringify(whole));
+}, [name, /site=worst/.test(page.url()) ? "" : kLamarr, { exercises, lessons }]);
+const kLamarr = ".6tsxic"; // what the student "s-1" is called in the storage
+
+const kCheck = `import sys, xml.etree.ElementTree as tree
+ims, adl = "{http://www.imsproject.org/xsd/imscp_rootv1p1p2}", "{http://www.adlnet.org/xsd/adlcp_rootv1p2}"
+root = tree.parse(sys.argv[1]).getroot()
+names = [ims + name for name in ("metadata", "organizations", "resources")]
+assert root.tag == ims + "manifest" and [one.tag for one in root] == names
+assert [one.text for one in root[0]] == ["ADL SCORM", "1.2"]
+organization, = root[1]
+assert root[1].get("default") == organization.get("identifier")
+title, item = organization
+resource, = root[2]
+assert title.text and item[0].text and item.get("identifierref") == resource.get("identifier")
+assert resource.get("type") == "webcontent" and resource.get(adl + "scormtype") == "sco"
+assert all(one.tag == ims + "file" for one in resource)
+print(resource.get("href"), *(one.get("href") for one in resource))`;
+
+test("a package's manifest lists what is in it, and every server knows its files", () => {
+  for (const name of ["exercise", "set", "lesson", "course"]) {
+    const folder = shop.at(name);
+    const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((each) => each.isFile())
+      .map((each) => join(each.parentPath, each.name).slice(folder.length + 1)).sort();
+    const listed = execFileSync("python3", ["-c", kCheck, join(folder, "imsmanifest.xml")], { encoding: "utf8" });
+    const [opens, ...rest] = listed.trim().split(" ");
+    assert.equal(opens, "index.html");
+    assert.deepEqual([...rest, "imsmanifest.xml"].sort(), files, name);
+    for (const file of files) assert.match(file, /\.(html|js|css|json|txt|xml|png|svg|bin)$/);
+  }
+  const lessons = readdirSync(shop.at("exercise/lessons"), { recursive: true }).sort();
+  assert.deepEqual(lessons, ["convex-hull.toml.txt", "exercises", "exercises/be-quickhull.toml.txt"]);
+  assert.ok(readFileSync(shop.at("course.zip")).length < 3_500_000);
+  assert.ok(readFileSync(shop.at("exercise.zip")).length < 1_800_000);
+});
+
+test("the same page makes the same bytes, and a mistake is one line", () => {
+  snug("package", `exercise:${kQuick}`, "-o", shop.at("again.zip"), "--site", kSite);
+  assert.ok(readFileSync(shop.at("again.zip")).equals(readFileSync(shop.at("exercise.zip"))));
+  const refused = (...args) => {
+    try {
+      snug("package", ...args);
+    } catch (error) {
+      return `${error.status} ${error.stderr}`;
+    }
+    return "done";
+  };
+  const to = ["-o", shop.at("x.zip")];
+  assert.match(refused("set:nothing", "--site", kSite, ...to), /^2 snug: there is no set "nothing"; .*\n$/);
+  const elsewhere = refused("course", "--site", shop.at("lesson/lessons"), ...to);
+  assert.match(elsewhere, /^2 snug: .*: is not the page's folder.*`\.\/run package`/);
+  assert.match(refused("course", "--site", kSite), /^2 snug: say where to/);
+  assert.match(refused("course", "--site", kSite, "--static", shop.at("set")), /^2 snug: .*: is there already/);
+});
+
+for (const site of ["strict", "worst"])
+  test(`${site} site: incomplete, then the score; left and reopened elsewhere, the very decision stands`, async (t) => {
+    const page = await enter(t, "exercise", site);
+    const { exercise, seed, decision, decisions } = await lms(page, "exercise");
+    assert.deepEqual([exercise, decision], [kQuick, 0]);
+    const answers = answers_of(kQuick, seed);
+    assert.equal(answers.length, decisions);
+    await page.waitForFunction(() => window.lms.site.arrived.status === "incomplete");
+    assert.equal((await arrived(page)).score, null);
+    await lms(page, "decide_all", answers.slice(0, 2));
+    await lms(page, "state", "course");
+    assert.equal(await lms(page, "says"), "Handed to your course");
+    await lms(page, "close");
+    await page.evaluate(() => localStorage.clear()); // another device
+    const now = await lms(page, "open", "exercise/");
+    assert.deepEqual([now.seed, now.decision], [seed, 2]);
+    assert.equal(await lms(page, "says"), "Seen again in your course");
+    await lms(page, "decide_all", answers.slice(now.decision), now.decision);
+    await lms(page, "finished");
+    await lms(page, "close");
+    for (let i = 0; i < 3; ++i) { // what the worst one lost is set anew
+      await lms(page, "open", "exercise/");
+      if ((await lms(page, "saved")) !== "seen") await lms(page, "state", "course");
+      await lms(page, "close");
+    }
+    assert.deepEqual(await arrived(page), { score: 100, status: "completed" });
+    assert.deepEqual(await broken(page), []);
+  });
+
+test("logged out in the middle, the site says true; the page says what holds, and hands over later", async (t) => {
+  const page = await enter(t, "exercise", "worst");
+  const answers = answers_of(kQuick, (await lms(page, "exercise")).seed);
+  await lms(page, "decide_all", answers.slice(0, 1));
+  await lms(page, "state", "course");
+  host.logged_out = true;
+  await page.evaluate(() => (window.lms.site.logged_out = true));
+  await lms(page, "decide_all", answers.slice(1, 2), 1);
+  await page.waitForFunction(() => /cannot be reached/.test(window.lms.says()));
+  assert.equal(await lms(page, "says"), "Your course cannot be reached: kept on this device");
+  assert.equal(await lms(page, "saved"), "device");
+  host.logged_out = false;
+  await page.evaluate(() => {
+    window.lms.site.logged_out = false;
+    frames[0].dispatchEvent(new Event("online"));
+  });
+  await lms(page, "state", "course");
+  await lms(page, "close");
+  assert.equal((await lms(page, "open", "exercise/")).decision, 2);
+});
+
+test("two tabs do not overwrite each other", async (t) => {
+  const one = await enter(t, null);
+  const other = await one.context().newPage();
+  await other.goto(`${host.url}lms.html`);
+  await other.waitForFunction(() => window.lms);
+  for (const page of [one, other]) await lms(page, "open", "set/");
+  for (const [page, id] of [[one, kQuick], [other, "be-ritter"]]) {
+    const { seed } = await page.evaluate((to) => window.lms.go(`?exercise=${to}`), id);
+    await lms(page, "decide_all", answers_of(id, seed).slice(0, 1));
+  }
+  await lms(one, "close");
+  await lms(other, "close"); // the last to hand over has what both did
+  await one.evaluate(() => localStorage.clear());
+  const server = await other.evaluate(() => window.lms.site.server);
+  await one.evaluate((own) => Object.assign(window.lms.site, { server: own }), server);
+  await lms(one, "open", "set/");
+  for (const id of [kQuick, "be-ritter"])
+    assert.equal((await one.evaluate((to) => window.lms.go(`?exercise=${to}`), id)).decision, 1, id);
+});
+
+test("a package that was replaced keeps what fits, and says what does not", async (t) => {
+  const site = shop.site_copy("site");
+  const course = JSON.parse(readFileSync(join(site, "course.json"), "utf8"));
+  const [set] = course.sets;
+  set.exercises = set.exercises.filter(({ id }) => id !== "be-ritter");
+  writeFileSync(join(site, "course.json"), JSON.stringify(course));
+  appendFileSync(join(site, "lessons/exercises/be-quickhull.toml"), "\n# another text, another hash\n");
+  shop.unpacked("set:collision", "replaced", site);
+  const page = await enter(t, null);
+  const keep = { tries: 1, best: model_of("be-aabb-centre"), now: null, at: 1 };
+  const begun = { ...model_of(kQuick), decisions: model_of(kQuick).decisions.slice(0, 1), mark: 1 };
+  const exercises = {
+    "be-aabb-centre": keep, "be-ritter": { ...keep, best: model_of("be-ritter") },
+    [kQuick]: { tries: 1, best: { ...model_of(kQuick), mark: 3 }, now: begun, at: 2 },
+  };
+  await fill(page, "set.collision", { exercises });
+  await lms(page, "open", "replaced/");
+  assert.match(await lms(page, "notices"), /replaced this package, now without be-ritter/);
+  await page.waitForFunction(() => window.lms.site.arrived.score !== null);
+  assert.equal((await arrived(page)).score, 19.4); // of nine exercises the one, and three quarters of another
+  const { decision } = await page.evaluate((to) => window.lms.go(`?exercise=${to}`), kQuick);
+  assert.equal(decision, 0);
+  assert.match(await lms(page, "notices"), /changed since you began it.*Your best mark stays/);
+  assert.deepEqual(await broken(page), []);
+});
+
+test("a set, a lesson and the course are finished: the journal was ahead, and everything is set anew", async (t) => {
+  const sets = JSON.parse(readFileSync(join(shop.at("course"), "course.json"), "utf8"));
+  const of = (name) => JSON.parse(readFileSync(join(shop.at(name), "course.json"), "utf8")).package;
+  const attempts = Object.fromEntries(of("course").exercises.map((id) => [id, model_of(id)]));
+  const lesson = { address: "?lesson=x", answers: "", answered: 1, step: 1, steps: 2, done: true, task: true };
+  assert.ok(sets.sets.length > 1);
+  const all = ["set", "course", "lesson"].flatMap((name) => [[name, "strict"], [name, "worst"]]);
+  for (const [name, site] of all) {
+    const page = await enter(t, null, site);
+    const { exercises, lessons, name: key } = of(name);
+    const entries = exercises.map((id, i) => [id, { tries: 1, best: attempts[id], now: null, at: i + 1 }]);
+    await fill(page, key, {
+      exercises: Object.fromEntries(entries), lessons: Object.fromEntries(lessons.map((id) => [id, lesson])),
+    });
+    for (let starts = 0, saved = ""; saved !== "seen" && starts < 4; ++starts) {
+      await lms(page, "open", `${name}/`);
+      saved = await lms(page, "saved");
+      if (saved !== "seen") await lms(page, "state", "course");
+      await lms(page, "close");
+    }
+    const score = name === "lesson" ? null : 100; // a lesson has no mark
+    assert.deepEqual(await arrived(page), { score, status: "completed" }, `${name}, ${site}`);
+    assert.deepEqual(await broken(page), []);
+    await page.context().close();
+  }
+});
+
+test("without an API it is said loudly, and the file is offered in every state", async (t) => {
+  const page = await load(t, "exercise/", { wait: false });
+  await page.locator(".ask .saved").waitFor();
+  assert.match(await page.locator(".alone").textContent(), /^Nothing reaches your course\./);
+  assert.equal(await page.locator(".alone").getAttribute("role"), "alert");
+  assert.equal(await page.evaluate(() => window.snug.saved()), "device");
+  const { seed } = await page.evaluate(() => window.snug.exercise());
+  await page.locator(".ask input").fill(String(answers_of(kQuick, seed)[0]));
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => window.snug.exercise().decision === 1);
+  for (const name of ["Save the result file", "Save the file"]) {
+    const saved = page.waitForEvent("download");
+    await page.getByRole("button", { name, exact: true }).click();
+    const { attempts } = JSON.parse(readFileSync(await (await saved).path(), "utf8"));
+    assert.deepEqual([attempts[0].exercise, attempts[0].mark], [kQuick, 1]);
+  }
+});
+
+test("in review mode nothing is kept, on the device neither, and it is said", async (t) => {
+  const page = await enter(t, null, "worst");
+  await page.evaluate(() => (window.lms.site.server["cmi.core.lesson_mode"] = "review"));
+  const { seed } = await lms(page, "open", "exercise/");
+  await lms(page, "decide_all", answers_of(kQuick, seed).slice(0, 1));
+  assert.equal(await lms(page, "says"), "You only look at it here: nothing is kept");
+  assert.equal(await lms(page, "saved"), "nowhere");
+  await lms(page, "close");
+  assert.deepEqual(await page.evaluate(() => [window.lms.site.server, Object.keys(localStorage)]),
+    [{ "cmi.core.lesson_mode": "review" }, ["snug-course"]]); // which the test itself put there
+});
+
+test("one file opens without a server, keeps to a policy of hashes, and is worked through", async (t) => {
+  snug("package", "set:collision", "--single", shop.at("single.html"), "--site", kSite);
+  const html = readFileSync(shop.at("single.html"), "utf8");
+  const [, policy] = /Content-Security-Policy" content="([^"]*)"/.exec(html);
+  assert.match(policy, /script-src( 'sha256-[^']+'){3} 'wasm-unsafe-eval'; style-src( 'sha256-[^']+'){2}; font/);
+  assert.match(policy, /connect-src 'none'/);
+  assert.doesNotMatch(policy, /'self'|unsafe-inline|'unsafe-eval'/);
+  const page = await load(t, "lms.html", { wait: false, may_complain: /^asked for file:.*single[.]html/ });
+  await page.goto(`file://${shop.at("single.html")}`);
+  await page.locator(".set-list a", { hasText: "Be Quickhull" }).click();
+  await page.waitForFunction(() => window.snug.state()?.asked);
+  await page.waitForFunction(() => /single[.]html[?]exercise=be-quickhull&seed=\d+$/.test(location.href));
+  const { seed, decisions } = await page.evaluate(() => window.snug.exercise());
+  const answers = answers_of(kQuick, seed);
+  for (const [i, answer] of answers.entries()) {
+    await page.waitForFunction((at) => window.snug.state().asked && window.snug.exercise().decision === at, i);
+    await page.locator(".ask input").fill(String(answer));
+    await page.keyboard.press("Enter");
+  }
+  await page.locator(".mark-line").waitFor();
+  assert.equal(await page.locator(".mark-line").textContent(), `${decisions} of ${decisions}`);
+  await page.locator("#home").click();
+  assert.match(await page.locator(".set-list a", { hasText: "Be Quickhull" }).textContent(), /4 of 4$|\d of \d$/);
+  assert.ok(await page.locator("#share").isHidden());
+});
