@@ -13,7 +13,7 @@ class OnePage {
   explicit OnePage(const SiteFiles& files) : files_(files), html_(files.at("index.html")) {}
 
   tl::expected<std::string, InputError> made() {
-    for (const char* style : {"style.css", "course.css"}) {
+    for (const char* style : {"style.css", "course.css", "packaged.css"}) {
       const std::string text = with_fonts(files_.at(style));
       put("<link rel=\"stylesheet\" href=\"" + std::string(style) + "\">", "<style>" + text + "</style>");
       styles_ += ' ' + policy_hash_of(text);

@@ -170,6 +170,8 @@ void head_of(std::string& html, const About& about, PackageKind kind) {
   if (!about.opens.empty()) metas += "<meta name=\"snug-opens\" content=\"" + about.opens + "\">\n";
   if (!names.empty()) metas += "<meta name=\"snug-names\" content=\"" + names + "\">\n";
   html.insert(html.find(after) + after.size(), metas);
+  const std::string last = "<link rel=\"stylesheet\" href=\"course.css\">\n";
+  html.insert(html.find(last) + last.size(), "<link rel=\"stylesheet\" href=\"packaged.css\">\n");
 }
 
 }  // namespace

@@ -249,7 +249,7 @@ test("one file opens without a server, keeps to a policy of hashes, and is worke
   snug("package", "set:collision", "--single", shop.at("single.html"), "--site", kSite);
   const html = readFileSync(shop.at("single.html"), "utf8");
   const [, policy] = /Content-Security-Policy" content="([^"]*)"/.exec(html);
-  assert.match(policy, /script-src( 'sha256-[^']+'){3} 'wasm-unsafe-eval'; style-src( 'sha256-[^']+'){2}; font/);
+  assert.match(policy, /script-src( 'sha256-[^']+'){3} 'wasm-unsafe-eval'; style-src( 'sha256-[^']+'){3}; font/);
   assert.match(policy, /connect-src 'none'/);
   assert.doesNotMatch(policy, /'self'|unsafe-inline|'unsafe-eval'/);
   const page = await load(t, "lms.html", { wait: false, may_complain: /^asked for file:.*single[.]html/ });

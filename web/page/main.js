@@ -118,7 +118,7 @@ class Page {
     const after = {
       next: embed ? () => undefined : next,
       go: go_to,
-      title: (/** @type {string} */ id) => lessons.find((lesson) => lesson.id === id)?.title,
+      title: (/** @type {string} */ id) => (embed ? undefined : lessons.find((lesson) => lesson.id === id)?.title),
       show_task: embed ? null : () => this.#show_task(),
     };
     const question = new QuestionCard(door, act, texts, after, exercise);
@@ -592,16 +592,17 @@ class Page {
 
   async #share() {
     this.#write_address();
-    const whole = Object.keys(this.#door.shared_rows()).length > 0;
-    const leads = whole
-      ? "It opens what you see."
-      : "It opens this lesson without these points, which are too many for an address.";
-    try {
-      await navigator.clipboard.writeText(location.href);
-      notice(`The address is copied. ${leads}`, "told");
-    } catch {
-      notice(`The browser does not allow the page to copy: take the address from the address bar. ${leads}`, "told");
-    }
+    const { exercise } = this.#view;
+    const whole = exercise || Object.keys(this.#door.shared_rows()).length > 0;
+    const { show_share } = await import("./share.js");
+    show_share({
+      title: this.#lesson.title,
+      address: location.href,
+      leads: whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for it.",
+      // Of an exercise each reader has an instance.
+      embedded: new URL(`${exercise ? exercise_link(exercise.exercise) : location.search}&embed=1`, location.href).href,
+      is_exercise: exercise !== null,
+    });
   }
 
   // ---- for scripts and tests ----------------------------------------------------------------------------------
@@ -672,6 +673,7 @@ class Site {
   #preview = /** @type {Preview | null} */ (null);
   #typeset = /** @type {Record<string, string>} */ ({}); // the formulas
   #page = /** @type {Page | null} */ (null);
+  #around = /** @type {Promise<void> | null} */ (null); // what the page around this frame has of an exercise
   #shown = ""; // the address that is shown
   #scrolled = 0; // how far the course was scrolled
   #warm = false; // whether the program was asked for ahead of the first lesson
@@ -697,6 +699,7 @@ class Site {
     const asked = read_address(location.search);
     document.documentElement.classList.toggle("embed", asked.embed);
     const at_lesson = asked.lesson !== null || asked.exercise !== null;
+    if (asked.embed && asked.exercise !== null && parent !== window) this.#around ??= this.#ask_around(asked.exercise);
     try {
       // The program arrives beside the course and the lesson.
       const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null;
@@ -711,9 +714,16 @@ class Site {
       document.documentElement.dataset.view = "lesson";
       return veil.failed(`Part of Snug ${kNotLoaded}`, () => this.show({ attempt: attempt + 1 }));
     }
+    await this.#around;
     if (location.search !== this.#shown) return;
     await this.#page?.open(asked, () => (document.documentElement.dataset.view = "lesson"));
     dispatchEvent(new Event("snug-ready"));
+  }
+
+  /** The page around a frame may keep what is done in it. */
+  async #ask_around(/** @type {string} */ id) {
+    const splice = await import("./splice.js").catch(() => null);
+    await splice?.join(id, this.#kept, this.#saving);
   }
 
   go_to(/** @type {string} */ search) {
@@ -728,7 +738,8 @@ class Site {
   /** @param {string} id @param {Terms} [terms] */
   async #go_into(id, terms) {
     this.#page?.leave();
-    await this.go_to(this.#course.is_exercise(id) ? exercise_link(id, terms) : way_into(id, this.#kept));
+    const framed = document.documentElement.classList.contains("embed") ? "&embed=1" : "";
+    await this.go_to(this.#course.is_exercise(id) ? exercise_link(id, terms) + framed : way_into(id, this.#kept));
     if (document.activeElement === document.body) by_id("canvas").focus({ preventScroll: true });
   }
 

@@ -52,7 +52,7 @@ class Link {
   }
 
   get words() {
-    if (!this.#scorm) return "Not handed to your course: save the file";
+    if (!this.#scorm) return "Not handed to your course";
     if (this.#scorm.reviews) return "You only look at it here: nothing is kept";
     const { state } = this;
     if (state === "seen") return "Seen again in your course";

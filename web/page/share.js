@@ -1,0 +1,55 @@
+// The dialog that says how to hand on what stands here: its address, and what to copy into a page of one's own.
+import { button, element, set_text } from "./dom.js";
+
+const kBroad = 800, kHigh = 600; // pixels
+const kLine = 36, kMostLines = 6; // letters in one
+
+const quoted = (/** @type {string} */ text) => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+
+/** @param {string} address @param {string} title */
+const snippet_of = (address, title) => `<iframe src="${quoted(address)}" title="${quoted(title)}" ` +
+  `width="${kBroad}" height="${kHigh}" style="border: 0" loading="lazy"></iframe>`;
+
+async function copy(/** @type {string} */ text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false; // the browser does not allow it: the text is selected, for a key to copy it
+  }
+}
+
+/** A text to copy, under its label.
+ *  @param {string} label @param {string} text @param {string} says */
+function row(label, text, says) {
+  const rows = Math.min(Math.ceil(text.length / kLine), kMostLines);
+  const field = element("textarea", { readonly: true, rows, spellcheck: "false", "aria-label": label });
+  field.value = text;
+  const take = button("Copy", async () => {
+    field.select();
+    set_text(take, (await copy(text)) ? "Copied" : "Press Ctrl+C");
+  });
+  const note = element("p", { class: "label" }, says);
+  return element("section", {}, element("h3", {}, label), element("div", {}, field, take), note);
+}
+
+/** leads: what the address opens. embedded: the address of it in a frame.
+ *  @param {{ title: string, address: string, leads: string, embedded: string, is_exercise: boolean }} of */
+export function show_share({ title, address, leads, embedded, is_exercise }) {
+  if (!document.querySelector('link[href="share.css"]'))
+    document.head.append(element("link", { rel: "stylesheet", href: "share.css" }));
+  const framed = is_exercise
+    ? "Each reader decides on an instance of their own. A page that collects marks gets them (SPLICE)."
+    : "A figure that is dragged and stepped in place. It needs 400 by 300 pixels at least.";
+  const dialog = element("dialog", { class: "share", "aria-labelledby": "share-title" },
+    element("h2", { id: "share-title" }, "Share"),
+    row("Address", address, leads),
+    row("To put it into a page of yours", snippet_of(embedded, title), framed),
+    button("Close", () => dialog.close(), { class: "button primary" }));
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.addEventListener("keydown", (event) => event.stopPropagation()); // the stage's keys do nothing meanwhile
+  dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close()); // beside it
+  document.body.append(dialog);
+  dialog.showModal();
+  dialog.querySelector("button")?.focus();
+}
