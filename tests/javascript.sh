@@ -6,4 +6,4 @@ cd "$(dirname "$0")/.."
 tools=tests/browser/node_modules/.bin
 $tools/tsc -p web/page
 $tools/tsc -p tests/browser
-$tools/eslint --config tests/browser/eslint.config.mjs web/page tests/browser tests/page
+$tools/eslint --config tests/browser/eslint.config.mjs web/page web/sw.js tests/browser tests/page

@@ -8,14 +8,19 @@ cases.json: the same of the named cases, in the folder cases beside the course: 
 program failed on it.
 course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
 whether it has a task, and the words that a search finds it by; the exercises and their sets; and the program's version.
-sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed.
+sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed; and under "build" what
+index.html says as well, for a page that finds itself with another's program.
+sw.js: what keeps the page for use without a network, with the hash of each file.
 """
 
+import hashlib
 import json
 import pathlib
 import re
 import sys
 import tomllib
+
+from without_comments import served
 
 
 def words_of(lesson: dict, slides_of: dict[str, str]) -> str:
@@ -84,8 +89,24 @@ def modules_of(page: pathlib.Path, name: str) -> list[str]:
     return sorted(found)
 
 
-def with_modules(first_page: pathlib.Path) -> str:
-    text = first_page.read_text(encoding="utf-8")
+def hash_of(path: pathlib.Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+
+
+def hashes_of(site: pathlib.Path) -> dict[str, str]:
+    """The hash of each file of the site but of the one that lists them."""
+    files = sorted(path for path in site.rglob("*") if path.is_file() and path.name != "sw.js")
+    return {path.relative_to(site).as_posix(): hash_of(path) for path in files}
+
+
+def build_of(site: pathlib.Path) -> str:
+    """What the program, the scripts and the styles are, in a few letters."""
+    parts = sorted(path for path in site.iterdir() if path.suffix in (".js", ".css", ".wasm") and path.name != "sw.js")
+    return hashlib.sha256("".join(map(hash_of, parts)).encode()).hexdigest()[:16]
+
+
+def with_modules(first_page: pathlib.Path, build: str) -> str:
+    text = first_page.read_text(encoding="utf-8").replace("</title>\n", f'</title>\n<meta name="snug-build" content="{build}">\n', 1)
     links = "".join(f'<link rel="modulepreload" href="{name}">\n' for name in modules_of(first_page.parent, "main.js"))
     return text.replace("<script src", links + "<script src", 1)
 
@@ -99,9 +120,14 @@ def main(version: str, first_page: pathlib.Path, site: pathlib.Path, course: pat
         write(site / "course.json", course_of(course, lessons) | exercises | {"version": version})
     except ValueError as error:
         sys.exit(str(error))
-    (site / "index.html").write_text(with_modules(first_page), encoding="utf-8")
-    files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name != "sizes.json")
-    write(site / "sizes.json", {path.relative_to(site).as_posix(): path.stat().st_size for path in files})
+    build = build_of(site)
+    (site / "index.html").write_text(with_modules(first_page, build), encoding="utf-8")
+    files = (path for path in sorted(site.rglob("*")) if path.is_file() and path.name not in ("sizes.json", "sw.js"))
+    sizes = {path.relative_to(site).as_posix(): path.stat().st_size for path in files}
+    write(site / "sizes.json", {"build": build} | sizes)
+    worker = (pathlib.Path(__file__).parent / "sw.js").read_text(encoding="utf-8")
+    listed = f"const files = {json.dumps(hashes_of(site))};\n"
+    (site / "sw.js").write_text(served(re.sub(r"^const files = .*\n", listed, worker, flags=re.MULTILINE)), encoding="utf-8")
 
 
 if __name__ == "__main__":

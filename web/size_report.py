@@ -3,7 +3,7 @@
 A view loads the program, one lesson and, where its link asks for one, one mesh: the largest of each is counted.
 Not the dragon, which loads only when somebody chooses it, nor the preview, which only lessons that are being written
 load, nor the course's pictures, which its own page loads, nor the gallery's list, which loads when it is opened, nor what
-only packages, embedded exercises and the dialog to share load.
+only packages, embedded exercises, the dialog to share, and what keeps the page for use without a network load.
 """
 
 import gzip
@@ -11,7 +11,8 @@ import pathlib
 import sys
 
 BUDGET = 1_522_000  # the aim is 900,000: fitters and tests of pairs in single precision are a fifth of the program, the subjects of lessons and their stages more
-LATER = {"meshes/dragon.ply", "preview.js", "cases.json", "packaged.js", "packaged.css", "scorm.js", "course_text.js", "inside.js", "splice.js", "share.js", "share.css"}
+LATER = {"meshes/dragon.ply", "preview.js", "cases.json", "packaged.js", "packaged.css", "scorm.js", "course_text.js", "inside.js", "splice.js", "share.js", "share.css",
+         "offline.js", "updated.js", "sw.js"}
 ONE_OF = {"meshes", "lessons", "course"}  # folders of which not all is loaded; their indexes always are
 PACKED_ALREADY = {".png"}
 

@@ -174,6 +174,19 @@ void head_of(std::string& html, const About& about, PackageKind kind) {
   html.insert(html.find(last) + last.size(), "<link rel=\"stylesheet\" href=\"packaged.css\">\n");
 }
 
+/// The worker that keeps the page for use without a network lists the files, each with its hash (web/describe_site.py).
+void list_in_worker(SiteFiles& files) {
+  constexpr std::size_t kDigits = 16;
+  const auto worker = files.find("sw.js");
+  if (worker == files.end()) return;
+  Json list = Json::object();
+  for (const auto& [path, bytes] : files)
+    if (path != worker->first) list[path] = sha256_hex_of(bytes).substr(0, kDigits);
+  std::string& text = worker->second;
+  const std::size_t begin = text.find("const files = ");
+  text.replace(begin, text.find('\n', begin) - begin, "const files = " + list.dump() + ';');
+}
+
 }  // namespace
 
 tl::expected<SiteFiles, InputError> read_site(const std::string& folder) {
@@ -207,6 +220,7 @@ tl::expected<PackageContents, InputError> package_of(const std::string& what, Si
   if (kind == PackageKind::kScorm) contents.files["reached.txt"] = about->name() + '\n';  // asked for by packaged.js
   if (kind == PackageKind::kScorm) contents.files = renamed_for_servers(std::move(contents.files));
   head_of(contents.files.at(std::string(kFirstPage)), *about, kind);
+  list_in_worker(contents.files);
   return contents;
 }
 

@@ -1,6 +1,5 @@
 #include "desktop/cli/packing.hpp"
 
-#include <array>
 #include <brotli/encode.h>
 #include <memory>
 #include <nettle/base64.h>
@@ -50,6 +49,15 @@ std::string read_whole(zip_source_t* source) {
   return bytes;
 }
 
+std::string sha256_of(std::string_view bytes) {
+  sha256_ctx context;
+  std::string digest(SHA256_DIGEST_SIZE, '\0');
+  sha256_init(&context);
+  sha256_update(&context, bytes.size(), bytes_of(bytes));
+  sha256_digest(&context, digest.size(), reinterpret_cast<std::uint8_t*>(digest.data()));
+  return digest;
+}
+
 }  // namespace
 
 std::string zip_of(const SiteFiles& files) {
@@ -96,13 +104,13 @@ std::string base64_of(std::string_view bytes) {
   return text;
 }
 
-std::string policy_hash_of(std::string_view script) {
-  sha256_ctx context;
-  std::array<char, SHA256_DIGEST_SIZE> digest{};
-  sha256_init(&context);
-  sha256_update(&context, script.size(), bytes_of(script));
-  sha256_digest(&context, digest.size(), reinterpret_cast<std::uint8_t*>(digest.data()));
-  return "'sha256-" + base64_of({digest.data(), digest.size()}) + "'";
+std::string sha256_hex_of(std::string_view bytes) {
+  std::string digits;
+  for (const char byte : sha256_of(bytes))
+    for (const int shift : {4, 0}) digits += "0123456789abcdef"[byte >> shift & 0xf];
+  return digits;
 }
+
+std::string policy_hash_of(std::string_view script) { return "'sha256-" + base64_of(sha256_of(script)) + "'"; }
 
 }  // namespace snug::desktop

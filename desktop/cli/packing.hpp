@@ -19,6 +19,8 @@ using SiteFiles = std::map<std::string, std::string>;
 [[nodiscard]] std::string brotli_of(std::string_view bytes);
 
 [[nodiscard]] std::string base64_of(std::string_view bytes);
+/// SHA-256, in hexadecimal digits.
+[[nodiscard]] std::string sha256_hex_of(std::string_view bytes);
 /// 'sha256-…', with its quotes, as a content-security policy has it.
 [[nodiscard]] std::string policy_hash_of(std::string_view script);
 

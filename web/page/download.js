@@ -41,6 +41,13 @@ export class Downloads {
     return new Response(answer.body.pipeThrough(count), { headers: { "Content-Type": type } });
   }
 
+  /** Whether the program that has arrived is that of the page: the site may have been updated in between. */
+  async of_one_build() {
+    const sizes = /** @type {Record<string, any>} */ (await this.#sizes);
+    const own = document.querySelector('meta[name="snug-build"]')?.getAttribute("content");
+    return !sizes.build || (sizes.build === own && sizes["snug.wasm"] === this.#arrived.get("snug.wasm"));
+  }
+
   bytes(/** @type {string} */ path) {
     return this.#once(path, async () => {
       const answer = await this.answer(path, "application/octet-stream");

@@ -709,6 +709,8 @@ class Site {
       if (door) this.#bring_ahead(asked.lesson ?? "");
       if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil shows the program's progress
       if (door) this.#page ??= await this.#bring_page(asked.embed, door);
+      const mixed = door && !(await this.#downloads.of_one_build());
+      if (mixed || history.state?.loaded_anew) await (await import("./updated.js")).load_anew(Boolean(mixed));
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";

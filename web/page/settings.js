@@ -95,6 +95,7 @@ export class Settings {
     if (by_id("settings-panel").hidden === !open) return;
     set_hidden(by_id("settings-panel"), !open);
     by_id("settings").setAttribute("aria-expanded", open);
+    if (open) import("./offline.js").then(({ show_offline }) => show_offline()).catch(() => {});
     this.#ask_to_erase(false);
     set_text(by_id("erase-says"), "Your answers and your place in each lesson are kept on this device alone.");
   }

@@ -55,7 +55,7 @@ for (const [name, driver] of Object.entries({ Firefox: firefox, WebKit: webkit }
     const lms = (own, ...given) => ask(`lms.${own}(...${JSON.stringify(given)})`);
 
     for (const kind of ["strict", "worst"])
-      test(`${name}: a ${kind} site gets the score, and gives back the very decision`, { timeout: 90_000 }, async () => {
+      test(`${name}: a ${kind} site gets the score, gives back the decision`, { timeout: 90_000 }, async () => {
         await engine.open(`${host.url}lms.html?site=${kind}`);
         await until("Boolean(window.lms)", "the course's site is there");
         await ask("localStorage.clear()");
