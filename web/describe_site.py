@@ -107,7 +107,7 @@ def build_of(site: pathlib.Path) -> str:
 
 def with_modules(first_page: pathlib.Path, build: str) -> str:
     text = first_page.read_text(encoding="utf-8").replace("</title>\n", f'</title>\n<meta name="snug-build" content="{build}">\n', 1)
-    links = "".join(f'<link rel="modulepreload" href="{name}">\n' for name in modules_of(first_page.parent, "main.js"))
+    links = "".join(f'<link rel="modulepreload" href="{name}">\n' for name in ["main.js", *modules_of(first_page.parent, "main.js")])
     return text.replace("<script src", links + "<script src", 1)
 
 

@@ -2,7 +2,7 @@
 // dragging and while 2,000 bodies move (told, and held to no time).
 import { after, before, test } from "node:test";
 import {
-  assert, choose, handles, kinds, lesson_with, load, pixels_of, start_for_pictures, state, still, stop, text_of,
+  kFirst, assert, choose, handles, kinds, lesson_with, load, pixels_of, start_for_pictures, state, still, stop, text_of,
   until,
 } from "./support.mjs";
 
@@ -17,6 +17,37 @@ test("a first view is at most 1,495 kB on the wire", async (t) => {
   t.diagnostic(`${total} bytes in ${site.sent.size} files; the program ${site.sent.get("snug.wasm")}`);
   assert.ok(site.sent.size > 10 && total > 100_000, "it was counted");
   assert.ok(total <= 1_495_000, `${total} bytes`);
+});
+
+/** How often the page waits for answers before its first frame: whatever it has asked for is answered at once, when it
+ *  asks for nothing more. */
+async function round_trips(t, query) {
+  const page = await load(t, "icon.svg", { wait: false, may_complain: /404/ }); // it has no icon of its own
+  const held = [];
+  await page.route("**", (route) => void held.push(route));
+  const going = page.goto(site.url + query);
+  const drawn = () => page.evaluate(() => window.snug?.state()?.framesDrawn > 0).catch(() => false);
+  let [trips, before] = [0, -1];
+  for (const late = Date.now() + 20_000; Date.now() < late; await new Promise((later) => setTimeout(later, 500))) {
+    if (held.length === 0 || held.length !== before) {
+      if (held.length === 0 && trips > 0 && (await drawn())) break;
+      before = held.length;
+      continue;
+    }
+    trips += 1;
+    t.diagnostic(`${trips}: ${held.map((route) => route.request().url().slice(site.url.length)).join(" ")}`);
+    await Promise.all(held.splice(0).map((route) => route.continue()));
+    before = -1;
+  }
+  await going;
+  await page.unrouteAll();
+  return trips;
+}
+
+test("a lesson's first frame takes three round trips, and its mesh a fourth", async (t) => {
+  assert.ok((await round_trips(t, kFirst)) <= 3);
+  const mesh = await lesson_with((text) => /^mesh = /m.test(text));
+  assert.ok((await round_trips(t, `?lesson=${mesh}`)) <= 4);
 });
 
 const middle_of = (times) => [...times].sort((a, b) => a - b)[Math.floor(times.length / 2)];

@@ -37,7 +37,7 @@ test("no kind of lesson runs against the policy, stepped and saved", async (t) =
     for (const key of ["Home", "PageDown", "PageDown", "PageDown", "End"]) await page.keyboard.press(key);
     await page.locator("#theme").click();
     await page.locator("#share").click();
-    await page.getByRole("button", { name: "Close" }).click();
+    await page.locator("dialog").getByRole("button", { name: "Close" }).click();
     assert.deepEqual(await page.evaluate(() => window.refused), [], id);
   }
 });

@@ -39,7 +39,8 @@ window.snug = {
 if (to_lesson !== null && names !== "inside") {
   ask_for("snug.wasm", "preload", "fetch");
   ask_for("snug.js", "modulepreload", "script");
-  for (const file of ["sizes.json", "formulas.json"]) ask_for(file, "preload", "fetch");
+  const mono = ["Regular", "Bold"].map((weight) => `fonts/JetBrainsMono-${weight}.ttf`);
+  for (const file of ["sizes.json", "formulas.json", ...mono]) ask_for(file, "preload", "fetch");
 }
 
 // If the page's own files do not arrive, it must still say so. A script's load error does not bubble, so it is

@@ -27,9 +27,9 @@ export class Downloads {
   /** The file as a Response that reports progress while it arrives. Throws if it does not arrive.
    *  @param {string} path @param {string} type */
   async answer(path, type) {
-    const [sizes, answer] = await Promise.all([this.#sizes, fetch(window.snug.at(path))]);
+    const answer = await fetch(window.snug.at(path));
     if (!answer.ok || !answer.body) throw new Error(`${path}: ${answer.status}`);
-    this.#expected.set(path, sizes[path] ?? 0);
+    this.#sizes.then((sizes) => this.#expected.set(path, sizes[path] ?? 0)); // nothing waits for the bar
     this.#arrived.set(path, 0);
     const count = new TransformStream({
       transform: (chunk, to) => {
