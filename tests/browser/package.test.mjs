@@ -1,9 +1,11 @@
 // Packages on courses' sites, in Chromium: what a zip has in it, and a student who decides, leaves, comes back, loses
 // the connection, has two tabs open, or finds the package replaced.
 import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { appendFileSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { assert, load, start_on, stop } from "./support.mjs";
 import { answers_of, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
 
@@ -269,4 +271,25 @@ test("one file opens without a server, keeps to a policy of hashes, and is worke
   await page.locator("#home").click();
   assert.match(await page.locator(".set-list a", { hasText: "Be Quickhull" }).textContent(), /4 of 4$|\d of \d$/);
   assert.ok(await page.locator("#share").isHidden());
+});
+
+test("a folder for any host has each file packed beside it, and lists in its worker what is in it", () => {
+  const site = shop.site_copy("small");
+  writeFileSync(join(site, "snug.wasm"), Buffer.alloc(100_000, "Brotli takes its time for a whole program. "));
+  snug("package", "lesson:aabb", "--static", shop.at("static"), "--site", site);
+  const files = readdirSync(shop.at("static"), { recursive: true, withFileTypes: true }).filter((each) => each.isFile())
+    .map((each) => join(each.parentPath, each.name).slice(shop.at("static/").length));
+  const plain = files.filter((name) => !/[.](gz|br)$/.test(name));
+  for (const name of plain.filter((each) => !each.endsWith(".png"))) {
+    const bytes = readFileSync(join(shop.at("static"), name));
+    assert.ok(gunzipSync(readFileSync(join(shop.at("static"), `${name}.gz`))).equals(bytes), name);
+    assert.ok(brotliDecompressSync(readFileSync(join(shop.at("static"), `${name}.br`))).equals(bytes), name);
+  }
+  const listed = JSON.parse(/^const files = (.*);$/m.exec(readFileSync(shop.at("static/sw.js"), "utf8"))[1]);
+  assert.deepEqual(Object.keys(listed).sort(), plain.filter((name) => name !== "sw.js").sort());
+  for (const [name, hash] of Object.entries(listed)) {
+    const own = createHash("sha256").update(readFileSync(join(shop.at("static"), name))).digest("hex");
+    assert.equal(hash, own.slice(0, 16), name);
+  }
+  assert.match(readFileSync(shop.at("static/index.html"), "utf8"), /<meta name="snug-opens" content="[?]lesson=aabb">/);
 });

@@ -129,6 +129,7 @@ class Page {
       start_task: (task) => this.#start_task(task),
       follow: (link) => this.#follow(link),
       light: (mark) => act(() => door.light(mark)),
+      has: (id) => this.#is_of_course(id),
     });
     this.#playground = new Playground(door, embed ? "" : playground, lessons, go_to);
     this.#tabs = new Tabs((id) => id === "read" && this.#reading.bring_section());

@@ -42,6 +42,7 @@ export class Reading {
    *  @type {{ mark: string, node: HTMLElement }[]} */
   #words_of = [];
   #read_at = -Infinity;
+  #has;
   #pointed = false; // whether the mouse is over the prose
   #opened = false; // whether the lesson is not shown yet
   #was_open = false; // whether the task was not done when it was last graded in this lesson
@@ -50,8 +51,9 @@ export class Reading {
    *  up on the stage; "" for none.
    *  @param {SharedWords} words
    *  @param {{ start_task: (task: number) => void, texts: Words, follow: (link: Link) => void,
-   *    light: (mark: string) => void }} does */
-  constructor(words, { start_task, texts, follow, light }) {
+   *    light: (mark: string) => void, has: (lesson: string) => boolean }} does */
+  constructor(words, { start_task, texts, follow, light, has }) {
+    this.#has = has;
     this.#words = words;
     this.#start_task = start_task;
     this.#texts = texts;
@@ -115,6 +117,9 @@ export class Reading {
   #link(text, link) {
     const { kind, target } = link;
     const follow = () => this.#follow(link);
+    // A package may lack the lesson, and says its name all the same.
+    if (kind === "lesson" && document.querySelector(".packaged") && !this.#has(target))
+      return element("span", {}, whole_names(text));
     if (kind === "lesson")
       return element("a", { href: link_of(target), onclick: followed_here(follow) }, whole_names(text));
     if (kind !== "mark")
