@@ -1,6 +1,7 @@
 // What a course's site keeps of a student: the marks, and the decisions, as a text short enough for any of them.
 
 export const kRoom = 4000; // characters: SCORM 1.2 has 4,096, the counters before the text among them
+const kId = /^[a-z0-9-]+~/; // what an entry begins with
 const kWhole = /^snug1\.(\d+)\.\d+\.(.*)$/s;
 
 /** The whole text: what begins it, the counter of changes, that of the times it was handed over, and what pack gave.
@@ -68,12 +69,12 @@ export function unpack(text) {
   const [, count, body] = kWhole.exec(text) ?? [];
   if (count === undefined) return null;
   const [done, ...entries] = body.split("|");
-  const lessons = done.split("/").filter(Boolean).map((one) => {
+  const lessons = done.split("/").filter((one) => kId.test(one)).map((one) => {
     const [id, answered, is_done, task] = one.split("~");
     const nowhere = { address: "", answers: "", step: 0, steps: 0, told: null, tried: null };
     return [id, { ...nowhere, answered: Number(answered) || 0, done: is_done === "d", task: task === "t" }];
   });
-  const exercises = entries.filter(Boolean).map((one) => {
+  const exercises = entries.filter((one) => kId.test(one)).map((one) => {
     const [id, at, tries, best = "", now = "", hides] = one.split("~");
     const entry = { tries: Number(tries) || 0, at: parseInt(at, 36) || 0, ...(hides === "h" && { hides: true }) };
     return [id, { ...entry, best: attempt_of(id, best), now: attempt_of(id, now) }];

@@ -81,12 +81,13 @@ class Link {
   }
 }
 
-/** The page of a package is about what is in it alone.
- *  @param {PackageOf} of @param {boolean} on_site */
-function lay_out({ kind, title }, on_site) {
+/** The page of a package is about what is in it alone. Its address leads nobody else there; and what a course has kept
+ *  is not the page's to erase.
+ *  @param {PackageOf} of */
+function lay_out({ kind, title, scorm }) {
   const { classList } = document.documentElement;
-  classList.toggle("on-site", on_site);
-  by_id("erase").hidden = on_site;
+  classList.toggle("unshared", scorm || location.protocol === "file:");
+  for (const id of ["erase", "erase-says"]) by_id(id).hidden = scorm;
   if (kind === "course") return;
   classList.add("packaged");
   set_text(by_id("course-hero").querySelector("h1") ?? by_id("course-hero"), title);
@@ -131,7 +132,7 @@ function begin({ name }, changed) {
 /** Joins what is kept with what the course has of it, and hands over what the course lacks.
  *  @param {PackageOf} of @param {Kept} kept @param {Saving} saving @param {() => void} save_file */
 export function join(of, kept, saving, save_file) {
-  lay_out(of, of.scorm || location.protocol === "file:");
+  lay_out(of);
   if (!of.scorm) return;
   const begun = begin(of, () => saving.show());
   const student = begun?.student || begun?.name || "";
