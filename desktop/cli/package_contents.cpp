@@ -72,6 +72,7 @@ tl::expected<About, InputError> about_of(const std::string& what, const Json& co
     if (lesson == nullptr) return none("snug lesson list");
     about.title = lesson->at("title");
     about.lessons = {id}, about.all_lessons = {id};
+    about.opens += "&amp;step=0";  // before its result, unless it was begun
     return about;
   }
   if (kind == "exercise") {

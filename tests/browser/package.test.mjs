@@ -291,5 +291,6 @@ test("a folder for any host has each file packed beside it, and lists in its wor
     const own = createHash("sha256").update(readFileSync(join(shop.at("static"), name))).digest("hex");
     assert.equal(hash, own.slice(0, 16), name);
   }
-  assert.match(readFileSync(shop.at("static/index.html"), "utf8"), /<meta name="snug-opens" content="[?]lesson=aabb">/);
+  const html = readFileSync(shop.at("static/index.html"), "utf8");
+  assert.match(html, /<meta name="snug-opens" content="[?]lesson=aabb&amp;step=0">/);
 });

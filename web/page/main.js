@@ -295,7 +295,7 @@ class Page {
     this.#wanted = null;
     this.#show_lesson();
     this.#check_draft(id, read, turn);
-    const back = kept && (is_bare(asked) || location.search === kept.address);
+    const back = kept && (is_bare(asked) || [kept.address, window.snug.opens].includes(location.search));
     await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked);
     if (turn !== this.#opens) return;
     if (back) this.#resume(kept);

@@ -95,13 +95,15 @@ function lay_out({ kind, title, scorm }) {
   by_id("exercises").after(element("h2", { class: "teaches" }, "The lessons to it"), by_id("chapters"));
 }
 
-/** Nothing of it may be overlooked: what is done here is lost to the course unless the file is handed in. */
-function say_alone(/** @type {() => void} */ save_file) {
-  const save = button("Save the result file", save_file, { class: "button primary" });
+/** Nothing of it may be overlooked: what is done here is lost to the course unless the file is handed in. Of a lesson
+ *  alone there is none.
+ *  @param {PackageOf} of @param {() => void} save_file */
+function say_alone({ exercises }, save_file) {
+  const save = exercises.length > 0 && button("Save the result file", save_file, { class: "button primary" });
   by_id("strip").before(element("section", { class: "alone", role: "alert" },
     element("p", {}, element("b", {}, "Nothing reaches your course. "),
-      "This page was opened without a connection to it: open it from your course. " +
-        "Or go on here, then save the result file and hand that in."), save));
+      "This page was opened without a connection to it: open it from your course. ",
+      save && "Or go on here, then save the result file and hand that in."), save));
 }
 
 /** Of exercises that were done before and are not in the package any more.
@@ -144,7 +146,7 @@ export function join(of, kept, saving, save_file) {
   by_id("exercises-say").after(saving.line());
   set_text(by_id("exercises-say"), kDecide);
   set_text(by_id("course-foot-says"), begun ? kGoes : "");
-  if (!begun) say_alone(save_file);
+  if (!begun) say_alone(of, save_file);
   if (of.kind !== "course") say_gone(kept, of);
   link.save();
   saving.show();

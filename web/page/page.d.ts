@@ -9,6 +9,7 @@ interface Window {
     result(): string;
     saved(): SavedState;
     at(path: string): string;
+    opens: string;
     handles(): Handle[];
     frameTimes(): FrameTime[];
     restart(search: string): Promise<unknown>;
