@@ -2,6 +2,7 @@
 // tested in tests/browser/kept.test.mjs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { unpack, whole_text } from "../../web/page/course_text.js";
 import { Kept } from "../../web/page/kept.js";
 
 const kEntry = {
@@ -106,6 +107,17 @@ test("what two places keep is joined: the newer attempt goes on, the best and wh
   kept.merge(from({ tries: 1, best: { ...other, mark: 3, decisions: [] }, now: other, at: 7 }));
   assert.deepEqual(kept.exercise("e"), { tries: 4, best: { ...own, mark: 3 }, now: other, at: 7 });
   assert.deepEqual([kept.lesson("a"), kept.data.count], [kWhole, 11]);
+});
+
+test("what came back and is kept again as it was is no change", () => {
+  storage();
+  const kept = new Kept();
+  kept.move_to("frame", { reads: true });
+  const { exercises } = unpack(whole_text(4, 1, "|e~3~0~~0f_7_0_1_4_p1@0.5~")) ?? { exercises: {} };
+  kept.merge({ count: 4, lessons: {}, exercises });
+  const { count } = kept.data;
+  kept.keep_exercise({ ...kAttempt, seconds: 0.5 }, false);
+  assert.deepEqual([kept.exercise("e")?.at, kept.data.count], [3, count]);
 });
 
 test("a package keeps under its own name; where it may only read nothing stays, and a mark alone is no result", () => {

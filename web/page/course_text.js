@@ -76,8 +76,9 @@ export function unpack(text) {
   });
   const exercises = entries.filter((one) => kId.test(one)).map((one) => {
     const [id, at, tries, best = "", now = "", hides] = one.split("~");
-    const entry = { tries: Number(tries) || 0, at: parseInt(at, 36) || 0, ...(hides === "h" && { hides: true }) };
-    return [id, { ...entry, best: attempt_of(id, best), now: attempt_of(id, now) }];
+    // In the order in which kept.js has them, which compares them as texts.
+    const entry = { tries: Number(tries) || 0, best: attempt_of(id, best), now: attempt_of(id, now) };
+    return [id, { ...entry, at: parseInt(at, 36) || 0, ...(hides === "h" && { hides: true }) }];
   });
   return {
     count: Number(count),
