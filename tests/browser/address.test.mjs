@@ -63,6 +63,7 @@ test("Share copies the address", async (t) => {
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByText("The address is copied").waitFor();
+  await page.keyboard.press("Escape");
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
 });
 

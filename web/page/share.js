@@ -29,11 +29,11 @@ function row(label, text, says) {
     field.select();
     set_text(take, (await copy(text)) ? "Copied" : "Press Ctrl+C");
   });
-  const note = element("p", { class: "label" }, says);
+  const note = element("p", { class: "label", role: "status" }, says);
   return element("section", {}, element("h3", {}, label), element("div", {}, field, take), note);
 }
 
-/** leads: what the address opens. embedded: the address of it in a frame.
+/** The address is copied at once. leads: what it opens. embedded: the address of it in a frame.
  *  @param {{ title: string, address: string, leads: string, embedded: string, is_exercise: boolean }} of */
 export function show_share({ title, address, leads, embedded, is_exercise }) {
   if (!document.querySelector('link[href="share.css"]'))
@@ -51,5 +51,7 @@ export function show_share({ title, address, leads, embedded, is_exercise }) {
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close()); // beside it
   document.body.append(dialog);
   dialog.showModal();
+  copy(address).then((copied) => copied && dialog.isConnected &&
+    set_text(dialog.querySelector(".label") ?? dialog, `The address is copied. ${leads}`));
   dialog.querySelector("button")?.focus();
 }
