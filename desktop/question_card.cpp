@@ -284,7 +284,7 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
   const float before = std::exchange(shell.question_height, 0);
   shell.foot = 0;
   const lesson::Sitting* const sitting = shell.app().sitting();
-  const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary();
+  const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary() && !shell.demo;
   const bool builds = sitting != nullptr && sitting->exercise().build.has_value();
   if (asked == nullptr && deciding == nullptr && outcome == nullptr && !over && !builds) {
     shell.measured_anew = shell.measured_anew || before != 0;

@@ -147,6 +147,7 @@ void Shell::present(bool on) {
   constexpr float kLeastScale = 1.3f;
   if (on == presenting) return;
   presenting = on, text_shown = false;
+  if (!on) demo.reset();
   focus.leave();
   app::Settings& settings = app_.settings();
   if (!on) {
@@ -159,7 +160,7 @@ void Shell::present(bool on) {
 }
 
 void Shell::keep(bool dragging) {
-  if (app_.session() == nullptr) return;
+  if (app_.session() == nullptr || demo) return;  // a demo is nobody's work
   if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
     kept_.invited = followed;
     kept_.write();

@@ -13,6 +13,7 @@
 #include "desktop/cli/drafts.hpp"
 #include "desktop/cli/exercise_files.hpp"
 #include "desktop/course_screen.hpp"
+#include "desktop/demo_play.hpp"
 #include "desktop/kept.hpp"
 
 namespace snug::desktop {
@@ -119,6 +120,7 @@ class Shell {
   CourseScreen course;
   SettingsPanel settings_panel;
   bool presenting = false, text_shown = false;  // text_shown: whether a presentation shows the lesson's text
+  std::optional<DemoPlay> demo;                 // that is presented; none otherwise
   app::Focus focus;
 
   /// One sentence that is shown until it is dismissed; empty for none.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 #include "app/chart_pen.hpp"
@@ -98,6 +99,18 @@ float side_width(float window, float share, float least, float usual, float shar
                     scale);
 }
 
+/// What a state of a demo has in the right column; all of it where there is no demo.
+struct Beside {
+  bool numbers = true, code = true, question = true;
+  [[nodiscard]] bool any() const { return numbers || code || question; }
+};
+Beside beside_of(Shell& shell) {
+  if (!shell.demo || shell.app().session() == nullptr) return {};
+  const lesson::Session& session = *shell.app().session();
+  const bool asks = session.asked() != nullptr || session.deciding() != nullptr || session.outcome() != nullptr;
+  return {shell.demo->shows("numbers"), shell.demo->shows("code"), asks};
+}
+
 /// A presentation has no bar, and the lesson's text only on demand. The controls of a cover stand in the right column
 /// then.
 Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
@@ -106,8 +119,10 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float bar = lecture ? 0 : look.px(48), strip = shell.strip().empty() ? 0 : shell.strip_height;
   const float header = bar + strip;
   const float column = lecture && !shell.text_shown ? 0 : side_width(extent.width, 0.29f, 300, 380, 0.22f, 432, scale);
-  const float inspector = lecture ? side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale)
-                                  : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
+  const Beside beside = beside_of(shell);
+  const float inspector = lecture && !beside.any() ? 0
+                          : lecture                ? side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale)
+                                                   : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
   constexpr float kLowScreen = 900, kLeastSide = 400;
   shell.low = lecture && extent.height < kLowScreen;
   const bool no_timeline = cover && shell.app().cover()->shown();  // it is the stage's
@@ -125,7 +140,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.app.stage = {column, header, middle, height - timeline - controls};
   parts.controls = {column, header + height - timeline - controls, middle, controls};
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
-  const float title = lecture ? title_height(shell, look, inspector) : 0;
+  const float title = lecture && beside.any() ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
   // The whole stage is the question's figure: the question stands beside it.
   const float question = lecture ? std::min(shell.question_height, height - title) : 0;
@@ -133,12 +148,15 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float side = height - title - question;  // what numbers and pseudocode have
   const bool code_tab = !lecture && !cover && numbers_fill(shell, look, height);
   // A presentation has no tabs: where the numbers may need the whole column, they have the most of it.
-  const bool no_code = code_tab || side < look.px(kLeastSide);
-  const float code = no_code ? 0 : std::min(shell.code_height, side * (shell.app().figures_fill() ? 0.38f : 0.52f));
+  const bool no_code = code_tab || !beside.code || (beside.numbers && side < look.px(kLeastSide));
+  const float code = no_code ? 0
+                     : !beside.numbers
+                         ? side
+                         : std::min(shell.code_height, side * (shell.app().figures_fill() ? 0.38f : 0.52f));
   const float below = lecture && cover ? std::min(shell.pinned_height, side * 0.52f) : code;
   parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
-  parts.app.inspector = {right, header + title + question, inspector, side - below};
+  parts.app.inspector = {right, header + title + question, inspector, beside.numbers ? side - below : 0};
   place_side(parts, look, shell, code_tab);
   parts.app.tools = lecture ? presentation_reach(look) : 0;
   parts.app.foot = shell.foot;
@@ -205,6 +223,19 @@ void draw_course(Shell& shell, const Parts& parts, double now) {
   draw_notice(shell, parts.window);
 }
 
+/// Where one is in the demo, in a corner that nothing else needs; or nothing but black.
+void draw_demo(const DemoPlay& demo, const app::Look& look, const Parts& parts) {
+  constexpr float kSize = 14, kMargin = 12;
+  ImDrawList* const list = ImGui::GetForegroundDrawList();
+  const app::Rect &stage = parts.app.stage, &window = parts.window;
+  if (demo.black)
+    return list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height}, 0xff000000);
+  const std::string says = demo.place_text();
+  const float width = app::measure(look, app::Face::kRegular, kSize, says).x;
+  app::text(list, look, app::Face::kRegular, kSize, {stage.x + stage.width - width - kMargin, stage.y + kMargin},
+            look->muted, says);
+}
+
 /// Draws the whole window once into the bound framebuffer.
 void draw(GlfwHost& host, Shell& shell, double now) {
   host.begin_frame();
@@ -217,6 +248,7 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   if (shell.course_shown) draw_course(shell, parts, now);
   else draw_stage_and_panels(shell, parts, now);
   draw_keys(shell, parts.window);
+  if (shell.demo) draw_demo(*shell.demo, look, parts);
   shell.focus.end_frame();
   finish(extent, shell.app(), shell.course_shown ? look->ground : look->panel);
 }
@@ -321,6 +353,7 @@ bool present_by_key(Shell& shell, const std::string& key) {
 }
 
 void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
+  if (shell.demo && !control && shell.demo->answer_key(shell, key)) return;
   if (key == "F1") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
   if (key == "F11") return host.fill_screen(!host.fills_screen());
   if (key == "F2") return shell.course_shown ? shell.open_at_place(shell.lead().first) : shell.show_course();
@@ -362,8 +395,9 @@ void run(GlfwHost& host, Shell& shell) {
   std::array<int, 2> size = host.windowed_size();
   while (host.open()) {
     if (due) {
+      shell.app().settings().prose_in_canvas = !shell.demo || shell.demo->shows("caption");
       draw(host, shell, host.now());
-      host.swap();
+      if (!shell.demo || !shell.demo->frozen) host.swap();
       shell.keep(ImGui::IsAnyMouseDown());
       state.write(shell, host.extent());  // last, so that what it tells is kept as well
     }
@@ -405,6 +439,12 @@ std::string first_lesson(const Shell& shell, const WindowOptions& options) {
 }
 
 int open_first(Shell& shell, const WindowOptions& options) {
+  if (options.demo) {
+    shell.present(true);
+    shell.demo.emplace(options.demo);
+    shell.demo->show(shell, 0);
+    return shell.notice.empty() ? 0 : stop(shell.notice);
+  }
   if (options.attempt) {
     const auto opened = shell.watch(*options.attempt);
     return opened ? 0 : stop(opened.error().message());
@@ -438,6 +478,21 @@ int open_first(Shell& shell, const WindowOptions& options) {
   if (const auto stands = lesson::stand_at(shell.session(), at); !stands) return stop(stands.error().message());
   if (app::Cover* const cover = shell.app().cover(); cover != nullptr && at.step && *at.step != 0)
     cover->show(false);  // a step is shown on the stage
+  return 0;
+}
+
+/// Draws each state of the demo, with all of its reveals, as a numbered picture.
+int take_pictures(GlfwHost& host, Shell& shell, const std::string& folder) {
+  shell.app().settings().reduced_motion = true;
+  for (std::size_t i = 0; i < shell.demo->states().size(); ++i) {
+    const lesson::DemoState& state = shell.demo->states()[i];
+    shell.demo->show(shell, i, state.reveal.size());
+    if (!shell.notice.empty()) return stop(shell.notice);
+    shell.app().settings().prose_in_canvas = shell.demo->shows("caption");
+    const std::string number = std::to_string(i + 1), name = std::string(number.size() < 2 ? 1 : 0, '0') + number;
+    const std::string path = (std::filesystem::path(folder) / (name + '-' + state.lesson + ".png")).string();
+    if (const int status = take_picture(host, path, [&] { draw(host, shell, host.now()); }); status != 0) return status;
+  }
   return 0;
 }
 
@@ -480,12 +535,13 @@ int run_window(const WindowOptions& options) {
     return written ? 0 : stop(written.error().message());
   }
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
-  const bool keeps = options.screenshot.empty() && !is_own(options);
+  const bool shown = options.screenshot.empty() && options.pictures.empty();
+  const bool keeps = shown && !is_own(options);
   Kept kept = keeps ? Kept() : Kept(Kept::Nothing{});
   GlfwHost::Size size{options.width, options.height, options.sized, chart ? app::picture_scale(width, height) : 1.0f};
   if (kept.view && !options.sized && kept.view->width >= kLeastWidth && kept.view->height >= kLeastHeight)
     size.width = kept.view->width, size.height = kept.view->height;
-  auto host = GlfwHost::make(size, options.screenshot.empty());
+  auto host = GlfwHost::make(size, shown);
   if (!host) return stop(host.error());
   app::App app({.font = font_bytes,
                 .glsl_version = "#version 330 core",
@@ -501,6 +557,7 @@ int run_window(const WindowOptions& options) {
   if (auto exercises = read_exercises(options.folder))
     if (auto sets = read_sets_of(options.folder)) shell.take_exercises(*std::move(exercises), *std::move(sets));
   if (const int status = open_first(shell, options); status != 0) return status;
+  if (!options.pictures.empty()) return take_pictures(**host, shell, options.pictures);
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;
     if (!options.stage_alone)

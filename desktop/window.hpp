@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,11 +11,15 @@
 
 namespace snug::desktop {
 
+struct DemoFile;
+
 struct WindowOptions {
   std::string folder;                      // of the lessons; empty for the program's own
   std::string lesson;                      // its id, or its file; empty for the first
   std::string exercise;                    // its id, to open instead of a lesson; empty for none
   std::optional<lesson::Attempt> attempt;  // to watch: what was decided in it; none to decide
+  std::shared_ptr<const DemoFile> demo;    // to play instead of a lesson; null for none
+  std::string pictures;                    // the folder to draw its states into; empty to play it
   lesson::Standpoint at;                   // where in it; empty for where it was left, or for its start in a picture
   std::optional<std::uint64_t> seed;       // none: the lesson's own
   std::string points_file;                 // a file shown instead of the lesson's points; empty for none

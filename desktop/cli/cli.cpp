@@ -118,9 +118,10 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
   app.set_version_flag("-V,--version", SNUG_VERSION);
   app.require_subcommand(0, 1);
   Commands commands{app, open_window, {}};
-  for (const auto add : {add_window, add_fit, add_algorithms, add_cases, add_update, add_overlap, add_cull, add_cost,
-                         add_which, add_chart, add_scene, add_lesson, add_exercise, add_grade, add_package,
-                         add_trace_hash, add_render, add_help, add_made_of_definitions})
+  for (const auto add : {add_window,  add_fit,        add_algorithms, add_cases, add_update,
+                         add_overlap, add_cull,       add_cost,       add_which, add_chart,
+                         add_scene,   add_lesson,     add_exercise,   add_demo,  add_grade,
+                         add_package, add_trace_hash, add_render,     add_help,  add_made_of_definitions})
     add(commands);
   try {
     app.parse(joined_numbers(argc, argv));

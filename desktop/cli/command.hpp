@@ -64,6 +64,9 @@ inline void add_reading(CLI::App& command, Reading& reading) {
 /// How commands that read a file take a named case in its place.
 inline constexpr const char* kCaseHelp = "A named case in place of FILE; `snug cases` lists them";
 
+/// Adds --size: WxH in pixels.
+void add_size(CLI::App& command, WindowOptions& options);
+
 void add_window(Commands& commands);
 void add_fit(Commands& commands);
 void add_algorithms(Commands& commands);
@@ -77,6 +80,7 @@ void add_chart(Commands& commands);
 void add_scene(Commands& commands);
 void add_lesson(Commands& commands);
 void add_exercise(Commands& commands);
+void add_demo(Commands& commands);
 void add_grade(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);

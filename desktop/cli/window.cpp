@@ -83,16 +83,6 @@ std::string parse_size(const std::string& text, WindowOptions& options) {
   return {};
 }
 
-void add_size(CLI::App& command, WindowOptions& options) {
-  command.add_option_function<std::string>(
-      "--size",
-      [&options](const std::string& text) {
-        if (const std::string wrong = parse_size(text, options); !wrong.empty())
-          throw CLI::ValidationError("--size", wrong);
-      },
-      "WxH in pixels; 1280x800 by default");
-}
-
 /// Adds --step: a number, or "end".
 CLI::Option* add_step(CLI::App& command, WindowOptions& options) {
   const CLI::Validator step = whole_number(0, std::numeric_limits<int>::max());
@@ -123,6 +113,16 @@ void add_common(CLI::App& command, WindowOptions& options) {
 }
 
 }  // namespace
+
+void add_size(CLI::App& command, WindowOptions& options) {
+  command.add_option_function<std::string>(
+      "--size",
+      [&options](const std::string& text) {
+        if (const std::string wrong = parse_size(text, options); !wrong.empty())
+          throw CLI::ValidationError("--size", wrong);
+      },
+      "WxH in pixels; 1280x800 by default");
+}
 
 bool is_own(const WindowOptions& options) { return !options.folder.empty() || is_path(options.lesson); }
 

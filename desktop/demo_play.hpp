@@ -1,0 +1,44 @@
+// A demo in the window: which state is shown, how much of it is revealed, and the keys of a clicker.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "desktop/cli/demo_files.hpp"
+
+namespace snug::desktop {
+
+class Shell;
+
+class DemoPlay {
+ public:
+  explicit DemoPlay(std::shared_ptr<const DemoFile> file) : file_(std::move(file)) {}
+
+  [[nodiscard]] const std::vector<lesson::DemoState>& states() const { return file_->demo.states; }
+  /// The state that is shown, counted from 0.
+  [[nodiscard]] std::size_t at() const { return at_; }
+  /// Whether a part stands beside the stage now.
+  [[nodiscard]] bool shows(std::string_view part) const;
+  /// "7 of 20"
+  [[nodiscard]] std::string place_text() const;
+
+  /// Shows a state as the file has it, with the first reveals.
+  void show(Shell& shell, std::size_t state, std::size_t revealed = 0);
+  /// Runs a key of the demo. Returns whether it was one.
+  bool answer_key(Shell& shell, const std::string& key);
+
+  bool black = false;   // whether the screen is
+  bool frozen = false;  // whether the picture stands, whatever is done meanwhile
+
+ private:
+  void next(Shell& shell);
+  void back(Shell& shell);
+  void reveal(Shell& shell, const std::string& what, bool played);
+
+  std::shared_ptr<const DemoFile> file_;
+  std::size_t at_ = 0, revealed_ = 0;
+};
+
+}  // namespace snug::desktop
