@@ -6,6 +6,7 @@ a level.
 
 cases.json: the same of the named cases, in the folder cases beside the course: the id, title and summary of each, and where a
 program failed on it.
+demos/ID.json: a lecturer's demo: its states, each with the address of its place in a lesson, what is shown, and the notes.
 course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
 whether it has a task, and the words that a search finds it by; the exercises and their sets; and the program's version.
 sizes.json: how many bytes each file has, for a loading bar that is true when the transfer is packed; and under "build" what
@@ -19,6 +20,7 @@ import pathlib
 import re
 import sys
 import tomllib
+import urllib.parse
 
 from without_comments import served
 
@@ -58,6 +60,21 @@ def sets_of(folder: pathlib.Path) -> dict:
     sets = tomllib.loads((folder / "sets.toml").read_text(encoding="utf-8"))["set"] if exercises else []
     filled = [one | {"exercises": [exercises[name] for name in one["exercises"]]} for one in sets]
     return {"sets": filled, "exercises": list(exercises.values())}
+
+
+ADDRESS_KEYS = {"lesson": "lesson", "step": "step", "seed": "seed", "situation": "situation", "algorithm": "a", "compare": "b", "scalar": "scalar", "from": "from", "sliders": "slide", "moved": "moved", "rows": "rows"}
+
+
+def demo_state(state: dict) -> dict:
+    """What the page needs of it: its address as a lesson, and what is said and shown."""
+    place = {"step": 0} | state
+    address = urllib.parse.urlencode({name: place[key] for key, name in ADDRESS_KEYS.items() if key in place}, safe=",;:")
+    return {"address": "?" + address, "shows": state.get("shows", ["caption"]), "reveal": state.get("reveal", []), "slide": state["slide"], "notes": " ".join(state["notes"].split()), "hash": state.get("hash", "")}
+
+
+def demo_of(path: pathlib.Path) -> dict:
+    demo = tomllib.loads(path.read_text(encoding="utf-8"))
+    return {"id": path.stem, "title": demo["title"], "lecture": demo["lecture"], "states": [demo_state(state) for state in demo["state"]]}
 
 
 def slides_in(course: pathlib.Path) -> dict[str, str]:
@@ -117,6 +134,9 @@ def main(version: str, first_page: pathlib.Path, site: pathlib.Path, course: pat
         write(site / "cases.json", course_of(cases / course.name, {path.stem: case_entry(path) for path in cases.glob("*.toml") if path.name != course.name}))
         lessons = {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}
         exercises = sets_of(course.parent / "exercises")
+        (site / "demos").mkdir(exist_ok=True)
+        for demo in (course.parent / "demos").glob("*.toml"):
+            write(site / "demos" / f"{demo.stem}.json", demo_of(demo))
         write(site / "course.json", course_of(course, lessons) | exercises | {"version": version})
     except ValueError as error:
         sys.exit(str(error))

@@ -15,6 +15,8 @@ export function read_address(search) {
     problems.push(`The address has ${name} “${text.slice(0, 40)}”, which is not a whole number.`);
     return null;
   };
+  /** The last step is any that is too large. */
+  const step = () => (given.get("step") === "end" ? Infinity : whole("step"));
   const scalar = () => {
     const text = given.get("scalar");
     if (text === null || text === "float" || text === "double") return text;
@@ -41,7 +43,10 @@ export function read_address(search) {
     exercise: given.get("exercise"),
     embed: given.get("embed") === "1",
     situation: given.get("situation"),
-    step: whole("step"),
+    demo: given.get("demo"),
+    state: whole("state"),
+    notes: given.get("notes") === "1",
+    step: step(),
     seed: whole("seed"),
     level: whole("level"),
     practice: given.get("practice") === "1",

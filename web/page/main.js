@@ -33,7 +33,8 @@ import { Stored } from "./stored.js";
 import { Tabs } from "./tabs.js";
 import { changed } from "./text_change.js";
 import { Words } from "./words.js";
-/** @import { Preview } from "./preview.js"
+/** @import { Demo } from "./demo.js"
+ *  @import { Preview } from "./preview.js"
  *  @typedef {ReturnType<typeof read_address>} Address */
 
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
@@ -43,7 +44,7 @@ const kNotLoaded = "could not be loaded. Check the connection, then try again.";
 // Milliseconds between updates of the HTML during a drag: one in every frame would cost a layout each.
 const kPanelsDelay = 250;
 
-class Page {
+export class Page {
   written = /** @type {string | null} */ (null); // the address that the page wrote for the open lesson
   #door;
   #downloads;
@@ -81,6 +82,7 @@ class Page {
   #exercise = /** @type {string | null} */ (null); // the id of the one that is open
   #counted = false; // whether it, finished, has counted as a try
   #taken_up = /** @type {string[]} */ ([]); // its decisions that were made before it was opened
+  #demo = /** @type {Demo | null} */ (null); // whose state is open
   /** What could not be opened, because of its file.
    *  @type {{ asked: Address, reveal: () => void } | null} */
   #wanted = null;
@@ -256,12 +258,17 @@ class Page {
     return this.#lessons.some((lesson) => lesson.id === id);
   }
 
+  get door() {
+    return this.#door;
+  }
+
   /** Opens what an address asks for, or says why it cannot. A later call cancels one that waits for its files.
-   *  reveal: shows the page once it has something new.
-   *  @param {Address} asked */
-  async open(asked, reveal = () => {}) {
+   *  reveal: shows the page once it has something new. demo: whose state it is: nothing of it is kept.
+   *  @param {Address} asked @param {() => void} reveal @param {Demo | null} demo */
+  async open(asked, reveal = () => {}, demo = null) {
     const turn = (this.#opens += 1);
     this.#reveal = reveal;
+    this.#demo = demo;
     this.#opening = true;
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
@@ -282,8 +289,9 @@ class Page {
     if (turn !== this.#opens) return;
     reveal();
     if (!read)
-      return veil.failed(`The lesson ${kNotLoaded}`, () => this.open(asked, reveal));
-    const kept = this.#embed ? null : this.#kept.lesson(id);
+      return veil.failed(`The lesson ${kNotLoaded}`, () => this.open(asked, reveal, demo));
+    if (demo) this.#door.erase_answers(); // those of its earlier states
+    const kept = this.#embed || demo ? null : this.#kept.lesson(id);
     if (kept && read.opens) this.#door.keep_answers(id, kept.answers);
     const error = read.opens ? this.#door.open_lesson(read.bytes, false) : read.error;
     if (error && this.#preview)
@@ -454,7 +462,7 @@ class Page {
     if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
     if (asked.step !== null) {
       const { steps } = this.#now();
-      if (asked.step > steps)
+      if (asked.step > steps && asked.step !== Infinity)
         asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
       door.jump(Math.min(asked.step, steps));
       const { cover } = this.#now();
@@ -550,7 +558,7 @@ class Page {
 
   #address() {
     // The step of an exercise is where its decisions have led.
-    return write_address(this.#view, this.#lesson, this.#door.shared_rows(), this.#embed);
+    return this.#demo?.address ?? write_address(this.#view, this.#lesson, this.#door.shared_rows(), this.#embed);
   }
 
   #write_address() {
@@ -567,7 +575,7 @@ class Page {
   /** Keeps the student's place and answers, once the student has done something here. */
   #keep(/** @type {string} */ address) {
     if (this.#view.exercise) return this.#keep_exercise(this.#view.exercise);
-    if (!this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
+    if (this.#demo || !this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
     const { outcomes, step, steps, tasksDone, asked, outcome, deciding, progress } = this.#view;
     if (address === this.#erased_at && outcomes.length === 0) return;
     this.#erased_at = null;
@@ -589,6 +597,12 @@ class Page {
     if (!attempt || attempt.decisions.length === 0) return;
     this.#kept.keep_exercise(attempt, finished, finished && !this.#counted, mark === null);
     this.#counted = finished;
+  }
+
+  /** The lesson stays open, and goes on as one that was opened by its own address. */
+  leave_demo() {
+    this.#demo = null;
+    this.act(() => {});
   }
 
   async #share() {
@@ -675,6 +689,7 @@ class Site {
   #typeset = /** @type {Record<string, string>} */ ({}); // the formulas
   #page = /** @type {Page | null} */ (null);
   #around = /** @type {Promise<void> | null} */ (null); // what the page around this frame has of an exercise
+  #demo = /** @type {Demo | null} */ (null); // that is played
   #shown = ""; // the address that is shown
   #scrolled = 0; // how far the course was scrolled
   #warm = false; // whether the program was asked for ahead of the first lesson
@@ -697,11 +712,17 @@ class Site {
   /** Shows what the address asks for. */
   async show({ back = false, attempt = 0 } = {}) {
     this.#shown = location.search;
+    this.#demo?.end();
+    this.#demo = null;
     const asked = read_address(location.search);
     document.documentElement.classList.toggle("embed", asked.embed);
-    const at_lesson = asked.lesson !== null || asked.exercise !== null;
+    const at_lesson = asked.lesson !== null || asked.exercise !== null || asked.demo !== null;
     if (asked.embed && asked.exercise !== null && parent !== window) this.#around ??= this.#ask_around(asked.exercise);
     try {
+      if (asked.demo !== null && asked.notes) {
+        const { show_notes } = await import("./demo_notes.js");
+        return await show_notes(asked.demo, this.#downloads);
+      }
       // The program arrives beside the course and the lesson.
       const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null;
       door?.catch(() => {});
@@ -712,6 +733,8 @@ class Site {
       if (door) this.#page ??= await this.#bring_page(asked.embed, door);
       const mixed = door && !(await this.#downloads.of_one_build());
       if (mixed || history.state?.loaded_anew) await (await import("./updated.js")).load_anew(Boolean(mixed));
+      if (asked.demo !== null && this.#page && location.search === this.#shown)
+        return await this.#play(asked.demo, asked.state ?? 1, this.#page);
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";
@@ -727,6 +750,17 @@ class Site {
   async #ask_around(/** @type {string} */ id) {
     const splice = await import("./splice.js").catch(() => null);
     await splice?.join(id, this.#kept, this.#saving);
+  }
+
+  /** @param {string} id @param {number} state @param {Page} page */
+  async #play(id, state, page) {
+    const { Demo } = await import("./demo.js");
+    const file = await this.#downloads.text(`demos/${id}.json`).catch(() => null);
+    document.documentElement.dataset.view = "lesson";
+    if (file === null) return veil.failed(`There is no demo “${id.slice(0, 60)}”, or it ${kNotLoaded}`, null);
+    this.#demo = new Demo(JSON.parse(file), page, this.#settings);
+    await this.#demo.begin(state);
+    dispatchEvent(new Event("snug-ready"));
   }
 
   go_to(/** @type {string} */ search) {

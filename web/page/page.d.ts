@@ -156,3 +156,15 @@ interface KeptData {
   exercises: Record<string, KeptExercise>;
   student: string;
 }
+
+// ---- demos/ID.json, which web/describe_site.py makes ---------------------------------------------------------
+
+interface DemoState {
+  address: string;
+  shows: string[];
+  reveal: string[];
+  slide: string;
+  notes: string;
+  hash: string;
+}
+type DemoFile = { id: string; title: string; lecture: string; states: DemoState[] };

@@ -1,0 +1,133 @@
+// A lecturer's demo on the page: walked through by the keys of a clicker, with wild drags between; its notes.
+import { after, before, test } from "node:test";
+import { assert, handles, load, ready, start, state, still, stop, until } from "./support.mjs";
+
+let site;
+before(async () => (site = await start()));
+after(stop);
+
+/** @type {Opened} */
+const kHall = { viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" };
+
+const demo_of = async (id) => (await fetch(`${site.url}demos/${id}.json`)).json();
+/** Where the demo stands, as the page says it: "7 of 20". */
+const place = (page) => page.locator(".demo-place").textContent();
+const classes = (page) => page.evaluate(() => document.documentElement.className.split(" ").sort().join(" "));
+
+/** Until the page has the state open that it says it is at. */
+async function opened(page, says, hash) {
+  await page.waitForFunction(([at, trace]) =>
+    document.querySelector(".demo-place")?.textContent === at && window.snug.state()?.trace === trace, [says, hash]);
+  await still(page);
+}
+
+/** What stands there, without what depends on the time. */
+async function standing(page) {
+  const { lesson, step, steps, trace, caption, situation, algorithm, beside, readout, asked } = await state(page);
+  return { lesson, step, steps, trace, caption, situation, algorithm, beside, readout, asked: asked?.id ?? null };
+}
+
+/** Drags whatever there is, turns the view, and steps, as one does who forgets that the class is watching. */
+async function drag_wildly(page) {
+  const all = await handles(page);
+  for (const { x, y } of [all[0], all.at(-1), { x: 300, y: 300 }].filter(Boolean)) {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 90, y - 60, { steps: 2 });
+    await page.mouse.up();
+  }
+  await page.keyboard.press(" ");
+}
+
+test("a demo is walked through by clicker alone, and each state is as the file says, after any drag", async (t) => {
+  const { states } = await demo_of("collision");
+  const page = await load(t, "?demo=collision&state=1", kHall);
+  let changed = 0;
+  for (const [i, { hash, reveal }] of states.entries()) {
+    const says = `${i + 1} of ${states.length}`;
+    await opened(page, says, hash);
+    const before = await standing(page);
+    if (i % 4 === 2) {
+      await drag_wildly(page);
+      const { trace, step } = await state(page);
+      if (trace !== hash || step !== before.step) changed += 1;
+      await page.keyboard.press("Home");
+      await opened(page, says, hash);
+      assert.deepEqual(await standing(page), before, `state ${says}, again`);
+    }
+    for (let press = 0; press <= reveal.length; ++press) await page.keyboard.press("PageDown");
+  }
+  assert.equal(await place(page), `${states.length} of ${states.length}`, "after the last there is none");
+  assert.ok(changed >= 4, "the drags change what they are told to");
+});
+
+test("back leads to what was shown before, reveal by reveal; black, the address, and Escape", async (t) => {
+  const { states } = await demo_of("collision");
+  const page = await load(t, "?demo=collision&state=9", kHall);
+  await opened(page, `9 of ${states.length}`, states[8].hash);
+  const [first, shown] = [await standing(page), await classes(page)];
+  await page.keyboard.press("PageDown"); // the steps
+  await until(page, (now) => now.step === now.steps);
+  await page.keyboard.press("PageDown"); // the numbers
+  assert.match(shown, /without-numbers/);
+  assert.doesNotMatch(await classes(page), /without-numbers/);
+  await page.keyboard.press("PageDown"); // the next state
+  await opened(page, `10 of ${states.length}`, states[9].hash);
+  await page.waitForFunction(() => location.search === "?demo=collision&state=10");
+  await page.keyboard.press("PageUp"); // as it was left: with all that was revealed
+  await opened(page, `9 of ${states.length}`, states[8].hash);
+  await until(page, (now) => now.step === now.steps);
+  assert.doesNotMatch(await classes(page), /without-numbers/);
+  await page.keyboard.press("PageUp");
+  await page.keyboard.press("PageUp");
+  await until(page, (now) => now.step === 0);
+  assert.deepEqual([await standing(page), await classes(page)], [first, shown]);
+
+  await page.keyboard.press(".");
+  assert.ok(await page.locator(".demo-black").isVisible());
+  await page.keyboard.press("PageDown"); // brings the picture back, and does nothing else
+  assert.ok(!(await page.locator(".demo-black").isVisible()));
+  assert.deepEqual(await standing(page), first);
+
+  await page.keyboard.press("f");
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now) => now.step === now.steps);
+  assert.equal(await page.locator(".demo-picture").count(), 1, "the picture stands");
+  await page.keyboard.press("f");
+  assert.equal(await page.locator(".demo-picture").count(), 0);
+
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => location.search.startsWith("?lesson=sphere-ritter"));
+  assert.doesNotMatch(await classes(page), /demo|presenting/);
+  assert.equal(await page.locator(".demo-place").count(), 0);
+  const kept = await page.evaluate(() => JSON.parse(localStorage.getItem("snug-course")).lessons);
+  assert.deepEqual(Object.keys(kept).filter((id) => id !== "sphere-ritter"), [], "a demo is nobody's work");
+});
+
+test("the notes follow the demo in a second tab and lead it; closed and opened again, nothing is lost", async (t) => {
+  const { states } = await demo_of("geometry");
+  const page = await load(t, "?demo=geometry&state=25", { viewport: { width: 1920, height: 1080 } });
+  await opened(page, `25 of ${states.length}`, states[24].hash);
+  for (let i = 0; i < 2; ++i) {
+    const notes = await page.context().newPage();
+    await notes.goto(`${site.url}?demo=geometry&notes=1`);
+    await notes.getByRole("heading", { name: states[24 - i].slide }).waitFor();
+    assert.ok((await notes.locator(".says").textContent()).startsWith(states[24 - i].notes.slice(0, 40)));
+    await notes.getByRole("button", { name: "Back" }).click();
+    await notes.getByRole("heading", { name: states[23 - i].slide }).waitFor();
+    await opened(page, `${24 - i} of ${states.length}`, states[23 - i].hash);
+    for (let press = 0; press < states[23 - i].reveal.length; ++press) await notes.keyboard.press("PageUp");
+    await notes.close();
+  }
+  await page.keyboard.press("Home");
+  await opened(page, `23 of ${states.length}`, states[22].hash);
+});
+
+test("an address of no demo, or of no state of it, says so", async (t) => {
+  const page = await load(t, "?demo=nowhere", { wait: false, may_complain: /404/ });
+  await page.getByText("There is no demo “nowhere”").waitFor();
+  await page.goto(`${site.url}?demo=collision&state=99`);
+  await ready(page);
+  await page.getByText("The address asks for state 99; the demo has 20.").waitFor();
+  assert.equal(await place(page), "20 of 20");
+});

@@ -1,0 +1,235 @@
+// A demo: states of lessons in the order of a lecture's slides, led by the keys of a clicker. Only a demo loads this.
+import { read_address } from "./address.js";
+import { by_id, element, is_within, set_hidden, set_text } from "./dom.js";
+import { notice } from "./messages.js";
+/** @import { Page } from "./main.js"
+ *  @import { Settings } from "./settings.js"
+ *  @typedef {{ at: number, revealed: number, black: boolean, frozen: boolean }} Standing where the demo stands */
+
+const kParts = ["caption", "prose", "numbers", "code"];
+const kWrites = "input, select, textarea, [contenteditable]";
+/** What each key does; a clicker has those of the first lines.
+ *  @type {Record<string, string>} */
+const kKeys = {
+  PageDown: "next", ArrowRight: "next",
+  PageUp: "back", ArrowLeft: "back",
+  F5: "fill",
+  b: "black", ".": "black",
+  Home: "again", h: "again",
+  f: "freeze",
+  s: "notes",
+};
+const kEverywhere = new Set(["PageDown", "PageUp", "F5", "Escape"]); // even while something is typed
+
+/** The channel between the demo and its notes, in another tab. */
+export const channel_of = (/** @type {string} */ id) => new BroadcastChannel(`snug-demo-${id}`);
+
+export class Demo {
+  #file;
+  #page;
+  #settings;
+  #at = 0; // the state, counted from 0
+  #revealed = 0; // how many of its reveals are shown
+  #turn = 0; // counts what was asked for; each cancels what is still opening
+  #opening = false;
+  #over = false;
+  #channel;
+  #place = element("p", { class: "demo-place" });
+  #black = element("div", { class: "demo-black", hidden: true });
+  #picture = /** @type {HTMLElement | null} */ (null); // that stands while it is frozen
+
+  /** @param {DemoFile} file @param {Page} page @param {Settings} settings */
+  constructor(file, page, settings) {
+    this.#file = file;
+    this.#page = page;
+    this.#settings = settings;
+    this.#channel = channel_of(file.id);
+    this.#channel.onmessage = ({ data }) => (data.asks ? this.#tell() : this.#do(data.does));
+    addEventListener("keydown", this.#key, { capture: true });
+    this.#black.addEventListener("pointerdown", () => this.#do("black"));
+  }
+
+  get address() {
+    return `?demo=${encodeURIComponent(this.#file.id)}&state=${this.#at + 1}`;
+  }
+
+  /** state: counted from 1. */
+  async begin(/** @type {number} */ state) {
+    const style = element("link", { rel: "stylesheet", href: "demo.css" });
+    await new Promise((done) => {
+      style.onload = style.onerror = done;
+      if (document.querySelector('link[href="demo.css"]')) done(null);
+      else document.head.append(style);
+    });
+    by_id("work").append(this.#place);
+    document.body.append(this.#black);
+    this.#settings.present(true);
+    this.#settings.on_change(() => this.#settings.presenting || this.#leave());
+    const { length } = this.#file.states;
+    await this.#show(Math.min(Math.max(state, 1), length) - 1);
+    if (state < 1 || state > length) notice(`The address asks for state ${state}; the demo has ${length}.`);
+  }
+
+  /** Takes away what it has put on the page. */
+  end() {
+    if (this.#over) return;
+    this.#over = true;
+    this.#turn += 1;
+    this.#channel.close();
+    removeEventListener("keydown", this.#key, { capture: true });
+    document.documentElement.classList.remove("demo", ...kParts.map((part) => `without-${part}`));
+    for (const node of [this.#place, this.#black, this.#picture]) node?.remove();
+  }
+
+  /** The lesson stays, as one left it. */
+  #leave() {
+    if (this.#over) return;
+    this.end();
+    this.#settings.present(false);
+    this.#page.leave_demo();
+  }
+
+  get #state() {
+    return this.#file.states[this.#at];
+  }
+
+  // ---- the keys -----------------------------------------------------------------------------------------------
+
+  #key = (/** @type {KeyboardEvent} */ event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { key } = event;
+    if (is_within(event.target, kWrites) && !kEverywhere.has(key)) return;
+    const does = key === "Escape" ? "leave" : kKeys[key.length === 1 ? key.toLowerCase() : key];
+    if (!does) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    if (!event.repeat) this.#do(does);
+  };
+
+  #do(/** @type {string} */ does) {
+    if (does === "notes") return this.#open_notes();
+    if (does === "black") this.#darken(Boolean(this.#black.hidden));
+    else if (!this.#black.hidden) this.#darken(false); // the first key brings the picture back, and does nothing else
+    else if (does === "freeze") this.#freeze(!this.#picture);
+    else if (does === "next") this.#next();
+    else if (does === "back") this.#back();
+    else if (does === "again") this.#show(this.#at, this.#revealed);
+    else if (does === "fill") document.documentElement.requestFullscreen?.().catch(() => {});
+    else if (does === "leave") return this.#leave();
+    this.#tell();
+  }
+
+  #next() {
+    if (this.#revealed === this.#state.reveal.length)
+      return this.#at + 1 < this.#file.states.length && this.#show(this.#at + 1);
+    this.#revealed += 1;
+    if (this.#opening) return this.#show(this.#at, this.#revealed);
+    this.#reveal(this.#state.reveal[this.#revealed - 1], true);
+    this.#show_parts();
+  }
+
+  #back() {
+    if (this.#revealed > 0) this.#show(this.#at, this.#revealed - 1);
+    else if (this.#at > 0) this.#show(this.#at - 1, this.#file.states[this.#at - 1].reveal.length);
+  }
+
+  // ---- what is shown ------------------------------------------------------------------------------------------
+
+  /** Shows a state as the file has it, whatever was done to it, with the first reveals.
+   *  @param {number} at @param {number} revealed */
+  async #show(at, revealed = 0) {
+    const turn = (this.#turn += 1);
+    this.#at = at;
+    this.#revealed = revealed;
+    this.#opening = true;
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+    this.#show_parts();
+    const lesson_view = () => (document.documentElement.dataset.view = "lesson");
+    await this.#page.open(read_address(this.#state.address), lesson_view, this);
+    if (turn !== this.#turn) return;
+    this.#opening = false;
+    if (!this.#state.reveal.includes("answer")) this.#page.act(() => this.#pass_questions());
+    for (const what of this.#state.reveal.slice(0, revealed)) this.#reveal(what, false);
+    this.#tell();
+  }
+
+  /** Passes all questions of this run that are still open, and comes back: what plays then stops nowhere. */
+  #pass_questions() {
+    const { door } = this.#page;
+    const view = () => /** @type {View} */ (door.view());
+    const { step, steps, questions } = view();
+    for (let left = 3 * questions + 3; left > 0; --left) {
+      const now = view();
+      if (now.asked) door.command("skip_question");
+      else if (now.deciding || now.outcome) door.command("continue");
+      else if (now.step < steps) door.go(steps);
+      else break;
+    }
+    door.command("close_summary");
+    door.jump(step);
+  }
+
+  /** played: else what it leads to is shown at once. */
+  #reveal(/** @type {string} */ what, /** @type {boolean} */ played) {
+    const { door } = this.#page;
+    const { playing, asked, steps } = /** @type {View} */ (door.view());
+    this.#page.act(() => {
+      if (what === "steps" && !playing) this.#pass_questions();
+      if (what === "steps" && !played) door.jump(steps);
+      if (what === "steps" && played && !playing) door.command("play");
+      if (what === "answer" && asked) door.command("skip_question");
+      if (what === "answer" && !played && door.view()?.deciding) door.command("continue");
+    });
+  }
+
+  #show_parts() {
+    const { shows, reveal } = this.#state;
+    const shown = [...shows, ...reveal.slice(0, this.#revealed)];
+    const root = document.documentElement;
+    root.classList.add("demo");
+    for (const part of kParts) root.classList.toggle(`without-${part}`, !shown.includes(part));
+    root.classList.toggle("text-shown", shown.includes("prose"));
+    set_text(this.#place, `${this.#at + 1} of ${this.#file.states.length}`);
+  }
+
+  #darken(/** @type {boolean} */ on) {
+    set_hidden(this.#black, !on);
+  }
+
+  /** A picture of the page lies over it, and lets every press through. */
+  #freeze(/** @type {boolean} */ on) {
+    this.#picture?.remove();
+    this.#picture = null;
+    if (!on) return;
+    const work = by_id("work");
+    const copy = /** @type {HTMLElement} */ (work.cloneNode(true));
+    const canvas = copy.querySelector("canvas");
+    this.#page.door.frame(performance.now() / 1000); // what was drawn is there only within the same task
+    canvas?.getContext("2d")?.drawImage(by_id("canvas"), 0, 0);
+    const { left, top, width, height } = work.getBoundingClientRect();
+    Object.assign(copy.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+    copy.classList.add("demo-picture");
+    copy.inert = true;
+    copy.setAttribute("aria-hidden", "true");
+    document.body.append(copy);
+    this.#picture = copy;
+  }
+
+  // ---- the notes, in another tab --------------------------------------------------------------------------------
+
+  #tell() {
+    if (this.#over) return;
+    this.#channel.postMessage({
+      at: this.#at,
+      revealed: this.#revealed,
+      black: !this.#black.hidden,
+      frozen: this.#picture !== null,
+    });
+  }
+
+  #open_notes() {
+    const address = `${location.pathname}?demo=${encodeURIComponent(this.#file.id)}&notes=1`;
+    const opened = open(address, `snug-notes-${this.#file.id}`, "popup,width=960,height=720");
+    if (!opened) notice(`The browser blocks the notes. Open ${location.origin}${address} in another tab.`);
+  }
+}
