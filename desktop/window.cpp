@@ -158,7 +158,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
   parts.app.inspector = {right, header + title + question, inspector, beside.numbers ? side - below : 0};
   place_side(parts, look, shell, code_tab);
-  parts.app.tools = lecture ? presentation_reach(look) : 0;
+  parts.app.tools = lecture && !shell.demo ? presentation_reach(look) : 0;
   parts.app.foot = shell.foot;
   return parts;
 }
@@ -202,8 +202,8 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   if (const float wanted = app.figures_height(); wanted > shell.figures_most)
     shell.figures_most = wanted, shell.measured_anew = true;
   draw_question_card(shell, shell.presenting ? parts.question : parts.app.stage);
-  if (shell.presenting) draw_presentation(shell, parts.app.stage);
-  else draw_invitation(app, parts.app.stage);
+  if (!shell.presenting) draw_invitation(app, parts.app.stage);
+  else if (!shell.demo) draw_presentation(shell, parts.app.stage);
   for (const float x : {parts.column.width, parts.app.inspector.x}) {
     if (x < 1) continue;
     const float top = parts.app.stage.y;
@@ -225,15 +225,14 @@ void draw_course(Shell& shell, const Parts& parts, double now) {
 
 /// Where one is in the demo, in a corner that nothing else needs; or nothing but black.
 void draw_demo(const DemoPlay& demo, const app::Look& look, const Parts& parts) {
-  constexpr float kSize = 14, kMargin = 12;
+  constexpr float kSize = 13, kLeft = 24, kBelow = 20;
   ImDrawList* const list = ImGui::GetForegroundDrawList();
-  const app::Rect &stage = parts.app.stage, &window = parts.window;
+  const app::Rect &timeline = parts.app.timeline, &window = parts.window;
   if (demo.black)
     return list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height}, 0xff000000);
-  const std::string says = demo.place_text();
-  const float width = app::measure(look, app::Face::kRegular, kSize, says).x;
-  app::text(list, look, app::Face::kRegular, kSize, {stage.x + stage.width - width - kMargin, stage.y + kMargin},
-            look->muted, says);
+  app::text(list, look, app::Face::kRegular, kSize,
+            {timeline.x + kLeft, timeline.y + timeline.height - look.px(kSize) - kBelow}, look->muted,
+            demo.place_text());
 }
 
 /// Draws the whole window once into the bound framebuffer.
@@ -344,7 +343,7 @@ bool move_focus(Shell& shell, const std::string& key, bool shift) {
 
 /// Runs a key of the presentation. Returns whether it was one.
 bool present_by_key(Shell& shell, const std::string& key) {
-  if (!shell.presenting) return false;
+  if (!shell.presenting || shell.demo) return false;
   const int by = key == "n" || key == "N" ? 1 : key == "p" || key == "P" ? -1 : 0;
   if (key == "t" || key == "T") return shell.text_shown = !shell.text_shown, true;
   if (by == 0) return false;

@@ -1,4 +1,5 @@
 // A lecturer's demo on the page: walked through by the keys of a clicker, with wild drags between; its notes.
+import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { assert, handles, load, ready, start, state, still, stop, until } from "./support.mjs";
 
@@ -130,4 +131,19 @@ test("an address of no demo, or of no state of it, says so", async (t) => {
   await ready(page);
   await page.getByText("The address asks for state 99; the demo has 20.").waitFor();
   assert.equal(await place(page), "20 of 20");
+});
+
+test("a key adds what stands there to a demo's file, which grows by a state with each press", async (t) => {
+  const page = await load(t, "?lesson=sphere-ritter&step=3&seed=7");
+  const { trace } = await state(page);
+  const texts = [];
+  for (let press = 0; press < 2; ++press) {
+    const saved = page.waitForEvent("download");
+    await page.keyboard.press("Shift+D");
+    texts.push(readFileSync(await (await saved).path(), "utf8"));
+    await page.keyboard.press("ArrowRight");
+  }
+  assert.ok(texts[0].includes(`[[state]]\nhash = "${trace}"\n`), texts[0]);
+  assert.match(texts[0], /lesson = "sphere-ritter"\nseed = 7\nstep = 3\n/);
+  assert.ok(texts[1].startsWith(texts[0]) && texts[1].match(/\[\[state\]\]/g).length === 2, texts[1]);
 });

@@ -18,6 +18,7 @@ const kKeys = {
   Home: "again", h: "again",
   f: "freeze",
   s: "notes",
+  n: "nothing", p: "nothing", // which lead to other lessons otherwise
 };
 const kEverywhere = new Set(["PageDown", "PageUp", "F5", "Escape"]); // even while something is typed
 

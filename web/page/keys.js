@@ -15,9 +15,11 @@ function scrolls(target, key) {
   return false;
 }
 
-/** choose(digit): returns whether it answered a question; leave(): whether there was something to leave.
- *  @param {Door} door @param {Act} act @param {(digit: number) => boolean} choose @param {() => boolean} leave */
-export function listen_to_keys(door, act, choose, leave) {
+/** choose(digit): returns whether it answered a question; leave(): whether there was something to leave; record(): adds
+ *  what stands there to a demo.
+ *  @param {Door} door @param {Act} act @param {(digit: number) => boolean} choose @param {() => boolean} leave
+ *  @param {() => void} record */
+export function listen_to_keys(door, act, choose, leave, record) {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || event.isComposing) return;
     const target = event.target instanceof Element ? event.target : document.body;
@@ -37,6 +39,7 @@ export function listen_to_keys(door, act, choose, leave) {
     if (event.repeat && !event.key.startsWith("Arrow")) return;
     if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();
     if (event.key === "Escape" && leave()) return event.preventDefault();
+    if (!control && event.key === "D") return record();
     const command = door.command_of_key(event.key, event.shiftKey, control);
     if (!command) return;
     event.preventDefault();

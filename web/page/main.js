@@ -164,6 +164,7 @@ export class Page {
       act,
       (digit) => question.choose(digit),
       () => this.#leave_presentation(),
+      () => this.#record(),
     );
     for (const command of ["undo", "redo"])
       by_id(command).addEventListener("click", () => act(() => door.command(command)));
@@ -603,6 +604,19 @@ export class Page {
   leave_demo() {
     this.#demo = null;
     this.act(() => {});
+  }
+
+  /** Adds what stands here to a demo's file. */
+  async #record() {
+    const { exercise, file } = this.#view;
+    if (this.#opening || exercise) return;
+    const { record } = await import("./demo_record.js");
+    const shared = this.#door.shared_rows();
+    const address = write_address(this.#view, this.#lesson, shared, false);
+    const states = record(address, this.#lesson.title, this.#door.trace() ?? "");
+    const lost = Object.keys(shared).length === 0 || (file && file.own !== file.typed);
+    const says = lost ? " What was edited here is too much for it, and is left out: check its hash." : "";
+    notice(`demo.toml is saved, with ${states === 1 ? "this state" : `${states} states`}.${says}`, "told");
   }
 
   async #share() {
