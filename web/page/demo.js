@@ -1,12 +1,14 @@
 // A demo: states of lessons in the order of a lecture's slides, led by the keys of a clicker. Only a demo loads this.
 import { read_address } from "./address.js";
 import { by_id, element, is_within, set_hidden, set_text } from "./dom.js";
-import { notice } from "./messages.js";
-/** @import { Page } from "./main.js"
+import { notice, veil } from "./messages.js";
+/** @import { Downloads } from "./download.js"
+ *  @import { Page } from "./main.js"
  *  @import { Settings } from "./settings.js"
  *  @typedef {{ at: number, revealed: number, black: boolean, frozen: boolean }} Standing where the demo stands */
 
 const kParts = ["caption", "prose", "numbers", "code"];
+const kScreen = { width: 1280, height: 720 }; // on a larger one everything is larger, for the last row
 const kWrites = "input, select, textarea, [contenteditable]";
 /** What each key does; a clicker has those of the first lines.
  *  @type {Record<string, string>} */
@@ -24,6 +26,16 @@ const kEverywhere = new Set(["PageDown", "PageUp", "F5", "Escape"]); // even whi
 
 /** The channel between the demo and its notes, in another tab. */
 export const channel_of = (/** @type {string} */ id) => new BroadcastChannel(`snug-demo-${id}`);
+
+/** Null, and the page says why, if there is none.
+ *  @param {string} id @param {Page} page @param {Settings} settings @param {Downloads} downloads */
+export async function bring_demo(id, page, settings, downloads) {
+  const file = await downloads.text(`demos/${id}.json`).catch(() => null);
+  document.documentElement.dataset.view = "lesson";
+  if (file !== null) return new Demo(JSON.parse(file), page, settings);
+  veil.failed(`There is no demo “${id.slice(0, 60)}”, or it could not be loaded.`, null);
+  return null;
+}
 
 export class Demo {
   #file;
@@ -64,6 +76,8 @@ export class Demo {
     });
     by_id("work").append(this.#place);
     document.body.append(this.#black);
+    addEventListener("resize", this.#fit);
+    this.#fit();
     this.#settings.present(true);
     this.#settings.on_change(() => this.#settings.presenting || this.#leave());
     const { length } = this.#file.states;
@@ -78,6 +92,8 @@ export class Demo {
     this.#turn += 1;
     this.#channel.close();
     removeEventListener("keydown", this.#key, { capture: true });
+    removeEventListener("resize", this.#fit);
+    this.#settings.enlarge(1);
     document.documentElement.classList.remove("demo", ...kParts.map((part) => `without-${part}`));
     for (const node of [this.#place, this.#black, this.#picture]) node?.remove();
   }
@@ -89,6 +105,9 @@ export class Demo {
     this.#settings.present(false);
     this.#page.leave_demo();
   }
+
+  #fit = () =>
+    this.#settings.enlarge(Math.max(1, Math.min(innerWidth / kScreen.width, innerHeight / kScreen.height)));
 
   get #state() {
     return this.#file.states[this.#at];

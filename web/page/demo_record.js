@@ -1,17 +1,23 @@
 // Adds what stands on the page to a demo: a file that grows by a state with each press. Loaded by that press alone.
+import { write_address } from "./address.js";
 import { state_text } from "./demo_text.js";
 import { save_file } from "./exercise.js";
+import { notice } from "./messages.js";
 
 const kKept = "snug-recorded";
 const kHead = 'version = 1\ntitle = "My demo"\nlecture = "My lecture"\n';
 
-/** Adds a state to those that were recorded in this tab, and saves all of them. Returns how many there are.
- *  @param {string} address @param {string} title @param {string} trace */
-export function record(address, title, trace) {
+/** Adds a state to those that were recorded in this tab, and saves all of them.
+ *  @param {View} view @param {Lesson} lesson @param {Door} door */
+export function record(view, lesson, door) {
+  const shared = door.shared_rows();
+  const address = write_address(view, lesson, shared, false);
   /** @type {string[]} */
   const states = JSON.parse(sessionStorage.getItem(kKept) ?? "[]");
-  states.push(state_text(address, title, trace));
+  states.push(state_text(address, lesson.title, door.trace() ?? ""));
   sessionStorage.setItem(kKept, JSON.stringify(states));
   save_file([kHead, ...states].join("\n"), "demo.toml");
-  return states.length;
+  const lost = Object.keys(shared).length === 0 || (view.file && view.file.own !== view.file.typed);
+  const says = lost ? " What was edited here is too much for it, and is left out." : "";
+  notice(`demo.toml is saved, with ${states.length === 1 ? "this state" : `${states.length} states`}.${says}`, "told");
 }

@@ -608,15 +608,9 @@ export class Page {
 
   /** Adds what stands here to a demo's file. */
   async #record() {
-    const { exercise, file } = this.#view;
-    if (this.#opening || exercise) return;
+    if (this.#opening || this.#view.exercise) return;
     const { record } = await import("./demo_record.js");
-    const shared = this.#door.shared_rows();
-    const address = write_address(this.#view, this.#lesson, shared, false);
-    const states = record(address, this.#lesson.title, this.#door.trace() ?? "");
-    const lost = Object.keys(shared).length === 0 || (file && file.own !== file.typed);
-    const says = lost ? " What was edited here is too much for it, and is left out: check its hash." : "";
-    notice(`demo.toml is saved, with ${states === 1 ? "this state" : `${states} states`}.${says}`, "told");
+    record(this.#view, this.#lesson, this.#door);
   }
 
   async #share() {
@@ -747,8 +741,12 @@ class Site {
       if (door) this.#page ??= await this.#bring_page(asked.embed, door);
       const mixed = door && !(await this.#downloads.of_one_build());
       if (mixed || history.state?.loaded_anew) await (await import("./updated.js")).load_anew(Boolean(mixed));
-      if (asked.demo !== null && this.#page && location.search === this.#shown)
-        return await this.#play(asked.demo, asked.state ?? 1, this.#page);
+      if (asked.demo !== null && this.#page && location.search === this.#shown) {
+        const { bring_demo } = await import("./demo.js");
+        this.#demo = await bring_demo(asked.demo, this.#page, this.#settings, this.#downloads);
+        await this.#demo?.begin(asked.state ?? 1);
+        return dispatchEvent(new Event("snug-ready"));
+      }
     } catch (error) {
       console.warn(error);
       document.documentElement.dataset.view = "lesson";
@@ -764,17 +762,6 @@ class Site {
   async #ask_around(/** @type {string} */ id) {
     const splice = await import("./splice.js").catch(() => null);
     await splice?.join(id, this.#kept, this.#saving);
-  }
-
-  /** @param {string} id @param {number} state @param {Page} page */
-  async #play(id, state, page) {
-    const { Demo } = await import("./demo.js");
-    const file = await this.#downloads.text(`demos/${id}.json`).catch(() => null);
-    document.documentElement.dataset.view = "lesson";
-    if (file === null) return veil.failed(`There is no demo “${id.slice(0, 60)}”, or it ${kNotLoaded}`, null);
-    this.#demo = new Demo(JSON.parse(file), page, this.#settings);
-    await this.#demo.begin(state);
-    dispatchEvent(new Event("snug-ready"));
   }
 
   go_to(/** @type {string} */ search) {

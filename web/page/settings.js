@@ -44,6 +44,7 @@ export class Settings {
     this.theme = first_theme();
     this.text = kTextScales.includes(Number(remembered("text"))) ? Number(remembered("text")) : 1;
     this.presenting = false;
+    this.larger = 1; // how many times larger a demo wants its words, for a large screen
     this.motion = asks("(prefers-reduced-motion: reduce)");
     this.motion.addEventListener("change", () => this.#apply());
     by_id("theme").addEventListener("click", () => this.#next_theme());
@@ -131,6 +132,12 @@ export class Settings {
     this.#apply();
   }
 
+  enlarge(/** @type {number} */ larger) {
+    if (larger === this.larger) return;
+    this.larger = larger;
+    this.#apply();
+  }
+
   /** Presentation mode: a projector's theme, larger, without what only a reader at a desk needs. */
   present(/** @type {boolean} */ on) {
     if (on === this.presenting) return;
@@ -152,7 +159,7 @@ export class Settings {
 
   get text_scale() {
     const scale = this.text * (this.theme === "projector" ? kProjectorScale : 1);
-    return this.presenting ? Math.max(scale, kPresentingScale) : scale;
+    return this.presenting ? Math.max(scale, kPresentingScale * this.larger) : scale;
   }
 
   #apply() {
