@@ -78,7 +78,7 @@ test("presented, keys and buttons lead from lesson to lesson, and the text shows
   assert.equal((await state(page)).lesson, all[1].id); // a key of the presentation alone
 });
 
-test("presented, the title can be seen, and the text opens at the section at hand, alone in its column", async (t) => {
+test("presented, the title is seen, and the text opens at the section at hand, the question over it", async (t) => {
   const page = await load(t, `${kFirst}&step=1`, { reducedMotion: "reduce" });
   await page.locator("#present").click();
   const over = (part) => page.evaluate((id) => {
@@ -90,7 +90,8 @@ test("presented, the title can be seen, and the text opens at the section at han
   await still(page);
   assert.ok(await over("#prose [aria-current] h2"), "the section at hand is in view");
   assert.equal(await page.locator("#numbers").isVisible(), false);
-  assert.ok((await page.locator("#read").boundingBox()).height > 700);
+  const [card, text] = await Promise.all(["#ask", "#read"].map((part) => page.locator(part).boundingBox()));
+  assert.ok(text.y >= card.y + card.height - 1 && card.height + text.height > 700, "under the question");
 });
 
 test("a figure's summary leads nowhere else", async (t) => {
