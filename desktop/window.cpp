@@ -425,12 +425,12 @@ void run(GlfwHost& host, Shell& shell) {
   }
 }
 
-/// Returns the lesson to open first: the one that was asked for, or that of the course to start or go on with.
 /// Whether a student who was not here before begins with the lesson that the class's defaults name.
 bool begins_with_defaults(const Shell& shell) {
   return !defaults().first_lesson.empty() && !shell.writing() && shell.kept().last().empty();
 }
 
+/// The lesson to open first: the one that was asked for, or the one to start or go on with.
 std::string first_lesson(const Shell& shell, const WindowOptions& options) {
   if (!options.lesson.empty()) return is_path(options.lesson) ? id_of(options.lesson) : options.lesson;
   if (begins_with_defaults(shell)) return defaults().first_lesson;

@@ -1,8 +1,6 @@
 // Runs before anything else has loaded. It is a separate, classic script, because the page's policy forbids inline
 // ones.
 
-// The course is shown at once; a lesson stays under the veil until the program is loaded. Its largest files are asked
-// for here, before the page's modules have arrived.
 // A package opens what it is of: some courses' sites drop what an address asks for.
 const said_in = (/** @type {string} */ name) =>
   document.querySelector(`meta[name="snug-${name}"]`)?.getAttribute("content") ?? "";
@@ -10,6 +8,7 @@ const opens = said_in("opens");
 if (opens && !/[?&](lesson|exercise)=/.test(location.search)) history.replaceState(null, "", opens);
 const names = said_in("names"); // how a package calls the files: "plain", or "inside" of this one
 
+// The course is shown at once; a lesson stays under the veil until the program is loaded.
 const given = new URLSearchParams(location.search);
 const to_lesson = given.get("lesson") ?? given.get("exercise");
 document.documentElement.dataset.view = to_lesson === null ? "course" : "lesson";
@@ -19,7 +18,6 @@ function ask_for(href, rel, as) {
   const link = document.createElement("link");
   document.head.append(Object.assign(link, { rel, as, href: window.snug.at(href), crossOrigin: "anonymous" }));
 }
-
 
 // Scripts and tests can use this at once; main.js fills it in.
 window.snug = {
@@ -37,6 +35,7 @@ window.snug = {
     names === "plain" ? path.replace(/\.(wasm|ply|otf|ttf)$/, "$&.bin").replace(/\.toml$/, "$&.txt") : path,
 };
 
+// The largest files are asked for before the page's modules have arrived.
 if (to_lesson !== null && names !== "inside") {
   ask_for("snug.wasm", "preload", "fetch");
   ask_for("snug.js", "modulepreload", "script");

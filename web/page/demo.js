@@ -1,6 +1,6 @@
 // A demo: states of lessons in the order of a lecture's slides, led by the keys of a clicker. Only a demo loads this.
 import { read_address } from "./address.js";
-import { by_id, element, is_within, set_hidden, set_text } from "./dom.js";
+import { by_id, element, is_within, kWrites, set_hidden, set_text } from "./dom.js";
 import { notice, veil } from "./messages.js";
 /** @import { Downloads } from "./download.js"
  *  @import { Page } from "./main.js"
@@ -9,7 +9,6 @@ import { notice, veil } from "./messages.js";
 
 const kParts = ["caption", "prose", "numbers", "code"];
 const kScreen = { width: 1280, height: 720 }; // on a larger one everything is larger, for the last row
-const kWrites = "input, select, textarea, [contenteditable]";
 /** What each key does; a clicker has those of the first lines.
  *  @type {Record<string, string>} */
 const kKeys = {

@@ -20,7 +20,10 @@ export function element(tag, properties = {}, ...children) {
   return made;
 }
 
-/** Whether an event's target is in such an element.
+/** What takes keys to write with. */
+export const kWrites = "input, select, textarea, [contenteditable]";
+
+/** Whether an event's target is in an element that the selector matches.
  *  @param {EventTarget | null} target @param {string} selector */
 export const is_within = (target, selector) => target instanceof Element && target.closest(selector) !== null;
 

@@ -1,6 +1,6 @@
 // The stage's keys work anywhere on the page, except where a key has its own meaning.
+import { kWrites } from "./dom.js";
 
-const kWrites = "input, select, textarea, [contenteditable]";
 const kPresses = "button, a, summary";
 const kReads = "#read, #points, #file, #code";
 const kPages = new Set(["PageUp", "PageDown"]); // which mean nothing within a line of text

@@ -622,7 +622,7 @@ export class Page {
       title: this.#lesson.title,
       address: location.href,
       leads: whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for it.",
-      // Of an exercise each reader has an instance.
+      // Each reader of an exercise gets an instance of their own.
       embedded: new URL(`${exercise ? exercise_link(exercise.exercise) : location.search}&embed=1`, location.href).href,
       is_exercise: exercise !== null,
     });

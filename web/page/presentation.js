@@ -1,8 +1,7 @@
 // Presentation mode: keys and buttons lead from lesson to lesson, and the lesson's text is shown only on request.
-import { by_id, is_within } from "./dom.js";
+import { by_id, is_within, kWrites } from "./dom.js";
 /** @import { Settings } from "./settings.js" */
 
-const kWrites = "input, select, textarea, [contenteditable]";
 
 export class Presentation {
   #settings;

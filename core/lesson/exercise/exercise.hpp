@@ -33,8 +33,7 @@ struct Decision {
 
 /// An example that the student builds: the stage's one task, met in levels, of which each earns a mark.
 struct Build {
-  /// For each requirement of the task, the bounds that earn a mark before its own is reached, the easiest first. A
-  /// requirement without any is met or not met.
+  /// Each requirement of the task may have easier bounds, the easiest first: reaching one of them earns a mark.
   std::vector<std::vector<double>> steps;
   int levels = 1;     // one more than there are steps
   std::string claim;  // what the example refutes; empty for none
@@ -75,7 +74,7 @@ struct ExerciseDraft {
 /// lesson's file; a fact that cannot be decided; a wrong rule that there is not.
 [[nodiscard]] ExerciseDraft read_exercise(std::string_view toml, std::string_view name);
 
-/// As many levels as there are at most above the first.
+/// An exercise has at most this many levels above its first.
 inline constexpr int kMostLevels = 9;
 
 /// The exercise at a level, counted from 0; at the highest if it has no such level.

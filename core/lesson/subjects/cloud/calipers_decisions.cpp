@@ -126,7 +126,7 @@ Truth smallest_edge_truth(const Asked& asked, const Run& run) {
               "."};
 }
 
-/// By how much the second smallest is larger, as a share of it.
+/// The difference between the two smallest areas, as a share of the larger.
 double smallest_edge_margin(const Asked& asked, const Run& run) {
   const Scores areas = by_area(asked, run);
   const double least = -areas.values[areas.greatest()];

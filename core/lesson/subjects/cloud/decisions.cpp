@@ -459,7 +459,8 @@ double smaller_margin(const Asked& asked, const Run& run) {
 
 // ---- the passes of an iterative run -------------------------------------------------------------------------
 
-/// By how much the smaller of both areas is smaller, as a share of the other: radii are compared by their numbers.
+/// The difference between the areas of the two circles, as a share of the larger. Students compare the radii as
+/// numbers.
 double better_margin(const Asked& asked, const Run& run) {
   const FitTrace trace = fit_run(run).trace();
   const auto best = best_before(trace, asked.fact + 1);

@@ -117,7 +117,7 @@ std::optional<Answer> first_waiting(const Asked& asked, const Run& run) {
   return choice_of(asked, run, tree_run(run).state(asked.fact).waiting.front());
 }
 
-/// Of a point, a box or a ray; other queries are not decided by hand.
+/// Only point, box and ray queries are decided by hand.
 double left_out_margin(const Asked& asked, const Run& run) {
   const TreeRun& own = tree_run(run);
   const Box2& node = own.forest(asked.fact).at(tree_fact<hierarchy::NodeVisited>(asked, run).node).box;
