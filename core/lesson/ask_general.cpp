@@ -92,7 +92,7 @@ Truth truth_of_ranks(const Asked& asked, std::vector<int> ranks) {
   truth.choices.resize(ranks.size());
   std::iota(truth.choices.begin(), truth.choices.end(), 0);
   sort_stably(truth.choices, [&](int a, int b) { return ranks[a] < ranks[b]; });
-  for (const int choice : truth.choices) truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[choice];
+  truth.happened = choice_words(asked, truth.choices);
   truth.sentence = "The order is: " + truth.happened + ".";
   truth.ranks = std::move(ranks);
   return truth;

@@ -26,6 +26,14 @@ double Scores::lead() const {
   return sorted[0] - sorted[1];
 }
 
+Answer by_every_choice(const Asked& asked) { return by_choice((1 << std::ssize(asked.choices)) - 1); }
+
+std::string choice_words(const Asked& asked, const std::vector<int>& choices) {
+  std::string words;
+  for (const int choice : choices) words += (words.empty() ? "" : ", ") + asked.choices[choice];
+  return words;
+}
+
 Answer by_handles(std::vector<int> handles) {
   std::sort(handles.begin(), handles.end());
   handles.erase(std::unique(handles.begin(), handles.end()), handles.end());

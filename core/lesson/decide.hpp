@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lesson/ask.hpp"
@@ -27,6 +28,10 @@ struct Scores {
 
 [[nodiscard]] inline Answer by_handle(int handle) { return {Answer::Kind::kPoint, handle}; }
 [[nodiscard]] inline Answer by_choice(int choice) { return {Answer::Kind::kChoice, choice}; }
+/// All choices, where an answer can have several.
+[[nodiscard]] Answer by_every_choice(const Asked& asked);
+/// "x, y": the words of some choices.
+[[nodiscard]] std::string choice_words(const Asked& asked, const std::vector<int>& choices);
 /// Several handles, each once.
 [[nodiscard]] Answer by_handles(std::vector<int> handles);
 

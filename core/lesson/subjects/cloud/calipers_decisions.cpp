@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lesson/decide.hpp"
+#include "lesson/subjects/cloud/decisions.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/words.hpp"
 
@@ -12,14 +13,6 @@ namespace {
 using Tried = fit::BoxTried<double, 3>;
 
 const Tried& tried_at(const Asked& asked, const Run& run) { return fact_of<Tried>(asked, run); }
-
-/// The points along a direction.
-Scores reach(const Run& run, const Point3& direction) {
-  Scores scores;
-  for (Index i = 0; i < fit::size_of(fit_run(run).points()); ++i)
-    scores.add(static_cast<int>(i), fit::point_of(fit_run(run).points(), i).dot(direction));
-  return scores;
-}
 
 /// Along an edge, back, and away from it into the hull.
 std::array<Point3, 3> other_sides(const Tried& tried, const Run& run) {
@@ -34,7 +27,7 @@ std::array<Point3, 3> other_sides(const Tried& tried, const Run& run) {
 std::vector<int> touching(const Tried& tried, const Run& run, std::span<const Point3> sides) {
   std::vector<int> points;
   for (const Point3& side : sides) {
-    const int point = reach(run, side).greatest();
+    const int point = reach_along(run, side).greatest();
     const bool end = point == tried.on[0] || point == tried.on[1];
     if (!end && std::find(points.begin(), points.end(), point) == points.end()) points.push_back(point);
   }
@@ -89,7 +82,8 @@ Truth touched_truth(const Asked& asked, const Run& run) {
 
 double touched_margin(const Asked& asked, const Run& run) {
   double least = no_tie(asked, run);
-  for (const Point3& side : other_sides(tried_at(asked, run), run)) least = std::min(least, reach(run, side).lead());
+  for (const Point3& side : other_sides(tried_at(asked, run), run))
+    least = std::min(least, reach_along(run, side).lead());
   return least / extent_of(*asked.subject);
 }
 

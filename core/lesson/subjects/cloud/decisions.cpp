@@ -69,6 +69,10 @@ Truth truth_of_point(const Asked& asked, Index point, const std::string& says) {
 
 }  // namespace
 
+Scores reach_along(const Run& run, const Point3& direction) {
+  return scores_of_points(run, [&](const Point3& p) { return p.dot(direction); });
+}
+
 // ---- the point farthest from a centre -----------------------------------------------------------------------
 
 const char* offer_farthest(Asked& asked, const Run& run) {
@@ -270,7 +274,7 @@ std::vector<Point3> directions(const Asked& asked, const Run& run) {
 Answer extremes_along(const Run& run, const std::vector<Point3>& axes) {
   std::vector<int> ends;
   for (const Point3& axis : axes) {
-    const Scores scores = scores_of_points(run, [&](const Point3& p) { return p.dot(axis); });
+    const Scores scores = reach_along(run, axis);
     ends.push_back(scores.greatest()), ends.push_back(scores.least());
   }
   return by_handles(std::move(ends));
@@ -301,8 +305,7 @@ Truth extremes_truth(const Asked& asked, const Run& run) {
 double extremes_margin(const Asked& asked, const Run& run) {
   double least = kNever;
   for (const Point3& axis : directions(asked, run))
-    for (const double sign : {1.0, -1.0})
-      least = std::min(least, scores_of_points(run, [&](const Point3& p) { return sign * p.dot(axis); }).lead());
+    for (const double sign : {1.0, -1.0}) least = std::min(least, reach_along(run, sign * axis).lead());
   return share(asked, least);
 }
 

@@ -5,6 +5,11 @@
 
 namespace snug::lesson {
 
+struct Scores;
+
+/// How far each point reaches along a direction.
+[[nodiscard]] Scores reach_along(const Run& run, const Point3& direction);
+
 /// "farthest": which point is farthest from the centre that was found.
 const char* offer_farthest(Asked& asked, const Run& run);
 Truth farthest_truth(const Asked& asked, const Run& run);

@@ -5,6 +5,7 @@
 #include "geometry/kdop.hpp"
 #include "geometry/tolerance.hpp"
 #include "io/text.hpp"
+#include "lesson/decide.hpp"
 #include "lesson/subjects/cloud/calipers_turn.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 #include "lesson/subjects/cloud/hull_growth.hpp"
@@ -121,10 +122,9 @@ Truth narrowest_truth(const Asked& asked, const Run& run) {
   const double least = *std::min_element(widths.begin(), widths.end());
   Truth truth;
   for (std::size_t i = 0; i < widths.size(); ++i) {
-    if (widths[i] > least * (1 + tolerance::kBoxProof)) continue;
-    truth.choices.push_back(static_cast<int>(i));
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
+    if (widths[i] <= least * (1 + tolerance::kBoxProof)) truth.choices.push_back(static_cast<int>(i));
   }
+  truth.happened = choice_words(asked, truth.choices);
   truth.sentence = "The narrowest slab is " + number_text(least) + " wide, along " + truth.happened + ".";
   return truth;
 }

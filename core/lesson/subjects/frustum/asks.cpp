@@ -224,12 +224,10 @@ Truth planes_left_truth(const Asked& asked, const Run& run) {
   return truth;
 }
 
-std::optional<Answer> every_plane(const Asked& asked, const Run&) {
-  return by_choice((1 << std::ssize(asked.choices)) - 1);
-}
+std::optional<Answer> every_plane(const Asked& asked, const Run&) { return by_every_choice(asked); }
 /// Those that the volume is inside of.
 std::optional<Answer> planes_passed(const Asked& asked, const Run& run) {
-  const int passed = ((1 << std::ssize(asked.choices)) - 1) & ~static_cast<int>(crossed(asked, run));
+  const int passed = by_every_choice(asked).value & ~static_cast<int>(crossed(asked, run));
   return passed == 0 ? std::nullopt : std::optional(by_choice(passed));
 }
 

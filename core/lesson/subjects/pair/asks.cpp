@@ -37,10 +37,9 @@ Truth entries_truth(const Asked& asked, std::uint16_t RowEntries::*radius, std::
   Truth truth;
   for (int i = 0; i < asked.dim; ++i)
     for (int j = 0; j < asked.dim; ++j) {
-      if ((entries >> (3 * i + j) & 1) == 0) continue;
-      truth.choices.push_back(asked.dim * i + j);
-      truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[asked.dim * i + j];
+      if ((entries >> (3 * i + j) & 1) != 0) truth.choices.push_back(asked.dim * i + j);
     }
+  truth.happened = choice_words(asked, truth.choices);
   truth.sentence = std::string(radius == &RowEntries::rotation_a ? "r_A = " : "r_B = ") +
                    plain_formula(row_formulas(asked.dim, place).*formula).value_or(std::string()) + ".";
   return truth;
@@ -259,11 +258,10 @@ Truth which_axis_truth(const Asked& asked, const Run& run) {
     if (axis != nullptr && axis->separates) truth.choices.push_back(axis_index(asked.dim, axis->axis));
     else if (verdict != nullptr && !verdict->result.overlap && truth.choices.empty())
       truth.choices.push_back(axis_index(asked.dim, verdict->result.axis));
-    else continue;
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[truth.choices.back()];
   }
   if (truth.choices.empty())
     return {{static_cast<int>(asked.choices.size()) - 1}, {}, "none", "No axis separates the boxes: they overlap."};
+  truth.happened = choice_words(asked, truth.choices);
   truth.sentence = truth.choices.size() == 1 ? truth.happened + " is the only axis that separates the boxes."
                                              : "These axes separate the boxes: " + truth.happened + ".";
   return truth;

@@ -76,8 +76,8 @@ Truth next_vertex_truth(const Asked& asked, const Run& run) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (-v.dot(outline[i].at) < farthest - kAsFar * size * v.norm()) continue;
     truth.choices.push_back(static_cast<int>(i));
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
   }
+  truth.happened = choice_words(asked, truth.choices);
   truth.sentence = truth.happened + (truth.choices.size() == 1 ? " lies" : " lie") +
                    " farthest along −v: no other vertex of A − B reaches as far in that direction.";
   return truth;
@@ -139,8 +139,7 @@ Truth kept_truth(const Asked& asked, const Run& run) {
   Truth truth;
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (kept[i]) truth.choices.push_back(static_cast<int>(i));
-  for (const int right : truth.choices)
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[static_cast<std::size_t>(right)];
+  truth.happened = choice_words(asked, truth.choices);
   const bool all = truth.choices.size() == 3;
   truth.sentence = all                         ? "The triangle contains the origin: all three vertices are kept."
                    : truth.choices.size() == 1 ? "The vertex " + truth.happened + " is the nearest point itself."
@@ -168,9 +167,7 @@ double kept_margin(const Asked& asked, const Run& run) {
   return least / extent_of(*asked.subject);
 }
 
-std::optional<Answer> keep_all(const Asked& asked, const Run&) {
-  return by_choice((1 << std::ssize(asked.choices)) - 1);
-}
+std::optional<Answer> keep_all(const Asked& asked, const Run&) { return by_every_choice(asked); }
 std::optional<Answer> keep_newest(const Asked& asked, const Run&) {
   return by_choice(1 << (std::ssize(asked.choices) - 1));
 }

@@ -1,6 +1,7 @@
 // "skipped": which effects are skipped in a frame. The choices are the effects of the scene, and none.
 #include <algorithm>
 
+#include "lesson/decide.hpp"
 #include "lesson/subjects/scene/effect_words.hpp"
 #include "lesson/subjects/scene/entries.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
@@ -29,10 +30,10 @@ Truth skipped_truth(const Asked& asked, const Run& run) {
     const scene::Deed deed = deed_of(recording, asked.fact + 1, i);
     if (deed.kind != scene::Deed::Kind::kSkipped) continue;
     truth.choices.push_back(static_cast<int>(i));
-    truth.happened += (truth.happened.empty() ? "" : ", ") + asked.choices[i];
     why += (why.empty() ? " " : "; ") + asked.choices[i] + " is " + deed_words(*recording.kinds[i], deed);
   }
   if (truth.choices.empty()) return {{static_cast<int>(recording.tallies.size())}, {}, kNoEffect, "Every effect runs."};
+  truth.happened = choice_words(asked, truth.choices);
   const bool all = truth.choices.size() == recording.tallies.size();
   if (all) truth.happened = "all of them";
   truth.sentence = all ? "Every effect is skipped." : "Skipped: " + truth.happened + ".";

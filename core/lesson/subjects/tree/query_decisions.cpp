@@ -23,11 +23,6 @@ double outside_of(const Box2& box, const Point2& p) { return (box.min - p).cwise
 /// How far two boxes are apart, along the axis where they are farthest; below 0 where they overlap.
 double gap_between(const Box2& a, const Box2& b) { return (a.min - b.max).cwiseMax(b.min - a.max).maxCoeff(); }
 
-/// The box between the two places of a query.
-Box2 query_box(const QueryPlaces& query) {
-  return {query.at[0].cwiseMin(query.at[1]), query.at[0].cwiseMax(query.at[1])};
-}
-
 Answer choice_of(const Asked& asked, const Run& run, Index node) {
   const std::vector<Index> waiting = waiting_at(asked, run);
   return by_choice(static_cast<int>(std::find(waiting.begin(), waiting.end(), node) - waiting.begin()));
@@ -123,7 +118,7 @@ double left_out_margin(const Asked& asked, const Run& run) {
   const Box2& node = own.forest(asked.fact).at(tree_fact<hierarchy::NodeVisited>(asked, run).node).box;
   const std::string_view method = asked.question->gate.algorithm;
   const double gap = method == "point_query"                      ? outside_of(node, own.query().at[0])
-                     : method == "box_query"                      ? gap_between(node, query_box(own.query()))
+                     : method == "box_query"                      ? gap_between(node, box_of(own.query()))
                      : shape_of_query(method) == QueryShape::kRay ? ray_gap(node, ray_of(own.query()))
                                                                   : 0;
   return std::abs(gap) / extent_of(*asked.subject);
