@@ -277,12 +277,15 @@ app::Rect card_in(const Shell& shell, const app::Rect& place, float measured) {
 
 }  // namespace
 
+float covered_by_question(const Shell& shell) {
+  return shell.presenting || shell.question_height == 0 ? 0 : shell.question_height + kBelow;
+}
+
 void draw_question_card(Shell& shell, const app::Rect& place) {
   const lesson::Session& session = shell.session();
   const lesson::Asked* asked = session.asked();
   const lesson::Outcome *deciding = session.deciding(), *outcome = session.outcome();
   const float before = std::exchange(shell.question_height, 0);
-  shell.foot = 0;
   const lesson::Sitting* const sitting = shell.app().sitting();
   const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary() && !shell.demo;
   const bool builds = sitting != nullptr && sitting->exercise().build.has_value();
@@ -311,7 +314,6 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
     else if (builds) command = draw_build(shell, column, *sitting);
     else command = draw_summary(shell, column);
     shell.question_height = std::ceil(column.y() - top + 32);
-    if (!shell.presenting) shell.foot = shell.question_height + kBelow;
     if (shell.question_height != before) ImGui::SetScrollY(0);  // it says something else
     ImGui::SetCursorScreenPos({column.x(), column.y() + 15});
     ImGui::Dummy({1, 1});

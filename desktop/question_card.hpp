@@ -6,8 +6,9 @@
 
 namespace snug::desktop {
 
-/// Draws the card. place: the stage, which is drawn before it; in a lecture the card's own. Sets shell.question_height,
-/// and shell.foot to how much of the stage it covers.
+/// How much of the stage's foot the card covers, as it was measured.
+[[nodiscard]] float covered_by_question(const Shell& shell);
+/// Draws the card. place: the stage, which is drawn before it; in a lecture the card's own. Sets shell.question_height.
 void draw_question_card(Shell& shell, const app::Rect& place);
 
 }  // namespace snug::desktop

@@ -149,10 +149,9 @@ class Shell {
   double read_at = -1e9;  // when the prose was last scrolled by hand, in ImGui's seconds
   float scroll_by = 0;    // how far a key scrolls the prose in the next frame
   float scroll_to = -1;   // where the prose is scrolling to; less than 0: nowhere
-  // Heights measured in the last frame: of the lower parts of the left and the right column; of the question; and of
-  // the stage's foot that it covers.
+  // Heights measured in the last frame: of the lower parts of the left and the right column, and of the question.
   bool low = false;  // whether a lecture is on a low screen: then all that is not the stage is
-  float pinned_height = 300, code_height = 300, question_height = 0, foot = 0;
+  float pinned_height = 300, code_height = 300, question_height = 0;
   float strip_height = 60;     // of what is wrong with the lesson's file, measured in the last frame
   bool measured_anew = false;  // whether a height differed from the expected one, so that another frame is due
 

@@ -148,18 +148,16 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float side = height - title - question;  // what numbers and pseudocode have
   const bool code_tab = !lecture && !cover && numbers_fill(shell, look, height);
   // A presentation has no tabs: where the numbers may need the whole column, they have the most of it.
-  const bool no_code = code_tab || !beside.code || (beside.numbers && side < look.px(kLeastSide));
-  const float code = no_code ? 0
-                     : !beside.numbers
-                         ? side
-                         : std::min(shell.code_height, side * (shell.app().figures_fill() ? 0.38f : 0.52f));
+  const bool no_code = code_tab || !beside.code || (lecture && beside.numbers && side < look.px(kLeastSide));
+  const float most_code = beside.numbers ? side * (shell.app().figures_fill() ? 0.38f : 0.52f) : side;
+  const float code = no_code ? 0 : beside.numbers ? std::min(shell.code_height, most_code) : most_code;
   const float below = lecture && cover ? std::min(shell.pinned_height, side * 0.52f) : code;
   parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
   parts.app.inspector = {right, header + title + question, inspector, beside.numbers ? side - below : 0};
   place_side(parts, look, shell, code_tab);
   parts.app.tools = lecture && !shell.demo ? presentation_reach(look) : 0;
-  parts.app.foot = shell.foot;
+  parts.app.foot = covered_by_question(shell);
   return parts;
 }
 
