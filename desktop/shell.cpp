@@ -7,7 +7,6 @@
 #include "app/cover.hpp"
 #include "app/cover_picture.hpp"
 #include "desktop/cli/cost_file.hpp"
-#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/door_words.hpp"
@@ -16,14 +15,6 @@
 #include "lesson/say.hpp"
 
 namespace snug::desktop {
-namespace {
-
-std::string mesh_path(const std::string& name) {
-  return (data_folder() / "assets" / "meshes" / (name + ".ply")).string();
-}
-
-}  // namespace
-
 Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::optional<Drafts> drafts)
     : app_(app), lessons_(std::move(lessons)), drafts_(std::move(drafts)), kept_(std::move(kept)) {
   if (drafts_) take_files();
@@ -38,13 +29,9 @@ std::size_t Shell::course_size() const {
 tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
   for (const LessonFile& file : lessons_) {
     if (file.lesson.id != id) continue;
-    std::optional<io::PointFile> mesh;
-    if (!file.lesson.points.mesh.empty()) {
-      auto read = read_point_file(mesh_path(file.lesson.points.mesh));
-      if (!tell(read)) return tl::unexpected(read.error());
-      mesh = std::move(*read);
-    }
-    auto opened = app_.open(file.lesson, std::move(mesh), anew);
+    auto mesh = mesh_of(file.lesson);
+    if (!tell(mesh)) return tl::unexpected(mesh.error());
+    auto opened = app_.open(file.lesson, *std::move(mesh), anew);
     hint_of = -1, typed = {};
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
@@ -192,7 +179,7 @@ void Shell::erase_answers() {
 }
 
 void Shell::use_mesh(const std::string& name) {
-  const auto read = read_point_file(mesh_path(name));
+  const auto read = mesh_named(name);
   if (tell(read)) tell(app_.load(*read, name));
 }
 

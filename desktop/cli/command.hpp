@@ -64,6 +64,11 @@ inline void add_reading(CLI::App& command, Reading& reading) {
 /// How commands that read a file take a named case in its place.
 inline constexpr const char* kCaseHelp = "A named case in place of FILE; `snug cases` lists them";
 
+/// Adds --lessons.
+inline void add_lessons_folder(CLI::App& command, std::string& folder) {
+  command.add_option("--lessons", folder, "Folder of the lesson files; by default the program's own");
+}
+
 /// Adds --size: WxH in pixels.
 void add_size(CLI::App& command, WindowOptions& options);
 

@@ -5,29 +5,18 @@
 #include <vector>
 
 #include "desktop/cli/definitions.hpp"
+#include "desktop/cli/words.hpp"
 
 namespace snug::desktop {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const char* between = " ") {
-  std::string text;
-  for (const std::string& word : words) text.append(text.empty() ? "" : between).append(word);
-  return text;
-}
-
-std::string with_each(std::string text, char c, const char* instead) {
-  for (std::size_t at = 0; (at = text.find(c, at)) != std::string::npos; at += std::string_view(instead).size())
-    text.replace(at, 1, instead);
-  return text;
-}
-
-std::string shell_word(const std::string& text) { return '\'' + with_each(text, '\'', "'\\''") + '\''; }
+std::string shell_word(const std::string& text) { return '\'' + replaced(text, "'", "'\\''") + '\''; }
 std::string fish_word(const std::string& text) {
-  return '\'' + with_each(with_each(text, '\\', "\\\\"), '\'', "\\'") + '\'';
+  return '\'' + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + '\'';
 }
 
 /// A description in one line.
-std::string one_line(const std::string& description) { return with_each(description, '\n', " "); }
+std::string one_line(const std::string& description) { return replaced(description, "\n", " "); }
 
 /// The calls of all commands below snug, each as one word of the shell.
 std::string calls(const std::vector<Defined>& all, const char* between) {
@@ -52,9 +41,10 @@ std::string bash(const std::vector<Defined>& all) {
       const auto names = names_of(*option);
       words.insert(words.end(), names.begin(), names.end());
       if (takes_value(*option))
-        out << "        " << joined(names, " | ") << ") offered=" << shell_word(joined(values_of(*option))) << " ;;\n";
+        out << "        " << joined(names, " | ") << ") offered=" << shell_word(joined(values_of(*option), " "))
+            << " ;;\n";
     }
-    out << "        *) offered=" << shell_word(joined(words)) << " ;;\n      esac ;;\n";
+    out << "        *) offered=" << shell_word(joined(words, " ")) << " ;;\n      esac ;;\n";
   }
   out << "  esac\n"
          "  COMPREPLY=($(compgen -W \"$offered\" -- \"$word\"))\n"
@@ -66,12 +56,12 @@ std::string bash(const std::vector<Defined>& all) {
 /// An option as zsh's _arguments takes it, a word for each of its names.
 std::string zsh_option(const CLI::Option& option) {
   std::string words;
-  const auto says = with_each(with_each(one_line(option.get_description()), '[', "\\["), ']', "\\]");
+  const auto says = replaced(replaced(one_line(option.get_description()), "[", "\\["), "]", "\\]");
   for (const std::string& name : names_of(option)) {
-    std::string word = name + '[' + with_each(says, ':', "\\:") + ']';
+    std::string word = name + '[' + replaced(says, ":", "\\:") + ']';
     if (takes_value(option)) {
       const auto values = values_of(option);
-      word += values.empty() ? ":value:_files" : ":value:(" + joined(values) + ')';
+      word += values.empty() ? ":value:_files" : ":value:(" + joined(values, " ") + ')';
     }
     words += "\n        " + shell_word(word);
   }
@@ -110,7 +100,7 @@ std::string fish_option(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) words += " -l " + name;
   if (takes_value(option)) {
     const auto values = values_of(option);
-    words += values.empty() ? " -r -F" : " -x -a " + fish_word(joined(values));
+    words += values.empty() ? " -r -F" : " -x -a " + fish_word(joined(values, " "));
   }
   return words + " -d " + fish_word(one_line(option.get_description()));
 }

@@ -9,6 +9,7 @@
 #include "desktop/cli/json_lines.hpp"
 #include "desktop/cli/trace_file.hpp"
 #include "desktop/cli/volume_json.hpp"
+#include "desktop/cli/words.hpp"
 #include "hierarchy/build.hpp"
 #include "measure/frustum_meets.hpp"
 #include "query/classify.hpp"
@@ -48,8 +49,7 @@ tl::unexpected<std::string> fault(std::string what) { return tl::unexpected(std:
 /// Checks that an object has exactly these fields.
 tl::expected<void, std::string> has_just(const Json& json, const std::string& self,
                                          const std::vector<std::string>& fields) {
-  std::string listed;
-  for (const std::string& field : fields) listed += (listed.empty() ? "" : ", ") + field;
+  const std::string listed = joined(fields);
   if (!json.is_object()) return fault(self + " is not an object with " + listed);
   for (const auto& item : json.items())
     if (std::find(fields.begin(), fields.end(), item.key()) == fields.end())

@@ -102,10 +102,6 @@ CommandResult check_demos(const DemoOptions& options) {
   return printed;
 }
 
-void add_demo_folder(CLI::App& command, std::string& folder) {
-  command.add_option("--lessons", folder, "Folder of the lesson files; by default the one beside the program");
-}
-
 /// A demo that is shown: every state is tried before there is a window.
 struct ShownDemo : WindowOptions {
   std::string id;
@@ -143,7 +139,7 @@ void add_demo(Commands& commands) {
 
   CLI::App& list = *group.add_subcommand("list", "List the demos");
   list.footer("JSON Lines: {\"demo\",\"title\",\"lecture\",\"states\",\"file\"}.");
-  add_demo_folder(list, add_command<DemoOptions>(commands, list, list_demos)->folder);
+  add_lessons_folder(list, add_command<DemoOptions>(commands, list, list_demos)->folder);
 
   CLI::App& check = *group.add_subcommand("check", "Play each state of a demo and compare its hash");
   check.footer("Prints a line for each state whose trace is not what the file says:\n"
@@ -153,7 +149,7 @@ void add_demo(Commands& commands) {
   const auto checked = add_command<DemoOptions>(commands, check, check_demos);
   check.add_option("FILE", checked->files, "Demo files, which end in .toml, or ids of the program's own")->required();
   check.add_flag("--write", checked->write, "Write the hashes that are into the files, and exit with status 0");
-  add_demo_folder(check, checked->folder);
+  add_lessons_folder(check, checked->folder);
 
   CLI::App& play = *group.add_subcommand("play", "Present a demo in the window");
   play.footer(

@@ -2,19 +2,12 @@
 
 #include <algorithm>
 
-#include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/files.hpp"
 
 namespace snug::desktop {
 namespace {
 
-namespace fs = std::filesystem;
-
 using Found = tl::expected<std::shared_ptr<const DemoFile>, std::vector<InputError>>;
-
-InputError at_column(const lesson::FileError& error) {
-  return {error.what, error.file + ':' + std::to_string(error.place.line) + ':' + std::to_string(error.place.column)};
-}
 
 Found read_file_of(const std::string& path) {
   auto text = read_start(path, lesson::kMostLessonBytes);
@@ -23,14 +16,14 @@ Found read_file_of(const std::string& path) {
   if (draft.mistakes.empty())
     return std::make_shared<const DemoFile>(DemoFile{path, *std::move(text), std::move(draft.demo)});
   std::vector<InputError> errors;
-  for (const lesson::FileError& mistake : draft.mistakes) errors.push_back(at_column(mistake));
+  for (const lesson::FileError& mistake : draft.mistakes) errors.push_back(with_column(mistake));
   return tl::unexpected(std::move(errors));
 }
 
 }  // namespace
 
 tl::expected<std::vector<std::string>, InputError> demo_paths(const std::string& folder) {
-  return lesson_paths(((folder.empty() ? data_folder() / "lessons" : fs::path(folder)) / "demos").string());
+  return lesson_paths(folder_in_lessons(folder, "demos").string());
 }
 
 Found find_demo(const std::string& folder, const std::string& id) {
@@ -43,13 +36,9 @@ Found find_demo(const std::string& folder, const std::string& id) {
       std::vector<InputError>{{.what = "there is no demo \"" + id + "\"; `snug demo list` lists them"}});
 }
 
-tl::expected<io::PointFile, InputError> mesh_named(const std::string& name) {
-  return read_point_file((data_folder() / "assets" / "meshes" / (name + ".ply")).string());
-}
-
 InputError at_key(const DemoFile& file, const lesson::DemoState& state, std::string_view key, const InputError& error) {
   const std::string quoted = '"' + std::string(key) + "\": ";
-  return at_column({state.place_of(key), quoted + error.message(), file.path});
+  return with_column({state.place_of(key), quoted + error.message(), file.path});
 }
 
 }  // namespace snug::desktop

@@ -16,14 +16,11 @@ struct DemoFile {
   lesson::Demo demo;
 };
 
-/// The demos of a lessons folder ("" is the one beside the program), by id. Errors: those of the folder.
+/// The demos of a lessons folder ("" is the program's own), by id. Errors: those of the folder.
 [[nodiscard]] tl::expected<std::vector<std::string>, InputError> demo_paths(const std::string& folder);
 /// The demo with an id, or of the file that a path leads to. Errors: all mistakes of its file; no such demo.
 [[nodiscard]] tl::expected<std::shared_ptr<const DemoFile>, std::vector<InputError>>
 find_demo(const std::string& folder, const std::string& id);
-
-/// One of the program's meshes, by name. Errors: those of its file.
-[[nodiscard]] tl::expected<io::PointFile, InputError> mesh_named(const std::string& name);
 
 /// What is wrong with a key of a state, with file, line and column.
 [[nodiscard]] InputError at_key(const DemoFile& file, const lesson::DemoState& state, std::string_view key,

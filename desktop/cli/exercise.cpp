@@ -249,10 +249,6 @@ CommandResult run_check(const ExerciseOptions& options) {
   return printed;
 }
 
-void add_lessons(CLI::App& command, std::string& folder) {
-  command.add_option("--lessons", folder, "Folder of the lessons; by default the program's own");
-}
-
 void add_level(CLI::App& command, int& level) {
   command.add_option("--level", level, "How hard, from 0")->transform(whole_number(0, lesson::kMostLevels));
 }
@@ -270,7 +266,7 @@ void add_exercise(Commands& commands) {
   CLI::App& list = *group.add_subcommand("list", "List the exercises");
   list.footer(
       "JSON Lines: {\"exercise\",\"kind\",\"title\",\"minutes\",\"set\",\"sets\",\"lesson\",\"file\",\"levels\"}.");
-  add_lessons(list, add_command<ExerciseOptions>(commands, list, run_list)->folder);
+  add_lessons_folder(list, add_command<ExerciseOptions>(commands, list, run_list)->folder);
 
   CLI::App& make = *group.add_subcommand("make", "Make the instance of a seed");
   make.footer(
@@ -282,7 +278,7 @@ void add_exercise(Commands& commands) {
   make.add_option("ID", made->id, "The exercise's id, or its file, which ends in .toml")->required();
   add_seed(make, made->seed);
   add_level(make, made->level);
-  add_lessons(make, made->folder);
+  add_lessons_folder(make, made->folder);
 
   CLI::App& play = *group.add_subcommand("play", "Open an exercise in the window");
   const auto played = add_command<WindowOptions>(
@@ -303,7 +299,7 @@ void add_exercise(Commands& commands) {
   answer.add_option("--wrong", answered->wrong, "K, or K=RULE: decision K is wrong, by that wrong rule");
   answer.add_option("--student", answered->student, "The name in the file");
   answer.add_option("-o", answered->output, "The file; by default standard output");
-  add_lessons(answer, answered->folder);
+  add_lessons_folder(answer, answered->folder);
 
   CLI::App& print = *group.add_subcommand("print", "Print instances on paper");
   print.footer("Writes an SVG of A4 for each exercise of the set and each seed from 1 on, with the instance drawn and "
@@ -314,7 +310,7 @@ void add_exercise(Commands& commands) {
   printed->seeds = 1;
   print.add_option("--seeds", printed->seeds, "How many instances of each")->transform(whole_number(1, 10'000));
   print.add_option("-o", printed->output, "The folder to write to")->required();
-  add_lessons(print, printed->folder);
+  add_lessons_folder(print, printed->folder);
 
   CLI::App& check = *group.add_subcommand("check", "Prove what the exercises promise of their instances");
   check.footer(
@@ -328,7 +324,7 @@ void add_exercise(Commands& commands) {
   check.add_option("ID", checked->ids, "Ids, or files that end in .toml; by default all exercises");
   check.add_option("--seeds", checked->seeds, "How many seeds")->transform(whole_number(1, 1'000'000));
   add_level(check, checked->level);
-  add_lessons(check, checked->folder);
+  add_lessons_folder(check, checked->folder);
 }
 
 }  // namespace snug::desktop

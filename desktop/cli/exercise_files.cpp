@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "desktop/cli/data_folder.hpp"
-#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
@@ -16,14 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSetsFile = "sets.toml";
 
-/// A class's lessons may come without exercises: then the program's own stand.
-fs::path exercises_folder(const std::string& folder) {
-  constexpr const char* kExercises = "exercises";
-  std::error_code error;
-  if (!folder.empty()) return fs::path(folder) / kExercises;
-  const fs::path own = lessons_folder() / kExercises;
-  return fs::exists(own, error) ? own : data_folder() / "lessons" / kExercises;
-}
+fs::path exercises_folder(const std::string& folder) { return folder_in_lessons(folder, "exercises"); }
 
 tl::expected<std::vector<std::string>, InputError> exercise_paths(const std::string& folder) {
   auto paths = lesson_paths(exercises_folder(folder).string());

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "desktop/cli/words.hpp"
 #include "lesson/prose_figures.hpp"
 #include "query/support_function.hpp"
 
@@ -21,12 +22,6 @@ constexpr double kMargin = 20, kPageWidth = 210, kPageHeight = 297, kMostFigure 
 constexpr std::size_t kLetters = 92;  // on a line of text
 constexpr int kDirections = 180;      // of the points on a volume's outline
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  return safe;
-}
-
 /// "12.34"
 std::string mm(double value) {
   std::array<char, 32> text{};
@@ -38,7 +33,7 @@ class Page {
  public:
   void text(double x, double y, std::string_view words, double size = 3.9, const char* more = "") {
     svg_ += "<text x=\"" + mm(x) + "\" y=\"" + mm(y) + "\" font-size=\"" + mm(size) + "\" " + more + '>' +
-            escaped(words) + "</text>\n";
+            xml_text(std::string(words)) + "</text>\n";
   }
   void line(double x1, double y1, double x2, double y2) {
     svg_ += "<path d=\"M" + mm(x1) + ' ' + mm(y1) + 'L' + mm(x2) + ' ' + mm(y2) +

@@ -5,6 +5,7 @@
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/cli/trace_file.hpp"
+#include "desktop/cli/words.hpp"
 #include "fit/catalogue.hpp"
 #include "fit/rounded.hpp"
 #include "lesson/point_subject.hpp"
@@ -34,20 +35,15 @@ std::vector<std::string> known_names(std::string_view volume) {
   }
   return names;
 }
-std::string list_of(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list.append(list.empty() ? "" : ", ").append(name);
-  return list;
-}
 
 tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& options) {
   if (const fit::Algorithm* algorithm = fit::find_algorithm(options.volume, options.algorithm)) return algorithm;
   const auto volumes = known_names(""), known = known_names(options.volume);
   if (options.volume.empty() || known.empty())
     return tl::unexpected(InputError{.what = "there is no volume \"" + options.volume +
-                                             "\"; known: " + list_of(volumes) + did_you_mean(options.volume, volumes)});
+                                             "\"; known: " + joined(volumes) + did_you_mean(options.volume, volumes)});
   return tl::unexpected(InputError{.what = "there is no algorithm \"" + options.algorithm + "\" for " + options.volume +
-                                           "; known: " + list_of(known) + did_you_mean(options.algorithm, known)});
+                                           "; known: " + joined(known) + did_you_mean(options.algorithm, known)});
 }
 
 /// The points that are fitted, and where they are in float, what they were before they were rounded.
@@ -195,7 +191,7 @@ void add_fit(Commands& commands) {
   CLI::App& command = *commands.app.add_subcommand("fit", "Fit a volume to the points of a file");
   command.footer(kFitFooter);
   const auto options = add_command<FitOptions>(commands, command, run_fit);
-  command.add_option("--volume", options->volume, "Kind of volume: " + list_of(known_names("")));
+  command.add_option("--volume", options->volume, "Kind of volume: " + joined(known_names("")));
   command.add_option("--algorithm", options->algorithm, "Algorithm; `snug algorithms` lists all");
   command.add_option("--scalar", options->scalar, "Number type: double or float; by default double, or a case's own")
       ->check(CLI::IsMember({"double", "float"}));

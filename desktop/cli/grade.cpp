@@ -332,7 +332,7 @@ void add_grade(Commands& commands) {
       ->needs(watch)
       ->transform(whole_number(1, 100'000));
   command.add_flag("--alike", options->alike, "List attempts that are alike: a hint for a teacher, never a verdict");
-  command.add_option("--lessons", options->folder, "Folder of the lessons; by default the program's own");
+  add_lessons_folder(command, options->folder);
 }
 
 }  // namespace snug::desktop

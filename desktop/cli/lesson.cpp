@@ -56,12 +56,6 @@ tl::expected<lesson::Played, InputError> play(const LessonFile& file) {
   return played;
 }
 
-/// With its column, which other files' errors do not have.
-InputError with_column(lesson::FileError error) {
-  return {std::move(error.what),
-          error.file + ':' + std::to_string(error.place.line) + ':' + std::to_string(error.place.column)};
-}
-
 /// The result of checking a file: what is printed, or its mistakes; in either case its warnings.
 struct CheckedFile {
   Json json;
@@ -91,8 +85,8 @@ CheckedFile check_lesson(const std::string& path) {
   lesson::check_names_beside(draft, path, beside(path));
   lesson::check_played(draft, path, std::move(mesh));
   CheckedFile checked;
-  for (lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(std::move(mistake)));
-  for (lesson::FileError& warning : draft.warnings) checked.warnings.push_back(with_column(std::move(warning)));
+  for (const lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(mistake));
+  for (const lesson::FileError& warning : draft.warnings) checked.warnings.push_back(with_column(warning));
   if (!checked.mistakes.empty() || !draft.lesson) return checked;
   checked.json = {{"lesson", draft.lesson->id}, {"questions", draft.lesson->questions.size()}, {"file", path}};
   if (!checked.warnings.empty()) checked.json["warnings"] = checked.warnings.size();
@@ -162,14 +156,10 @@ CommandResult run_play(const LessonOptions& options) {
   return printed;
 }
 
-void add_folder(CLI::App& command, std::string& folder) {
-  command.add_option("--lessons", folder, "Folder of the lesson files; by default the program's own");
-}
-
 }  // namespace
 
 void add_lesson_options(CLI::App& command, std::string& folder, std::string& id) {
-  add_folder(command, folder);
+  add_lessons_folder(command, folder);
   command.add_option("LESSON", id, "The lesson's id, or its file, which ends in .toml")->required();
 }
 
@@ -182,7 +172,7 @@ void add_lesson(Commands& commands) {
       "In the order of the folder's course.toml, whose chapter is the group; by id where there is none. JSON Lines:\n"
       "{\"lesson\",\"group\",\"title\",\"summary\",\"minutes\",\"algorithms\",\"questions\",\"task\",\"tasks\","
       "\"file\"}.");
-  add_folder(list, add_command<LessonOptions>(commands, list, run_list)->folder);
+  add_lessons_folder(list, add_command<LessonOptions>(commands, list, run_list)->folder);
 
   CLI::App& check = *group.add_subcommand("check", "Check lesson files");
   check.footer(

@@ -49,7 +49,7 @@ void add_lesson_coverage(Commands& commands, CLI::App& group) {
       "A line for each idea that the course lists, in its order: {\"id\",\"slide\",\"lessons\"}. Exit status 1 while\n"
       "an idea has no lesson, or a lesson covers what the course does not list.");
   const auto options = add_command<CoverageOptions>(commands, coverage, run_coverage);
-  coverage.add_option("--lessons", options->folder, "Folder of the lessons; by default the program's own");
+  add_lessons_folder(coverage, options->folder);
 }
 
 }  // namespace snug::desktop

@@ -133,6 +133,13 @@ tl::expected<std::vector<LessonFile>, InputError> read_lessons(const std::string
   return in_order(std::move(lessons), *course);
 }
 
+fs::path folder_in_lessons(const std::string& lessons, const std::string& name) {
+  std::error_code error;
+  if (!lessons.empty()) return fs::path(lessons) / name;
+  const fs::path own = lessons_folder() / name;
+  return fs::exists(own, error) ? own : data_folder() / "lessons" / name;
+}
+
 std::vector<std::string> lesson_ids(const std::string& folder) {
   const auto paths = toml_files(folder_or_own(folder));
   return paths ? ids_of(*paths) : std::vector<std::string>();
@@ -183,8 +190,15 @@ lesson::Beside beside(const std::string& path) {
 
 tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson) {
   if (lesson.points.mesh.empty()) return std::nullopt;
-  const fs::path path = data_folder() / "assets" / "meshes" / (lesson.points.mesh + ".ply");
-  return read_point_file(path.string()).map([](io::PointFile&& mesh) { return std::optional(std::move(mesh)); });
+  return mesh_named(lesson.points.mesh).map([](io::PointFile&& mesh) { return std::optional(std::move(mesh)); });
+}
+
+tl::expected<io::PointFile, InputError> mesh_named(const std::string& name) {
+  return read_point_file((data_folder() / "assets" / "meshes" / (name + ".ply")).string());
+}
+
+InputError with_column(const lesson::FileError& error) {
+  return {error.what, error.file + ':' + std::to_string(error.place.line) + ':' + std::to_string(error.place.column)};
 }
 
 tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file) {

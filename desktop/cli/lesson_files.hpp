@@ -36,6 +36,9 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 /// The paths of a folder's lessons, by name; "" is the program's own folder. Errors: those of the folder.
 [[nodiscard]] tl::expected<std::vector<std::string>, InputError> lesson_paths(const std::string& folder);
 
+/// A folder in that of the lessons: "exercises". A class's lessons may come without it: then it is the program's own.
+[[nodiscard]] std::filesystem::path folder_in_lessons(const std::string& lessons, const std::string& name);
+
 /// The course of a folder; none if it has no course file. Errors: those of lesson::read_course.
 [[nodiscard]] tl::expected<lesson::Course, InputError> read_course_of(const std::string& folder);
 
@@ -72,6 +75,11 @@ inline constexpr std::string_view kCourseFile = "course.toml";
 
 /// The mesh that a lesson begins with; none if it has none. Errors: those of its file.
 [[nodiscard]] tl::expected<std::optional<io::PointFile>, InputError> mesh_of(const lesson::Lesson& lesson);
+/// One of the program's meshes, by name. Errors: those of its file.
+[[nodiscard]] tl::expected<io::PointFile, InputError> mesh_named(const std::string& name);
+
+/// What is wrong in a file, with its column, which other files' errors do not have.
+[[nodiscard]] InputError with_column(const lesson::FileError& error);
 
 /// The lesson's subject as it opens. Errors: those of the mesh's file and of the subject's open, with a path.
 [[nodiscard]] tl::expected<std::unique_ptr<lesson::Subject>, InputError> subject_of(const LessonFile& file);

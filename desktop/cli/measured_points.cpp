@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "desktop/cli/timing.hpp"
+#include "desktop/cli/words.hpp"
 #include "fit/catalogue.hpp"
 #include "geometry/generate.hpp"
 
@@ -18,19 +19,13 @@ tl::unexpected<InputError> refused(std::string what, std::string file = {}) {
   return tl::unexpected(InputError{.what = std::move(what), .file = std::move(file)});
 }
 
-std::string kinds_listed() {
-  std::string list;
-  for (const std::string_view kind : generator_kinds()) list.append(list.empty() ? "" : ", ").append(kind);
-  return list;
-}
-
 tl::expected<MeasuredPoints, InputError> generated(const PointsChoice& choice) {
   const std::size_t colon = choice.generate.find(':');
   const std::string kind = choice.generate.substr(0, colon);
   const std::string count = colon == std::string::npos ? "" : choice.generate.substr(colon + 1);
   const auto known = generator_kinds();
   if (std::find(known.begin(), known.end(), kind) == known.end())
-    return refused("there is no kind of points \"" + kind + "\"; known: " + kinds_listed());
+    return refused("there is no kind of points \"" + kind + "\"; known: " + joined(generator_kinds()));
   Index n = 0;
   const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), n);
   if (error != std::errc{} || end != count.data() + count.size() || n < 1 || n > kMostMeasured)
@@ -57,7 +52,7 @@ std::optional<InputError> set_format(TableOutput& output) {
 }  // namespace
 
 void add_points(CLI::App& command, PointsChoice& choice) {
-  command.add_option("--generate", choice.generate, "N points of a kind, KIND:N; kinds: " + kinds_listed());
+  command.add_option("--generate", choice.generate, "N points of a kind, KIND:N; kinds: " + joined(generator_kinds()));
   command.add_option("FILE", choice.file, "Point file, as for snug fit; - is xyz on standard input");
   add_reading(command, choice.reading);
   command.add_option("--scalar", choice.scalar, "Number type: double or float")

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "desktop/cli/words.hpp"
+
 namespace snug::desktop {
 namespace {
 
@@ -21,12 +23,6 @@ std::string_view take_until(std::string_view& rest, std::string_view end) {
   const std::string_view part = rest.substr(0, at);
   rest.remove_prefix(at == std::string_view::npos ? rest.size() : at + end.size());
   return part;
-}
-
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
-  return text;
 }
 
 std::string in_quotes(std::string_view path) { return '"' + std::string(path) + '"'; }

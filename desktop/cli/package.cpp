@@ -4,6 +4,7 @@
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/package_contents.hpp"
+#include "desktop/cli/words.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -13,13 +14,6 @@ namespace fs = std::filesystem;
 struct PackageOptions {
   std::string what, zip, folder, one_file, site;
 };
-
-std::string xml_text(std::string_view text) {
-  std::string safe;
-  for (const char c : text)
-    safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return safe;
-}
 
 /// imsmanifest.xml. Source: ADL, SCORM 1.2 Content Aggregation Model, 2001.
 std::string manifest_of(const PackageContents& contents) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/words.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -146,18 +147,11 @@ std::string name_for_servers(const std::string& path) {
   return std::any_of(std::begin(kToText), std::end(kToText), ends) ? path + ".txt" : path;
 }
 
-/// What a text calls the site's files, it calls as servers of courses like them.
-void rename_in(std::string& text, const std::string& path) {
-  const std::string name = name_for_servers(path);
-  for (std::size_t at = 0; name != path && (at = text.find(path, at)) != std::string::npos; at += name.size())
-    text.replace(at, path.size(), name);
-}
-
 SiteFiles renamed_for_servers(SiteFiles files) {
   SiteFiles renamed;
-  for (auto& [path, bytes] : files) {
-    rename_in(files.at(std::string(kFirstPage)), path);
-    rename_in(files.at(std::string(kStyle)), path);
+  for (const std::string_view naming : {kFirstPage, kStyle}) {  // which call files by their names
+    std::string& text = files.at(std::string(naming));
+    for (const auto& [path, bytes] : files) text = replaced(std::move(text), path, name_for_servers(path));
   }
   for (auto& [path, bytes] : files) renamed[name_for_servers(path)] = std::move(bytes);
   return renamed;

@@ -30,7 +30,7 @@ void add_trace_hash(Commands& commands) {
       "One line per lesson: its id, the number of steps that its algorithms take together, and a 64-bit hash of those\n"
       "steps in hexadecimal. The WebAssembly build prints the same.");
   const auto options = add_command<TraceHashOptions>(commands, command, run_trace_hash);
-  command.add_option("--lessons", options->folder, "Folder of the lesson files; by default the program's own");
+  add_lessons_folder(command, options->folder);
 }
 
 }  // namespace snug::desktop

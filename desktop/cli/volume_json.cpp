@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "desktop/cli/words.hpp"
 #include "fit/hull/quickhull.hpp"
 #include "geometry/aabb_forms.hpp"
 #include "geometry/convert.hpp"
@@ -21,12 +22,6 @@ namespace {
 
 using Point = Vector<double, 3>;
 using Names = std::span<const std::string_view>;
-
-std::string listed(Names names) {
-  std::string list;
-  for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
-  return list;
-}
 
 std::string counted(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
@@ -60,8 +55,8 @@ class Fields {
     if (kind.empty()) {
       const bool named = json.is_object() && json.size() == 1;
       fail(named
-               ? self + " is not a known kind: " + Json(json.begin().key()).dump() + "; known: " + listed(kVolumeNames)
-               : self + " is not an object with a field that names its kind: " + listed(kVolumeNames));
+               ? self + " is not a known kind: " + Json(json.begin().key()).dump() + "; known: " + joined(kVolumeNames)
+               : self + " is not an object with a field that names its kind: " + joined(kVolumeNames));
       return {};
     }
     path_ += (path_.empty() ? "" : ".") + kind;
@@ -87,7 +82,7 @@ class Fields {
     if (!error_.empty()) return;
     for (const auto& item : object_->items())
       if (std::find(names.begin(), names.end(), item.key()) == names.end())
-        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " + listed(names));
+        fail(path_ + " has an unknown field " + Json(item.key()).dump() + "; it takes " + joined(names));
     for (const std::string_view name : names)
       if (!object_->contains(std::string(name))) fail(field(name) + " is missing");
   }

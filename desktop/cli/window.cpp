@@ -104,7 +104,7 @@ void add_common(CLI::App& command, WindowOptions& options) {
   question->excludes(step);
   command.add_flag("--answered", options.at.answered, "With the outcome of the question's model answer")
       ->needs(question);
-  command.add_option("--lessons", options.folder, "Folder of the lesson files; by default the program's own");
+  add_lessons_folder(command, options.folder);
   command.add_option("--seed", options.seed, "Seed of the points; by default the lesson's own")
       ->transform(whole_number());
   command.add_option("--situation", options.at.situation, "The situation to show; by default the lesson's own");
