@@ -13,6 +13,7 @@
 #include "app/subjects.hpp"
 #include "app/timeline.hpp"
 #include "app/widgets.hpp"
+#include "lesson/demo.hpp"
 #include "lesson/invitations.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
@@ -35,7 +36,8 @@ bool has_input(const ImGuiIO& io) {
 
 bool same(const Settings& a, const Settings& b) {
   return a.theme == b.theme && a.text_scale == b.text_scale && a.reduced_motion == b.reduced_motion &&
-         a.prose_in_canvas == b.prose_in_canvas && a.tools == b.tools && a.show_optimum == b.show_optimum;
+         a.prose_in_canvas == b.prose_in_canvas && a.tools == b.tools && a.show_optimum == b.show_optimum &&
+         a.labels == b.labels && a.ground == b.ground;
 }
 
 /// Makes the empty pixels of a new font texture white. They stay transparent, but the edges of letters between pixels
@@ -192,6 +194,12 @@ void App::State::next_mark() {
 /// The "next" keys and buttons: they continue from an outcome, and skip a question at their second press.
 bool App::State::go_on(std::string_view name) {
   const bool steps = name == "next_mark" || name == "step";
+  if (sitting && sitting->looks_at(*session) == lesson::Sitting::Looked::kOwn) {
+    if (steps && sitting->step_own(*session, 1)) return true;
+    if (name == "back" || name == "previous_mark") return sitting->step_own(*session, -1), true;
+    if (name == "play") sitting->change_run(*session);  // it is the right run that plays
+  }
+  if (name == "other_run") return sitting && sitting->change_run(*session);
   if (steps || name == "play" || name == "commit_answer" || name == "continue")
     if (session->acknowledge()) return true;
   const lesson::Asked* const asked = session->asked();
@@ -416,6 +424,7 @@ void App::State::open(lesson::Session next, bool anew) {
   if (session && !sitting) answers[session->lesson().id] = {session->outcomes(), session->done_tasks()};
   sitting.reset();
   session.emplace(std::move(next));
+  session->give_way(platform.gives_way);
   subject = &subject_of(session->lesson());
   view = subject->view();
   cover = subject->cover != nullptr ? subject->cover(platform) : nullptr;
@@ -457,6 +466,7 @@ bool App::command(std::string_view name) {
   if (s.cover && s.cover->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   if (s.view->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
+  if (name == "pass_questions") return lesson::pass_questions(*s.session), s.playing = false, true;
   const int step = s.session->step();
   const auto turn = [&](std::string_view part) {
     for (const lesson::Switch& one : s.session->switches())
@@ -485,6 +495,7 @@ std::string_view App::command_of_key(std::string_view key, bool shift, bool cont
     if (key == "Enter" && state_->session->picked() != nullptr) return "commit_answer";
     if (state_->sitting && key == "Backspace") return "take_back";
     if (state_->sitting && (key == "h" || key == "H")) return "hint";
+    if (state_->sitting && (key == "r" || key == "R")) return "other_run";
     if (key == "Escape" && state_->session->at_summary()) return "close_summary";
   }
   if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)
@@ -506,6 +517,12 @@ void App::light(std::string_view mark) {
   if (state_->stage.lit() == mark) return;
   state_->stage.light(mark);
   state_->settle = std::max(state_->settle, 1);
+}
+std::vector<double> App::hand_view() const {
+  return state_->session && !state_->covered() ? state_->stage.camera().hand_view() : std::vector<double>();
+}
+bool App::look_from(const std::vector<double>& view) {
+  return state_->session && state_->stage.look_from(*state_->session, view);
 }
 std::string_view App::lit() const { return state_->stage.lit(); }
 std::vector<std::string_view> App::marks_in_hand() const {
@@ -616,7 +633,9 @@ double App::seconds_until_step(double now) const {
   return state_->playing ? std::max(0.0, state_->next_step_at - now) : std::numeric_limits<double>::infinity();
 }
 
-void App::note_words(std::vector<DrawnWords>* drawn) { state_->look.drawn = drawn; }
+void App::note_words(std::vector<DrawnWords>* drawn, bool apart) {
+  state_->look.drawn = drawn, state_->look.words_apart = apart && drawn != nullptr;
+}
 long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
   if (state_->covered()) return state_->cover->caption(*state_->session);
@@ -630,6 +649,10 @@ std::vector<PanelWords> App::panel_words() const {
 std::optional<CloseUp> App::close_up() const {
   return state_->session && !state_->covered() ? state_->stage.close_up() : std::nullopt;
 }
+std::optional<Handle> App::place_named(std::string_view name) const {
+  return state_->session && !state_->covered() ? state_->stage.place_named(*state_->session, name) : std::nullopt;
+}
+const GlScene* App::scene() const { return state_->session && !state_->covered() ? &state_->stage.scene() : nullptr; }
 std::vector<Handle> App::handles() const {
   if (state_->covered()) return state_->cover->handles();
   return state_->session ? state_->stage.handles(*state_->session) : std::vector<Handle>{};

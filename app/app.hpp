@@ -40,6 +40,8 @@ struct Settings {
   bool prose_in_canvas = false;  // the step's sentence on the stage; the page has it as HTML above the canvas instead
   bool tools = true;             // whether the stage has its buttons; a picture of it has none
   bool show_optimum = false;     // whether the smallest volume is shown before the end; at the end it always is
+  bool labels = true;            // whether the stage has its names and measures; a picture of it may do without
+  bool ground = true;            // whether it has a ground; a picture of it may be transparent
 };
 
 /// What differs between the doors.
@@ -52,6 +54,8 @@ struct Platform {
   double (*clock)() = nullptr;
   /// How long one run may take on the growth chart, ns: a page must not delay a frame, a window may for a moment.
   double longest_run = 12e6;
+  /// Whether an edit that takes long goes in pieces, which the door goes on with between frames (Session::go_on).
+  bool gives_way = false;
   /// Describes this program and machine for measurements; what was measured and the clock's step are added here.
   cost::Provenance here;
 };
@@ -79,6 +83,7 @@ struct Invitation {
 
 struct Look;
 struct DrawnWords;
+struct GlScene;
 class Cover;
 struct PanelWords;
 
@@ -114,6 +119,11 @@ class App {
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
   /// The name of the open lesson's subject, as in app/subjects; "" before the first open.
   [[nodiscard]] std::string_view subject() const;
+  /// From where a hand has made the stage be seen, rounded: in the plane the height in view and the middle; in space
+  /// yaw and pitch in degrees, the height, and the place that it turns around. Empty while it is framed by itself.
+  [[nodiscard]] std::vector<double> hand_view() const;
+  /// Looks from there. Returns false if that is no view of this stage.
+  bool look_from(const std::vector<double>& view);
   /// What can replace the stage; null if nothing can.
   [[nodiscard]] Cover* cover();
   /// Does a slice of the cover's work, for a door to call between frames. budget: ns.
@@ -131,7 +141,8 @@ class App {
   /// move_down move_nearer move_farther (for the selected point; with "_fine" added, by a tenth), zoom_in zoom_out
   /// orbit_left orbit_right orbit_up orbit_down toggle_optimum watch_outcome continue show_answer close_summary;
   /// predict_again, which forgets the lesson's answers and starts it over; practise, which asks on another example;
-  /// review:QUESTION, which shows its outcome again; in an exercise hint, which takes the next one, and take_back; and
+  /// review:QUESTION, which shows its outcome again; in an exercise hint, which takes the next one, and take_back;
+  /// other_run, which at its end changes between the student's run and the right one; and
   /// turn:EFFECT, which does with an effect of the scene what Session::toggle does. push lets the selected body of a
   /// scene hop. At a question, next_mark and step announce that a second press skips it, because a clicker has no other
   /// key. At an outcome, they, play and commit_answer continue. While the way to an outcome is played, any command ends
@@ -190,14 +201,19 @@ class App {
   /// For a door that sleeps between frames: 0 if one is due now, the seconds until the next playing step, or infinity
   /// if nothing changes without input.
   [[nodiscard]] double seconds_until_due(double now) const;
-  /// Records each frame's words there from now on, until called with null: for tests of where words are drawn.
-  void note_words(std::vector<DrawnWords>* drawn);
+  /// Records each frame's words there from now on, until called with null: for tests of where words are drawn. apart:
+  /// they are not drawn, for a picture that has them as text.
+  void note_words(std::vector<DrawnWords>* drawn, bool apart = false);
   /// How many frames were drawn.
   [[nodiscard]] long frames_drawn() const;
 
   /// The sentence of the step, for both doors; "" before a lesson is open.
   [[nodiscard]] std::string caption() const;
   [[nodiscard]] std::vector<Handle> handles() const;
+  /// Where a handle of that name is on the stage, whether or not it can be dragged; none if there is none in view.
+  [[nodiscard]] std::optional<Handle> place_named(std::string_view name) const;
+  /// What OpenGL draws of the last frame, as plain data; null while the stage is covered.
+  [[nodiscard]] const GlScene* scene() const;
   /// What the panels beside the stage tell beyond the figures; none while the stage is covered.
   [[nodiscard]] std::vector<PanelWords> panel_words() const;
   /// The lesson's close-up, as of the last frame; none if there is none on the stage.

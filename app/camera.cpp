@@ -11,8 +11,9 @@ namespace {
 
 using V3 = Vector<double, 3>;
 
-constexpr double kFieldOfView = 30 * std::numbers::pi / 180;  // narrow enough that spheres look round
-constexpr double kSteepest = 85 * std::numbers::pi / 180;
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kFieldOfView = 30 * kDegree;  // narrow enough that spheres look round
+constexpr double kSteepest = 85 * kDegree;
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kEaseSeconds = 0.06;  // the time in which the remaining way falls to 1/e: at rest after about 0.3 s
 constexpr double kArrived = 1e-3;      // of the view's height
@@ -164,6 +165,30 @@ void Camera::orbit_eased(double yaw, double pitch) {
   goal_.yaw += yaw;
   goal_.pitch = std::clamp(goal_.pitch + pitch, -kSteepest, kSteepest);
   framed_ = false;
+}
+
+std::vector<double> Camera::hand_view() const {
+  if (framed_) return {};
+  const auto rounded = [](double value, double to) { return std::round(value / to) * to; };
+  const double fine = std::pow(10.0, std::floor(std::log10(goal_.height)) - 3);
+  std::vector<double> view;
+  if (dim_ == 3)
+    for (const double angle : {goal_.yaw, goal_.pitch}) view.push_back(std::round(10 * angle / kDegree) / 10);
+  view.push_back(rounded(goal_.height, fine));
+  for (int i = 0; i < dim_; ++i) view.push_back(rounded(goal_.target[i], fine));
+  return view;
+}
+
+bool Camera::look_from(const std::vector<double>& view) {
+  const std::size_t angles = dim_ == 3 ? 2 : 0;
+  if (view.size() != angles + 1 + static_cast<std::size_t>(dim_) || !(view[angles] > 0)) return false;
+  if (!std::all_of(view.begin(), view.end(), [](double number) { return std::isfinite(number); })) return false;
+  if (dim_ == 3) goal_.yaw = kDegree * view[0], goal_.pitch = std::clamp(kDegree * view[1], -kSteepest, kSteepest);
+  goal_.height = view[angles];
+  for (int i = 0; i < dim_; ++i) goal_.target[i] = view[angles + 1 + static_cast<std::size_t>(i)];
+  now_ = goal_, turn();
+  framed_ = false, placed_ = true;
+  return true;
 }
 
 bool Camera::moving() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "app/app.hpp"
 #include "geometry/sphere.hpp"
@@ -84,6 +85,10 @@ class Camera {
   [[nodiscard]] bool moving() const;
   /// Whether a hand has taken it away from where frame() put it.
   [[nodiscard]] bool framed() const { return framed_; }
+  /// The view that a hand has made, as App::hand_view has it; and takes one at once, as if a hand had. look_from
+  /// returns false if it is none of this dimension.
+  [[nodiscard]] std::vector<double> hand_view() const;
+  bool look_from(const std::vector<double>& view);
 
   [[nodiscard]] const Vector<double, 3>& right() const { return right_; }
   [[nodiscard]] const Vector<double, 3>& up() const { return up_; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -16,14 +17,17 @@ namespace snug::app {
 namespace {
 
 constexpr float kSize = 12, kTitle = 15, kMark = 5, kReach = 14;
+constexpr float kMostLegend = 0.35f;  // of the height; beyond that, fewer names
+constexpr float kLeastSize = 9;       // pixels of a picture
 constexpr float kNoteLeading = 1.5f, kNearName = 10, kOffLine = 3;
 constexpr double kPadding = 0.06;
 constexpr double kNothing = 1e-7;  // a fraction below this is only rounding
 // A line chart lower than the first has no note, and any chart lower than the second; its file has the note as well.
 constexpr float kLittleRoom = 360, kLeastNoted = 220;
 constexpr std::size_t kMostMarks = 20;  // on a line, roughly
-/// A log axis of fewer decades has ticks at 2 and 5 between its powers of ten; of a smaller factor, even steps.
-constexpr double kFewDecades = 2, kNoDecade = 5;
+/// A log axis of fewer decades has ticks between its powers of ten; of a smaller factor, even steps.
+constexpr double kFewDecades = 2, kNoDecade = 3;
+constexpr std::size_t kFewTicks = 3;
 
 template <class... Values>
 std::string said(const char* format, Values... values) {
@@ -460,34 +464,42 @@ struct Plot {
     }
   }
 
-  /// Each series' name beside its last point, clear of the bars of spread. None if one finds no place: then a legend
-  /// has them all.
-  [[nodiscard]] std::optional<std::vector<PlacedName>> names() const {
-    std::vector<LabelRequest> requests;
+  /// Each series' name beside its last point, clear of the bars of spread. None if one finds no place, unless fewer are
+  /// wanted: then those on the front choose first, and those without a place are left out.
+  [[nodiscard]] std::optional<std::vector<PlacedName>> names(bool fewer) const {
+    std::vector<const ChartSeries*> named;
     Obstacles obstacles;
     for (const ChartSeries& one : chart.series) {
-      const ImVec2 end = one.points.empty() ? ImVec2(frame.x, frame.y) : at(one.points.back());
-      const ImVec2 size = measure(look, Face::kRegular, kSize, one.name);
-      requests.push_back(
-          {end.x, end.y, kMark * look->mark + 5, size.x, size.y + 2 * kOffLine, 0.7f, -0.7f, false, true});
+      if (!one.points.empty() && !one.name.empty()) named.push_back(&one);
       for (const ChartPoint& p : one.points) {
         obstacles.discs.push_back({at(p).x, at(p).y, kMark * look->mark + 2});
         if (p.x_low < p.x_high) obstacles.segments.push_back({x.at(p.x_low), at(p).y, x.at(p.x_high), at(p).y});
       }
     }
+    if (fewer)
+      std::stable_partition(named.begin(), named.end(),
+                            [](const ChartSeries* one) { return one->role != ChartRole::kPlain; });
     for (std::size_t i = 1; i < chart.front.size(); ++i) {
       const ImVec2 from = at(chart.front[i - 1]), to = at(chart.front[i]);
       obstacles.segments.push_back({from.x, from.y, to.x, from.y});
       obstacles.segments.push_back({to.x, from.y, to.x, to.y});
     }
+    std::vector<LabelRequest> requests;
+    for (const ChartSeries* one : named) {
+      const ImVec2 end = at(one->points.back()), size = measure(look, Face::kRegular, kSize, one->name);
+      requests.push_back(
+          {end.x, end.y, kMark * look->mark + 5, size.x, size.y + 2 * kOffLine, 0.7f, -0.7f, fewer, true});
+    }
     const auto places = place_labels(requests, obstacles, frame);
     std::vector<PlacedName> found;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (!places[i]) return std::nullopt;
-      const ChartSeries& one = chart.series[i];
-      if (one.points.empty() || one.name.empty()) continue;
+      if (!places[i] && !fewer) return std::nullopt;
+      if (!places[i]) continue;
       const auto& [left, top, width, height] = *places[i];
-      found.push_back({&one, at(one.points.back()), {left, top + kOffLine, width, height - 2 * kOffLine}, one.name});
+      found.push_back({named[i],
+                       at(named[i]->points.back()),
+                       {left, top + kOffLine, width, height - 2 * kOffLine},
+                       named[i]->name});
     }
     return found;
   }
@@ -576,7 +588,9 @@ Rect clear_place(ImVec2 size, const Rect& frame, ImVec2 about, std::span<const I
   return {best.x, best.y, size.x, size.y};
 }
 
-float picture_scale(float width, float height) { return std::max(1.0f, std::min(width / 1280, height / 800)); }
+float picture_scale(float width, float height) {
+  return std::max(kLeastSize / kSize, std::min(width / 1280, height / 800));
+}
 
 std::string chart_figure(ChartUnit unit, double value) {
   switch (unit) {
@@ -608,25 +622,32 @@ std::vector<double> even_places(ChartUnit unit, double from, double to, int most
   return places;
 }
 
-/// Every so many powers of ten that lie between; with what is between them, their multiples by 2 and 5 as well.
-std::vector<double> powers_between(double from, double to, int every, bool multiples) {
+constexpr double kPowers[] = {1}, kUsual[] = {1, 2, 5}, kFine[] = {1, 1.5, 2, 3, 4, 5, 7};
+
+/// The multiples, by the factors, of every so many powers of ten, as far as they lie between.
+std::vector<double> between(double from, double to, int every, std::span<const double> factors) {
   std::vector<double> places;
   const int first = static_cast<int>(std::floor(std::log10(from))), last = static_cast<int>(std::ceil(std::log10(to)));
   for (int power = first; power <= last; power += every)
-    for (const double factor : {1.0, 2.0, 5.0}) {
+    for (const double factor : factors) {
       const double place = factor * std::pow(10.0, power);
-      if ((multiples || factor == 1) && place >= from && place <= to) places.push_back(place);
+      if (place >= from && place <= to) places.push_back(place);
     }
   return places;
 }
 
-/// Two at least, where two powers of ten lie between.
+/// Three at least, where there is room for them.
 std::vector<double> log_places(double from, double to, int most) {
   const double decades = std::log10(to / from);
-  if (decades < kFewDecades && 3 * decades + 1 <= most) return powers_between(from, to, 1, true);
   int every = std::max(1, static_cast<int>(std::ceil(decades / most)));
-  std::vector<double> places = powers_between(from, to, every, false);
-  while (places.size() < 2 && every > 1) places = powers_between(from, to, --every, false);
+  std::vector<double> places = decades < kFewDecades && 3 * decades + 1 <= most ? between(from, to, 1, kUsual)
+                                                                                : between(from, to, every, kPowers);
+  while (places.size() < 2 && every > 1) places = between(from, to, --every, kPowers);
+  for (const std::span<const double> factors : {std::span<const double>(kUsual), std::span<const double>(kFine)}) {
+    if (places.size() >= kFewTicks) break;
+    const std::vector<double> finer = between(from, to, 1, factors);
+    if (finer.size() > places.size() && static_cast<int>(finer.size()) <= most) places = finer;
+  }
   return places;
 }
 
@@ -638,7 +659,8 @@ std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to
   if (places.size() < 2) places = even_places(axis.unit, from, to, most);
   std::vector<ChartTick> ticks;
   for (const double place : places)
-    if (place >= from && place <= to) ticks.push_back({place, chart_figure(axis.unit, place)});
+    if (place >= from && place <= to && (axis.unit != ChartUnit::kCount || place == std::round(place)))
+      ticks.push_back({place, chart_figure(axis.unit, place)});
   return ticks;
 }
 
@@ -687,11 +709,16 @@ std::optional<ChartHit> draw_chart(ChartPen& pen, const Look& look, const Rect& 
   EndNames ends(look, chart);
   const float margin = ends.margin(rect.width, plot.frame, at);
   if (margin > 0) fit_frame(plot, rect, heading, margin, 0);
-  const auto beside = has_lines(chart) ? std::nullopt : plot.names();
+  auto beside = has_lines(chart) ? std::nullopt : plot.names(false);
   std::optional<Legend> legend;
   if (margin == 0 && !beside) {
     legend.emplace(look, chart, rect.width - 32);
-    fit_frame(plot, rect, heading, 0, legend->height());
+    if (has_lines(chart) || legend->height() <= kMostLegend * rect.height) {
+      fit_frame(plot, rect, heading, 0, legend->height());
+    } else {
+      legend.reset();
+      beside = plot.names(true);
+    }
   }
   if (plot.frame.width < 1 || plot.frame.height < 1) return std::nullopt;
   if (places != nullptr)

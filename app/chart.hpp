@@ -75,14 +75,15 @@ struct ChartTick {
 };
 
 /// The ticks between two ends, both included: on a log axis powers of ten, on a short one also their multiples by 2 and
-/// 5, otherwise equal steps of 1, 2 or 5; of degrees, steps that divide a quarter turn. most: how many ticks there may
-/// be, at least 2.
+/// 5, and by finer steps if those are fewer than three; otherwise equal steps of 1, 2 or 5; of degrees, steps that
+/// divide a quarter turn. most: how many ticks there may be, at least 2.
 [[nodiscard]] std::vector<ChartTick> chart_ticks(const ChartAxis& axis, double from, double to, int most);
 
 /// A number with its unit: "1.5 ms", "1.24", "20,000", "35 %".
 [[nodiscard]] std::string chart_figure(ChartUnit unit, double value);
 
-/// How much larger words and marks are in a picture of that size, pixels, than on the screen: 1 up to 1280x800.
+/// How much larger words and marks are in a picture of that size, pixels, than on the screen: 1 at 1280x800, and so
+/// much at least that words stay readable.
 [[nodiscard]] float picture_scale(float width, float height);
 
 /// A point, by the index of its series and its index in that.

@@ -10,8 +10,8 @@ namespace snug::app {
 
 /// look: of the fonts, sizes and palette. A light or dark palette makes a picture that is readable on either ground: it
 /// has the colours of both, and whatever shows it selects. Each word's width is stated, so that another font in the
-/// place of Inter leaves the layout as it is. width, height: of the picture, pixels; words and marks grow with them
-/// (picture_scale).
+/// place of Inter leaves the layout as it is. width, height: of the picture, pixels; words and marks grow and
+/// shrink with them (picture_scale).
 [[nodiscard]] std::string chart_svg(const Look& look, float width, float height, const Chart& chart);
 
 }  // namespace snug::app

@@ -70,4 +70,21 @@ std::string_view command_for(std::string_view key, bool shift, bool control, boo
   return found(kAlways, key);
 }
 
+std::vector<std::string_view> commands_with_keys() {
+  std::vector<std::string_view> all;
+  const auto take = [&](const auto& rows) {
+    for (const Row& row : rows) all.push_back(row.command);
+  };
+  take(kAlways), take(kWithControl), take(kStepping), take(kMoving), take(kMovingFine);
+  return all;
+}
+
+std::string key_of(std::string_view command) {
+  for (const Row& row : kWithControl)
+    if (row.command == command) return "Ctrl " + std::string(row.key);
+  for (const Row& row : kAlways)
+    if (row.command == command) return std::string(row.key);
+  return {};
+}
+
 }  // namespace snug::app

@@ -22,6 +22,9 @@ struct CoverRoom {
 /// below: the height of what stands beneath.
 [[nodiscard]] CoverRoom cover_room(const Look& look, const Rect& rect, float below);
 
+/// What a cover says while its predictions wait.
+inline constexpr std::string_view kPressMeasure = "Press Measure: first you predict, then it is measured.";
+
 /// A button that runs one of the cover's commands.
 struct CoverButton {
   std::string command;

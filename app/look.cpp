@@ -90,12 +90,8 @@ ImVec2 measure(const Look& look, Face face, float size, std::string_view words) 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
   if (words.empty()) return;
   const float box = font_size(look, face, size);
-  if (look.drawn != nullptr)
-    look.drawn->push_back({std::string(words),
-                           {at.x, at.y + look.px(size) * kAboveCapitals},
-                           {at.x + measure(look, face, size, words).x, at.y + look.px(size)},
-                           list->GetClipRectMin(),
-                           list->GetClipRectMax()});
+  note_text(list, look, face, size, at, color, 0, words);
+  if (look.words_apart) return;
   const float same_baseline = kBaseline * (1 - kScriptSize);
   const std::array down{0.0f, same_baseline + kLowered, same_baseline - kRaised};
   for (const Letters& letters : with_scripts(words)) {
@@ -105,6 +101,23 @@ void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, 
                   letters.text.data(), letters.text.data() + letters.text.size());
     at.x += advance(look.font(face), box * scale, letters.text);
   }
+}
+
+void note_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, Color halo,
+               std::string_view words) {
+  if (look.drawn == nullptr || words.empty()) return;
+  look.drawn->push_back({std::string(words),
+                         {at.x, at.y + look.px(size) * kAboveCapitals},
+                         {at.x + measure(look, face, size, words).x, at.y + look.px(size)},
+                         list->GetClipRectMin(),
+                         list->GetClipRectMax(),
+                         list,
+                         list->IdxBuffer.Size,
+                         face,
+                         look.px(size),
+                         at,
+                         color,
+                         halo});
 }
 
 void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,

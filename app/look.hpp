@@ -20,6 +20,12 @@ enum class Face { kRegular, kSemiBold, kMono, kMonoBold };
 struct DrawnWords {
   std::string words;
   ImVec2 low, high, clip_low, clip_high;
+  const ImDrawList* list = nullptr;  // on which they stand, after so many of its indices
+  int after = 0;
+  Face face = Face::kRegular;
+  float size = 0;             // of the em, page pixels
+  ImVec2 at = {};             // as in text
+  Color color = 0, halo = 0;  // halo: 0 for none
 };
 
 struct Look {
@@ -31,7 +37,8 @@ struct Look {
   float tools = 0;        // as in Layout
   float foot = 0;         // as in Layout
   float tools_right = 0;  // how wide the front end's own button is, beside the stage's in its other top corner
-  std::vector<DrawnWords>* drawn = nullptr;  // receives all words of the frame, for tests
+  std::vector<DrawnWords>* drawn = nullptr;  // receives all words of the frame, for tests and pictures
+  bool words_apart = false;                  // whether they are not drawn then
 
   [[nodiscard]] ImFont* font(Face face) const { return fonts[static_cast<std::size_t>(face)]; }
   /// A size of words in page pixels, from its size at scale 1.
@@ -67,6 +74,9 @@ void text_right(ImDrawList* list, const Look& look, Face face, float size, ImVec
                 std::string_view words);
 void text_middle(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color,
                  std::string_view words);
+/// The same for words with a halo, which are noted where they are not drawn.
+void note_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, Color halo,
+               std::string_view words);
 /// The part of the words that fits, with an ellipsis if some does not.
 [[nodiscard]] std::string shortened(const Look& look, Face face, float size, std::string_view words, float width);
 /// The lines of a text at a width. Words longer than a line are broken.

@@ -247,6 +247,7 @@ void halo_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2
                std::string_view words) {
   constexpr std::array<ImVec2, 8> kAround{ImVec2{-2, 0},  {2, 0},        {0, -2},       {0, 2},
                                           {-1.5f, -1.5f}, {1.5f, -1.5f}, {-1.5f, 1.5f}, {1.5f, 1.5f}};
+  if (look.words_apart) return note_text(list, look, face, size, at, color, halo, words);
   for (const ImVec2 off : kAround)
     text(list, look, face, size, {at.x + off.x, at.y + off.y}, with_alpha(halo, 0.7f), words);
   text(list, look, face, size, at, color, words);

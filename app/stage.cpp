@@ -101,6 +101,14 @@ void Stage::reset_view(const lesson::Session& session) {
   camera_.frame(framed_ball_, false);
 }
 
+bool Stage::look_from(const lesson::Session& session, const std::vector<double>& view) {
+  Camera camera = camera_.dim() == session.dim() ? camera_ : camera_of(session);
+  if (!camera.look_from(view)) return false;
+  camera_ = camera;
+  camera_kept_ = scene_.points.empty();
+  return true;
+}
+
 /// What the view is framed by: everything, unless the lesson's file says otherwise.
 fit::Sphere3 Stage::aimed_at(const lesson::Session& session) const {
   const lesson::StageView& wish = session.lesson().view;
@@ -320,6 +328,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   const float radius = radius_for(lesson::count_of(session.subject()), !scene_.triangles.empty()) *
                        static_cast<float>(session.lesson().view.point_size);
   fill_scene(look, rect, radius, view_->shows_points(session));
+  if (!settings.ground) scene_.ground = scene_.grid = 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, true);
   Obstacles obstacles;
@@ -338,7 +347,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   draw_picture(brush);
   draw_handles(brush);
   draw_notes(brush, settings);
-  draw_labels(brush);
+  if (settings.labels) draw_labels(brush);
   list->PopClipRect();
 }
 
@@ -362,6 +371,13 @@ void Stage::draw_picture(Brush& brush) const {
   sort_stably(volumes, [&](const GlVolume& a, const GlVolume& b) {
     return (a.center - scene_.eye).squaredNorm() > (b.center - scene_.eye).squaredNorm();
   });
+}
+
+std::optional<Handle> Stage::place_named(const lesson::Session& session, std::string_view name) const {
+  for (std::size_t i = 0; i < screen_.size(); ++i)
+    if (screen_[i].visible && session.name_of(static_cast<Index>(i)) == name)
+      return Handle{std::string(name), screen_[i].x, screen_[i].y};
+  return std::nullopt;
 }
 
 std::vector<Handle> Stage::handles(const lesson::Session& session) const {

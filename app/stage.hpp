@@ -26,6 +26,8 @@ class Stage {
   bool add_point(lesson::Session& session);
   bool delete_point(lesson::Session& session);
   void reset_view(const lesson::Session& session);
+  /// As App::look_from.
+  bool look_from(const lesson::Session& session, const std::vector<double>& view);
   void zoom_by(double factor) { camera_.zoom_eased(factor); }
   bool orbit_by(double yaw, double pitch);
   void pinch(float factor, float x, float y, float dx, float dy);
@@ -45,6 +47,7 @@ class Stage {
   /// Whether the arrow keys move the selected point. A drag or an answer leaves them to the player.
   [[nodiscard]] bool arrows_move() const { return hands_.arrows && hands_.selected != kNoIndex; }
   [[nodiscard]] std::vector<Handle> handles(const lesson::Session& session) const;
+  [[nodiscard]] std::optional<Handle> place_named(const lesson::Session& session, std::string_view name) const;
   /// The camera of the last frame.
   [[nodiscard]] const Camera& camera() const { return camera_; }
   /// The lesson's close-up in the last frame.

@@ -428,7 +428,7 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   glViewport(x, y, px(scene.stage.width), px(scene.stage.height));
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
-  glClearColor(ground.r, ground.g, ground.b, 1);
+  glClearColor(ground.r, ground.g, ground.b, ground.a);
   glClear(GL_COLOR_BUFFER_BIT);  // only the stage: the door clears the rest, and the depth
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);

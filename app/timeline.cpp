@@ -9,6 +9,7 @@
 #include "app/timeline_buttons.hpp"
 #include "app/timeline_map.hpp"
 #include "app/widgets.hpp"
+#include "lesson/exercise/sitting.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 
@@ -20,9 +21,31 @@ using lesson::Standing;
 
 constexpr float kMarksApart = 13, kFlagWidth = 15;
 
-/// flag: where a gate's flag stands. standing: what it says of the answer.
-void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool open, float flag = 0,
-               Standing standing = Standing::kOpen) {
+/// What a gate's flag says: where it stands, whether its question is open, what became of the answer, and whether it is
+/// the first of an exercise that differs from what is right.
+struct Flag {
+  float x = 0;
+  bool open = false;
+  Standing standing = Standing::kOpen;
+  bool first = false;
+};
+
+void draw_flag(ImDrawList* list, const Look& look, const Flag& flag, float y) {
+  const Palette& p = *look.palette;
+  constexpr float kHeight = 17;
+  const ImVec2 low{flag.x - kFlagWidth / 2, y - kHeight - 7}, high{low.x + kFlagWidth, low.y + kHeight};
+  list->AddRectFilled(low, high, flag.first ? p.wrong : flag.open ? p.current : p.panel, 4);
+  list->AddRect(low, high, flag.first ? p.wrong : p.current, 4, 0, 1.5f);
+  const float size = 12 / look.text_scale;  // a mark does not grow with the text
+  const ImVec2 middle{flag.x, low.y + kHeight / 2};
+  if (flag.standing == Standing::kRight) tick(list, middle, 4, p.optimum, 2);
+  else if (flag.standing == Standing::kWrong) cross(list, middle, 3.5f, flag.first ? p.panel : p.wrong, 2);
+  else
+    text_middle(list, look, Face::kSemiBold, size, {flag.x, middle.y - 6}, flag.open ? p.on_current : p.current_text,
+                "?");
+}
+
+void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, const Flag& flag = {}) {
   const Palette& p = *look.palette;
   switch (kind) {
     case Kind::kGrew:
@@ -38,31 +61,26 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, bool op
       disc(list, at, 6.5f * p.mark, p.panel);
       cross(list, at, 4.5f * p.mark, p.wrong, 2.25f);
       break;
-    case Kind::kQuestion: {
+    case Kind::kQuestion:
       // A gate: a flag above the track, filled until the question is answered.
-      const float height = 17, width = kFlagWidth;
-      const ImVec2 low{flag - width / 2, at.y - height - 7};
-      list->AddLine({flag, at.y - 8}, {at.x, at.y + 5}, p.current, 2);
-      list->AddRectFilled(low, {low.x + width, low.y + height}, open ? p.current : p.panel, 4);
-      list->AddRect(low, {low.x + width, low.y + height}, p.current, 4, 0, 1.5f);
-      const float size = 12 / look.text_scale;  // a mark does not grow with the text
-      const ImVec2 middle{flag, low.y + height / 2};
-      if (standing == Standing::kRight) tick(list, middle, 4, p.optimum, 2);
-      else if (standing == Standing::kWrong) cross(list, middle, 3.5f, p.wrong, 2);
-      else
-        text_middle(list, look, Face::kSemiBold, size, {flag, middle.y - 6}, open ? p.on_current : p.current_text, "?");
+      list->AddLine({flag.x, at.y - 8}, {at.x, at.y + 5}, p.current, 2);
+      draw_flag(list, look, flag, at.y);
       break;
-    }
   }
 }
 
+bool is_over(const lesson::Session& session) { return session.conduct().decides && all_decided(session); }
+
 /// In an exercise a flag says whether the decision was right, once that is told: so the student's run and the right one
 /// stand on one timeline.
-Standing marked_as(const lesson::Session& session, const lesson::Asked& asked) {
-  const auto is_open_one = [&](const lesson::Asked& one) { return is_open(session, one); };
-  const bool all = std::none_of(session.questions().begin(), session.questions().end(), is_open_one);
-  if (!session.conduct().decides || !(session.conduct().told || all)) return Standing::kOpen;
+Standing marked_as(const lesson::Session& session, const lesson::Asked& asked, bool over) {
+  if (!session.conduct().decides || !(session.conduct().told || over)) return Standing::kOpen;
   return standing_of(session.outcome_of(asked));
+}
+
+/// Where both runs of an exercise first differ, once it is over; null for nowhere.
+const lesson::Asked* first_difference(const lesson::Session& session) {
+  return session.conduct().decides ? first_wrong(session) : nullptr;
 }
 
 void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, const TimelineMap& map, float y) {
@@ -81,12 +99,16 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   const std::vector<float> flags = flag_places(marks, map, kFlagWidth + 2);
   auto asked = std::find_if(session.questions().begin(), session.questions().end(),
                             [](const lesson::Asked& one) { return one.step != lesson::Asked::kAnytime; });
+  const lesson::Asked* const first = first_difference(session);
+  const bool over = is_over(session);
   std::size_t gate = 0;
   for (const lesson::Mark& mark : marks) {
-    const bool asks = mark.kind == Kind::kQuestion;  // in the order of the questions
-    const bool open = asks && is_open(session, *asked);
-    const Standing standing = asks ? marked_as(session, *asked++) : Standing::kOpen;
-    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, open, asks ? flags[gate++] : 0, standing);
+    Flag flag;
+    if (mark.kind == Kind::kQuestion) {  // in the order of the questions
+      flag = {flags[gate++], is_open(session, *asked), marked_as(session, *asked, over), &*asked == first};
+      ++asked;
+    }
+    draw_mark(list, look, mark.kind, {map.x_of(mark.step), y}, flag);
   }
   const float radius = (touch.held || touch.hovered ? 10.0f : 8.0f) + (look.fingers ? 2.0f : 0.0f);
   disc(list, {thumb, y}, radius + 3, p.panel);
@@ -97,6 +119,14 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
 void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& session, const MarkWords& meanings,
                  float right, float y, float room) {
   constexpr float kSize = 13;
+  if (first_difference(session) != nullptr) {
+    constexpr std::string_view kFirst = "your first difference";
+    const float width = measure(look, Face::kRegular, kSize, kFirst).x + 22;
+    if ((room -= width + 16) < 0) return;
+    text_right(list, look, Face::kRegular, kSize, {right, middle_of(y, look.px(kSize))}, look->muted, kFirst);
+    draw_flag(list, look, {right - width + 8, false, Standing::kWrong, true}, y + 15);
+    right -= width + 16;
+  }
   const std::array<std::pair<Kind, std::string_view>, 4> kinds{{{Kind::kGrew, meanings.grew},
                                                                 {Kind::kReplaced, meanings.replaced},
                                                                 {Kind::kBest, meanings.best},
@@ -108,7 +138,7 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
     const float width = measure(look, Face::kRegular, kSize, words).x + 18;
     if ((room -= width + 16) < 0) return;
     text_right(list, look, Face::kRegular, kSize, {right, middle_of(y, look.px(kSize))}, look->muted, words);
-    draw_mark(list, look, kind, {right - width + 6, y}, false);
+    draw_mark(list, look, kind, {right - width + 6, y});
     right -= width + 16;
   }
 }
@@ -152,7 +182,9 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   const bool chosen = session.picked() != nullptr && answers(*session.asked(), *session.picked());
   const bool told = session.outcome() != nullptr;
   const bool at_end = session.step() == session.steps() && !session.previewing();
-  const std::string_view step = step_words(session, view);
+  // The student's run, which goes from decision to decision.
+  const bool own = told && is_over(session) && session.question_of(*session.outcome()) != &session.questions().back();
+  const std::string_view step = own ? lesson::kNextDecisionWord : step_words(session, view);
   const bool short_of_room = measure(look, Face::kSemiBold, kButtonSize, step).x > rects[2].width - kButtonEdges;
   const bool at_start = session.step() == 0;
   const auto press = [&](const Button& b, std::string_view command) {
@@ -160,10 +192,11 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
     return b.rect;
   };
   press({.id = "To the start", .rect = rects[0], .icon = Icon::kFirst, .enabled = !at_start}, "first");
-  press({.id = "Back", .rect = rects[1], .icon = Icon::kBack, .enabled = !at_start}, "back");
+  press({.id = "Back", .rect = rects[1], .icon = Icon::kBack, .enabled = !at_start || own}, "back");
   wish.step = press({.id = "step",
                      .rect = rects[2],
                      .words = gate            ? lesson::kAnswerWord
+                              : own           ? (short_of_room ? "Next" : step)
                               : told          ? lesson::kContinueWord
                               : short_of_room ? view.step_button()
                                               : step,
@@ -172,9 +205,9 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
                                                                     : Icon::kStep,
                      .kind = ButtonKind::kPrimary,
                      .enabled = chosen || told || (!gate && !at_end)},
-                    gate   ? "commit_answer"
-                    : told ? "continue"
-                           : "step");
+                    gate           ? "commit_answer"
+                    : told && !own ? "continue"
+                                   : "step");
   wish.play = press({.id = "play",
                      .rect = rects[3],
                      .words = player.playing ? "Pause" : "Play",

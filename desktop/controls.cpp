@@ -104,7 +104,7 @@ void draw_slider(Shell& shell, const lesson::ShownSlider& slider, const app::Rec
   const bool moved = ImGui::SliderInt("##slider", &place, 0, slider.places, "", ImGuiSliderFlags_NoInput);
   if (ImGui::IsItemActivated()) session.begin_drag();
   if (moved) shell.tell(session.slide_to_place(slider.number, place));
-  if (ImGui::IsItemDeactivated()) session.end_drag();
+  if (ImGui::IsItemDeactivated()) shell.tell(session.end_drag());
   shell.tracks.emplace_back(slider.number, app::Rect{at.x, at.y, width, height});
   if (app::offer_slider(title)) shell.slider = static_cast<int>(slider.number);
   ImGui::PopStyleVar(4);

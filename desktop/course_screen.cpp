@@ -88,7 +88,7 @@ float draw_gallery_words(const app::Look& look, float x, float y, float width) {
 float case_height(const app::Look& look, const std::vector<LessonFile>& files, float width) {
   float most = 0;
   for (const LessonFile& file : files) {
-    if (!file.is_case) continue;
+    if (file.of_course()) continue;
     const auto title = app::lines_of(look, Face::kSemiBold, 15, file.lesson.title, width - 24).size();
     const auto says = app::lines_of(look, Face::kRegular, 13, file.lesson.summary, width - 24).size();
     most = std::max(most, look.px(21) * static_cast<float>(title) + look.px(19) * static_cast<float>(says));
@@ -231,7 +231,9 @@ void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from
   app::text(list, look, Face::kSemiBold, 16, {grid.left, y}, look->ink, lessons[from].chapter);
   app::text_right(list, look, Face::kRegular, 13, {grid.left + grid.width, y + look.px(2)}, look->muted,
                   lessons[from].is_case ? std::string(lesson::kCasesWord)
-                                        : std::to_string(done) + " of " + std::to_string(to - from) + " done");
+                  : lessons[from].sheet != nullptr
+                      ? "Measured, built and written, for one file to hand in"
+                      : std::to_string(done) + " of " + std::to_string(to - from) + " done");
   y += look.px(26);
   app::rule(list, grid.left, y, grid.width, look->line);
   y += 16;
@@ -239,7 +241,7 @@ void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from
     const auto column = static_cast<int>(k) % grid.across;
     if (column == 0 && k > 0) y += grid.height + kGap;
     const app::Rect card{grid.left + static_cast<float>(column) * (grid.card + kGap), y, grid.card, grid.height};
-    if (lessons[from].is_case) draw_case(shell, shown[k], card);
+    if (!lessons[from].of_course()) draw_case(shell, shown[k], card);
     else draw_card(shell, shown[k], card);
   }
   y += grid.height;
@@ -280,13 +282,13 @@ void CourseScreen::draw(Shell& shell, const app::Rect& rect) {
   const auto& lessons = shell.lessons();
   for (std::size_t i = 0, end = 0; i < lessons.size(); i = end) {
     while (end < lessons.size() && lessons[end].chapter == lessons[i].chapter) ++end;
-    if (lessons[i].is_case && i == shell.course_size()) {
-      if (!lesson::is_search(asked())) {
-        draw_sets(shell, grid, y);
-        y += look.px(52);
-        y += draw_gallery_words(look, grid.left, y, width);
-      }
+    if (i == shell.course_size()) {
+      if (!lesson::is_search(asked())) draw_sets(shell, grid, y);
       grid.height = case_height(look, lessons, grid.card);
+    }
+    if (lessons[i].is_case && (i == 0 || !lessons[i - 1].is_case) && !lesson::is_search(asked())) {
+      y += look.px(52);
+      y += draw_gallery_words(look, grid.left, y, width);
     }
     draw_chapter(shell, grid, i, end, y);
   }

@@ -5,6 +5,7 @@
 #include "app/widgets.hpp"
 #include "desktop/course_screen.hpp"
 #include "desktop/shell.hpp"
+#include "io/text.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/say.hpp"
 
@@ -22,21 +23,19 @@ std::string state_of(const Shell& shell, const lesson::Exercise& exercise) {
   return kept != nullptr && kept->now ? "Begun" : std::to_string(exercise.stage.minutes) + " min";
 }
 
-void draw_line(Shell& shell, const lesson::ExerciseSet& set, const std::string& id, const app::Rect& line) {
-  const lesson::Exercise* const exercise = shell.exercise(id);
-  if (exercise == nullptr) return;
+void draw_line(Shell& shell, const lesson::ExerciseSet& set, const lesson::Exercise& exercise, const app::Rect& line) {
   const app::Look& look = shell.app().look();
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  const auto touch = app::touch_area((set.id + '/' + id).c_str(), line, exercise->stage.title);
+  const auto touch = app::touch_area((set.id + '/' + exercise.id).c_str(), line, exercise.stage.title);
   app::rule(list, line.x, line.y, line.width, look->line);
-  const std::string state = state_of(shell, *exercise);
+  const std::string state = state_of(shell, exercise);
   const float room = line.width - app::measure(look, Face::kRegular, 13, state).x - 24;
   app::text(list, look, Face::kSemiBold, 14, {line.x + 4, line.y + look.px(6)},
-            touch.hovered ? look->current_text : look->ink, exercise->stage.title);
+            touch.hovered ? look->current_text : look->ink, exercise.stage.title);
   app::text(list, look, Face::kRegular, 13, {line.x + 4, line.y + look.px(24)}, look->muted,
-            app::shortened(look, Face::kRegular, 13, exercise->stage.summary, room));
+            app::shortened(look, Face::kRegular, 13, exercise.stage.summary, room));
   app::text_right(list, look, Face::kRegular, 13, {line.x + line.width - 4, line.y + look.px(14)}, look->muted, state);
-  if (touch.clicked) shell.go_on_with_exercise(id);
+  if (touch.clicked) shell.go_on_with_exercise(exercise.id);
 }
 
 }  // namespace
@@ -63,10 +62,20 @@ void CourseScreen::draw_sets(Shell& shell, const Grid& grid, float& y) {
     app::text(list, look, Face::kSemiBold, 16, {left, at}, look->ink, set.title);
     at += look.px(24);
     at += app::paragraph(list, look, Face::kRegular, 13, 19, {left, at}, width, look->muted, set.lecture) + 8;
+    std::int64_t elsewhere = 0;
     for (const std::string& id : set.exercises) {
-      draw_line(shell, set, id, {left, at, width, look.px(kLine)});
+      const lesson::Exercise* const exercise = shell.exercise(id);
+      if (exercise == nullptr) {
+        ++elsewhere;
+        continue;
+      }
+      draw_line(shell, set, *exercise, {left, at, width, look.px(kLine)});
       at += look.px(kLine);
     }
+    if (elsewhere > 0)
+      at += app::paragraph(list, look, Face::kRegular, 13, 19, {left, at + 6}, width, look->muted,
+                           "On the web page: " + io::counted(elsewhere, "exercise") + " in which code is written.") +
+            6;
     bottom = std::max(bottom, at);
   }
   y = bottom;

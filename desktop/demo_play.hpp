@@ -1,12 +1,16 @@
 // A demo in the window: which state is shown, how much of it is revealed, and the keys of a clicker.
 #pragma once
 
+#include <ctime>
+#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "desktop/cli/demo_files.hpp"
+#include "lesson/vote.hpp"
 
 namespace snug::desktop {
 
@@ -29,16 +33,33 @@ class DemoPlay {
   /// Runs a key of the demo. Returns whether it was one.
   bool answer_key(Shell& shell, const std::string& key);
 
+  /// The class's vote in this state, if there was one; and whether what it gave may be seen.
+  [[nodiscard]] const lesson::Vote* vote() const;
+  [[nodiscard]] bool vote_told() const;
+  /// Whether something stands in its place that was revealed later.
+  [[nodiscard]] bool vote_over() const;
+  /// What the next press does.
+  [[nodiscard]] std::string next_text() const;
+
+  bool notes_wanted = false;  // whether the second window shows the notes
+  double notes_second = -1;   // the clock's second that they show
+  std::time_t began = std::time(nullptr);
   bool black = false;   // whether the screen is
   bool frozen = false;  // whether the picture stands, whatever is done meanwhile
 
  private:
+  /// What is revealed so far.
+  [[nodiscard]] std::span<const std::string> revealed() const {
+    return std::span(states()[at_].reveal).first(revealed_);
+  }
   void next(Shell& shell);
   void back(Shell& shell);
   void reveal(Shell& shell, const std::string& what, bool played);
+  bool vote_by_key(Shell& shell, const std::string& key);
 
   std::shared_ptr<const DemoFile> file_;
   std::size_t at_ = 0, revealed_ = 0;
+  std::map<std::size_t, lesson::Vote> votes_;  // by the states
 };
 
 }  // namespace snug::desktop

@@ -103,6 +103,10 @@ std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitti
   if (const std::string best = practises ? std::string() : shell.best_says(); !best.empty())
     column.words(best, Face::kRegular, 13, column.look()->muted);
   for (const std::string& says : sitting.rules_followed(session)) column.gap(4), column.words(says, Face::kRegular, 14);
+  const RowButton runs{"other_run", lesson::kBothRunsWord, ButtonKind::kQuiet};
+  column.gap(4);
+  const bool goes = !sitting.exercise().build &&
+                    draw_row(column, sitting.first_difference(session), column.look()->ink, {&runs, 1}) == 0;
   column.gap(8);
   if (sitting.exercise().build) draw_levels(column, sitting, session);
   std::string command = draw_lines(shell, column, sitting.marked(session));
@@ -114,7 +118,17 @@ std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitti
   if (sitting.leads_on(session)) row.push_back({"harder", lesson::kHarderWord, ButtonKind::kPrimary});
   else row.push_back({"another", lesson::kAnotherInstanceWord, ButtonKind::kPrimary});
   const int clicked = draw_row(column, {}, 0, row);
-  return clicked < 0 ? command : row[clicked].id;
+  return goes ? runs.id : clicked < 0 ? command : row[clicked].id;
+}
+
+std::string draw_right_run(Column& column, const lesson::Sitting& sitting, const lesson::Session& session) {
+  draw_kicker(column, lesson::kRightRunWord, {}, Standing::kOpen);
+  column.words(sitting.compared(session));
+  column.gap(8);
+  const std::array<RowButton, 2> row{
+      {{"last", lesson::kYourMarkWord, ButtonKind::kQuiet}, {"other_run", lesson::kYourRunWord}}};
+  const int clicked = draw_row(column, {}, 0, row);
+  return clicked < 0 ? std::string() : row[clicked].id;
 }
 
 std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitting) {

@@ -21,6 +21,9 @@ void draw_rule(Column& column, const lesson::Sitting& sitting, const lesson::Ses
 /// does it after drawing the card.
 [[nodiscard]] std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting);
 [[nodiscard]] std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitting);
+/// And of the right run, while that is looked at.
+[[nodiscard]] std::string draw_right_run(Column& column, const lesson::Sitting& sitting,
+                                         const lesson::Session& session);
 /// "0.5, 1 hint"; where one practises, without the mark.
 [[nodiscard]] std::string mark_words(const lesson::Marked& marked, bool practises);
 

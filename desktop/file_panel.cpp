@@ -4,6 +4,7 @@
 
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
+#include "desktop/typing.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -11,15 +12,6 @@ namespace {
 using app::Face;
 
 constexpr float kFewestLines = 8;
-
-/// Lets ImGui write into a string of any length.
-int grow(ImGuiInputTextCallbackData* data) {
-  if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
-  auto& text = *static_cast<std::string*>(data->UserData);
-  text.resize(data->BufTextLen);
-  data->Buf = text.data();
-  return 0;
-}
 
 /// Draws the text field; what is typed is on the stage at once.
 void draw_file_text(Shell& shell, Column& column, const lesson::StageFile& file, float height) {

@@ -7,6 +7,7 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cctype>
@@ -19,7 +20,17 @@ namespace {
 
 constexpr const char* kGlslVersion = "#version 330 core";
 
-std::string named(int key) {
+/// A key that is held goes on stepping or moving: it neither answers nor skips twice.
+bool may_repeat(int key) {
+  return key == GLFW_KEY_RIGHT || key == GLFW_KEY_LEFT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN ||
+         key == GLFW_KEY_TAB || key == GLFW_KEY_BACKSPACE;
+}
+
+std::string utf8(unsigned code) { return code < 0x80 ? std::string(1, static_cast<char>(code)) : std::string(); }
+
+}  // namespace
+
+std::string key_name(int key) {
   switch (key) {
     case GLFW_KEY_RIGHT: return "ArrowRight";
     case GLFW_KEY_LEFT: return "ArrowLeft";
@@ -38,20 +49,11 @@ std::string named(int key) {
     case GLFW_KEY_F1: return "F1";
     case GLFW_KEY_F2: return "F2";
     case GLFW_KEY_F5: return "F5";
+    case GLFW_KEY_F10: return "F10";
     case GLFW_KEY_F11: return "F11";
     default: return {};
   }
 }
-
-/// A key that is held goes on stepping or moving: it neither answers nor skips twice.
-bool may_repeat(int key) {
-  return key == GLFW_KEY_RIGHT || key == GLFW_KEY_LEFT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN ||
-         key == GLFW_KEY_TAB || key == GLFW_KEY_BACKSPACE;
-}
-
-std::string utf8(unsigned code) { return code < 0x80 ? std::string(1, static_cast<char>(code)) : std::string(); }
-
-}  // namespace
 
 /// GLFW's callbacks are plain functions, which find their host in the window's user pointer.
 struct GlfwHost::Callbacks {
@@ -83,12 +85,18 @@ struct GlfwHost::Callbacks {
   }
   static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     GlfwHost& self = host(window);
-    ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
+    const bool control = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
+    // A key that writes a letter would hold up the next one by a frame: ImGui needs the letter alone.
+    const bool writes = key <= GLFW_KEY_WORLD_2 && !control && action != GLFW_RELEASE;
+    if (!writes) ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
     self.repeats_ = action == GLFW_REPEAT;
     if (self.repeats_ && !may_repeat(key)) return;
-    if (action == GLFW_RELEASE || !self.on_key || (ImGui::GetIO().WantTextInput && key != GLFW_KEY_TAB)) return;
-    const bool control = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
-    std::string name = named(key);
+    if (action == GLFW_RELEASE || !self.on_key) return;
+    if (ImGui::GetIO().WantTextInput) {
+      if (key == GLFW_KEY_TAB) self.tabs_.push_back(shift);
+      return;
+    }
+    std::string name = key_name(key);
     if (name.empty() && control)  // letters come as characters, except with Control
       if (const char* letter = glfwGetKeyName(key, scancode)) name = letter;
     if (!name.empty()) self.on_key(name, shift, control);
@@ -207,6 +215,7 @@ void GlfwHost::fill_screen(bool on) {
 }
 
 Extent GlfwHost::extent() const {
+  if (drawn_as_) return *drawn_as_;
   Extent extent;
   int window_width = 1, window_height = 1;
   float scale_y = 1;
@@ -224,9 +233,13 @@ Extent GlfwHost::extent() const {
 }
 
 bool GlfwHost::wait(double seconds) {
-  if (seconds < 0) glfwWaitEvents();
-  else if (seconds > 0) glfwWaitEventsTimeout(seconds);
-  else glfwPollEvents();
+  if (!tabs_.empty() && ImGui::GetCurrentContext()->InputEventsQueue.empty()) {
+    for (const bool shift : std::exchange(tabs_, {})) on_key("Tab", shift, false);
+    dirty_ = true;
+  }
+  if (dirty_ || seconds == 0) glfwPollEvents();
+  else if (seconds < 0) glfwWaitEvents();
+  else glfwWaitEventsTimeout(seconds);
   return std::exchange(dirty_, false);
 }
 
@@ -237,6 +250,8 @@ void GlfwHost::begin_frame() {
   ImGui::GetIO().DisplaySize = {now.width, now.height};
   ImGui::GetIO().DisplayFramebufferScale = {now.scale, now.scale};
   ImGui::NewFrame();
+  // ImGui takes one press or letter a frame: what waits is due, or it would come with whatever is done next.
+  dirty_ = dirty_ || !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 }
 
 void GlfwHost::swap() { glfwSwapBuffers(window_); }

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -18,6 +19,9 @@ struct Extent {
   int device_width = 0, device_height = 0;
   float window_per_page = 1;  // the window system's own units for one page pixel
 };
+
+/// A key that is no letter, as browsers name it; empty for any other.
+[[nodiscard]] std::string key_name(int glfw_key);
 
 class GlfwHost {
  public:
@@ -42,6 +46,8 @@ class GlfwHost {
   void fill_screen(bool on);
   [[nodiscard]] bool fills_screen() const;
   [[nodiscard]] Extent extent() const;
+  /// Frames have another extent from now on, as for a picture; none: the window's own again.
+  void draw_as(std::optional<Extent> extent) { drawn_as_ = extent; }
   /// The window's size, in the window system's own units; while it fills the screen, that which it had before.
   [[nodiscard]] std::array<int, 2> windowed_size() const;
   [[nodiscard]] double now() const;
@@ -60,9 +66,11 @@ class GlfwHost {
 
   GLFWwindow* window_ = nullptr;
   float enlarged_ = 1;
+  std::optional<Extent> drawn_as_;
   bool imgui_ = false;
-  bool dirty_ = true;     // whether there was input since the last frame
-  bool repeats_ = false;  // whether the last key is being held
+  bool dirty_ = true;       // whether there was input since the last frame
+  bool repeats_ = false;    // whether the last key is being held
+  std::vector<bool> tabs_;  // pressed in a text field: they wait for the letters before them; true: with Shift
   int windowed_[4] = {0, 0, 1280, 800};
 };
 

@@ -10,6 +10,7 @@
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
 #include "desktop/column.hpp"
+#include "desktop/menus.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/say.hpp"
 
@@ -18,16 +19,17 @@ namespace {
 
 using app::Face;
 
-constexpr std::array kTextScales{0.9f, 1.0f, 1.15f, 1.3f, 1.5f};
+constexpr std::array kTextScales{0.9f, 1.0f, 1.15f, 1.3f, 1.5f, 2.0f};
 constexpr float kBrandMargin = 24;
 
-void next_text_scale(app::Settings& settings) {
-  const auto at = std::find(kTextScales.begin(), kTextScales.end(), settings.text_scale);
-  settings.text_scale = at == kTextScales.end() || at + 1 == kTextScales.end() ? kTextScales[0] : *(at + 1);
+/// Where the size stands among those that can be chosen, or where it would.
+std::ptrdiff_t text_scale_at(const app::Settings& settings) {
+  return std::lower_bound(kTextScales.begin(), kTextScales.end(), settings.text_scale) - kTextScales.begin();
 }
 
-void next_theme(app::Settings& settings) {
-  settings.theme = static_cast<app::Theme>((static_cast<int>(settings.theme) + 1) % 4);
+/// The next larger one; after the largest the smallest.
+void next_text_scale(Shell& shell) {
+  shell.resize_text(shell.may_resize(1) ? 1 : -static_cast<int>(kTextScales.size()));
 }
 
 std::string text_size_words(const app::Settings& settings) {
@@ -67,8 +69,8 @@ void draw_settings(Shell& shell, ImVec2 corner) {
   }
   app::Settings& settings = shell.app().settings();
   Column column(look, corner.x - width + kPad, corner.y + kPad, width - 2 * kPad);
-  if (column.buttons("text size", {text_size_words(settings)}) == 0) next_text_scale(settings);
-  if (column.buttons("theme", {theme_words(settings)}) == 0) next_theme(settings);
+  if (column.buttons("text size", {text_size_words(settings)}) == 0) next_text_scale(shell);
+  if (column.buttons("theme", {theme_words(settings)}) == 0) shell.next_theme();
   column.gap(8);
   draw_erase(shell, column);
   const float height = column.y() - corner.y + kPad - 8;
@@ -107,8 +109,8 @@ float tools_left(const Shell& shell, const app::Look& look, const app::Rect& rec
 void use_tool(Shell& shell, Tool::Kind tool) {
   switch (tool) {
     case Tool::Kind::kSettings: return ImGui::OpenPopup("settings panel");
-    case Tool::Kind::kTheme: return next_theme(shell.app().settings());
-    case Tool::Kind::kTextSize: return next_text_scale(shell.app().settings());
+    case Tool::Kind::kTheme: return shell.next_theme();
+    case Tool::Kind::kTextSize: return next_text_scale(shell);
     case Tool::Kind::kKeys: shell.keys_shown = !shell.keys_shown; return;
     case Tool::Kind::kPresent: return shell.present(true);
   }
@@ -193,10 +195,26 @@ void draw_header(Shell& shell, const app::Rect& rect) {
   ImDrawList* list = pane.list();
   list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   app::rule(list, rect.x, rect.y + rect.height - 1, rect.width, look->line);
-  const float left = draw_brand(shell, look, list, rect), right = tools_left(shell, look, rect) - 8;
+  const float right = tools_left(shell, look, rect) - 8;
+  const float left = draw_menus(shell, rect, draw_brand(shell, look, list, rect), right);
   if (shell.course_shown) shell.course.draw_search(shell, {left, rect.y, right - left, rect.height});
   else draw_picker(shell, look, list, rect, left, right);
   draw_tools(shell, look, list, rect);
+}
+
+void Shell::next_theme() {
+  app::Settings& settings = app_.settings();
+  settings.theme = static_cast<app::Theme>((static_cast<int>(settings.theme) + 1) % 4);
+}
+
+bool Shell::may_resize(int by) const {
+  const std::ptrdiff_t to = text_scale_at(app_.settings()) + by;
+  return to >= 0 && to < std::ssize(kTextScales);
+}
+
+void Shell::resize_text(int by) {
+  const std::ptrdiff_t to = text_scale_at(app_.settings()) + by;
+  app_.settings().text_scale = kTextScales[std::clamp<std::ptrdiff_t>(to, 0, std::ssize(kTextScales) - 1)];
 }
 
 void draw_keys(Shell& shell, const app::Rect& window) {
@@ -204,8 +222,24 @@ void draw_keys(Shell& shell, const app::Rect& window) {
   const app::Look& look = shell.app().look();
   std::vector<app::KeyHelp> rows(std::begin(app::kKeyHelp), std::end(app::kKeyHelp));
   rows.push_back({"Tab  Shift Tab", "the next or the previous button, link or field; Enter presses it"});
+  rows.push_back({"F10", "the menus"});
+  rows.push_back({"Ctrl O  Ctrl Q", "open points; quit"});
+  rows.push_back({"Ctrl C  Ctrl V", "copy the points, paste points: from a spreadsheet as well"});
+  rows.push_back({"F11", "the whole screen"});
   rows.push_back({"F2", "the course, and back to the lesson; / searches it"});
-  rows.push_back({"F5", "present: N and P go to the next and previous lesson, T shows its text, Esc ends it"});
+  rows.push_back({"F5  Shift P", "present: N and P go to the next and previous lesson, T shows its text, Esc ends it"});
+  rows.push_back({"L  W  R", "while presenting: a spotlight, a pen that fades, a ruler for the height of type"});
+  rows.push_back({"Q", "this state as a code that a phone scans"});
+  rows.push_back({"Shift D", "add this state to a demo's file, which grows by one each time"});
+  rows.push_back({"Ctrl S", "the stage as a picture; with Shift as SVG, whose words are text"});
+  if (shell.app().sitting() != nullptr)
+    rows.push_back({"H  R", "the exercise: a hint; at its end, from the right run to yours, and back"});
+  if (shell.demo) {
+    rows.push_back({"PgDn →  PgUp ←", "the demo: the next reveal or state, and back; Home or H: this state as it was"});
+    rows.push_back({"B .  F  S", "the demo: black; the picture stands; the notes in a second window"});
+    rows.push_back(
+        {"V, a number", "the class votes: hands for each answer, Enter after each; V again: the second vote"});
+  }
   const float keys = 28 + look.px(140);
   float widest = 0;
   for (const app::KeyHelp& help : rows) widest = std::max(widest, app::measure(look, Face::kRegular, 14, help.does).x);

@@ -8,6 +8,8 @@ namespace snug::desktop {
 void draw_header(Shell& shell, const app::Rect& rect);
 /// Draws the help card over everything, while it is open.
 void draw_keys(Shell& shell, const app::Rect& window);
+/// Draws what is being read, with a button that cancels it.
+void draw_loading(Shell& shell, const app::Rect& stage);
 /// Draws the notice over the stage, until it is dismissed.
 void draw_notice(Shell& shell, const app::Rect& stage);
 

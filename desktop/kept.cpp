@@ -108,7 +108,8 @@ Kept::Kept() : path_(path_of_state()) {
   works_ = !path_.empty();
   if (auto file = read()) {
     last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
-    exercises_ = std::move(file->exercises);
+    exercises_ = std::move(file->exercises), sheets_ = std::move(file->sheets);
+    student = student_read_ = file->student, recent = recent_read_ = file->recent;
     view = view_read_ = file->view;
   }
   works_ = !path_.empty();
@@ -123,7 +124,14 @@ std::optional<Kept::State> Kept::read() {
   const int version = json.is_object() ? count(json, "version") : 0;
   if (version > kVersion) return path_.clear(), std::nullopt;  // the file of a later program is left as it is
   if (version != kVersion) return put_aside(), std::nullopt;
-  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}, {}, {}};
+  State state{member<std::string>(json, "last", "", &Json::is_string), count(json, "invited"), {}, {}, {}, {}, {}, {}};
+  state.student = member<std::string>(json, "student", "", &Json::is_string);
+  if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
+    for (const Json& path : *recent)
+      if (path.is_string()) state.recent.push_back(path.get<std::string>());
+  if (const auto sheets = json.find("sheets"); sheets != json.end() && sheets->is_object())
+    for (const auto& [id, entry] : sheets->items())
+      if (auto read = sheet_of(entry)) state.sheets[id] = std::move(read->work);
   if (const auto look = json.find("view"); look != json.end()) state.view = view_of(*look);
   if (const auto exercises = json.find("exercises"); exercises != json.end() && exercises->is_object())
     for (const auto& [id, entry] : exercises->items())
@@ -147,6 +155,12 @@ void Kept::merge(State file) {
   if (view == view_read_) view = file.view;
   view_read_ = view;
   if (erased_) return;
+  if (student == student_read_) student = file.student;
+  student_read_ = student;
+  if (recent == recent_read_) recent = file.recent;
+  recent_read_ = recent;
+  for (auto& [id, work] : file.sheets)
+    if (changed_.count("sheet:" + id) == 0) sheets_[id] = std::move(work);
   if (changed_.empty()) last_ = file.last;
   for (auto& [id, exercise] : file.exercises)
     if (changed_.count("exercise:" + id) == 0) exercises_[id] = std::move(exercise);
@@ -208,6 +222,9 @@ void Kept::keep(lesson::Attempt attempt, double mark, int of, bool finished, boo
 void Kept::erase() {
   lessons_.clear();
   exercises_.clear();
+  sheets_.clear();
+  student.clear();
+  recent.clear();
   changed_.clear();
   last_.clear();
   erased_ = true;
@@ -222,6 +239,11 @@ std::string Kept::text() const {
     state["exercises"][id] = {{"tries", exercise.tries}, {"mark", exercise.mark}, {"of", exercise.of}};
     if (exercise.now) state["exercises"][id]["now"] = json_of(*exercise.now, 0, 0);
   }
+  if (!recent.empty()) state["recent"] = recent;
+  if (!student.empty()) state["student"] = student;
+  for (const auto& [id, work] : sheets_)
+    if (!work.written.empty() || !work.measured.empty() || !work.built.empty())
+      state["sheets"][id] = json_of(id, 0, work);
   for (const auto& [id, lesson] : lessons_) {
     state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
                             {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
@@ -238,7 +260,8 @@ std::string Kept::text() const {
 void Kept::write() {
   if (path_.empty() || text() == written_) return;
   std::error_code error;
-  if (last_.empty() && lessons_.empty() && exercises_.empty() && !view && !fs::exists(path_, error))
+  if (last_.empty() && lessons_.empty() && exercises_.empty() && changed_.empty() && recent.empty() && !view &&
+      !fs::exists(path_, error))
     return;  // nothing was begun yet
   fs::create_directories(path_.parent_path(), error);
   const Lock lock(beside(path_, ".lock"));

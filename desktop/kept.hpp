@@ -11,7 +11,9 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "desktop/cli/sheet_files.hpp"
 #include "lesson/exercise/attempt.hpp"
 #include "lesson/invitations.hpp"
 #include "lesson/session.hpp"
@@ -67,6 +69,13 @@ class Kept {
   [[nodiscard]] const KeptExercise* exercise(const std::string& id) const;
   /// Keeps an attempt, once something was decided in it; in memory until write.
   void keep(lesson::Attempt attempt, double mark, int of, bool finished, bool counts);
+  /// What was done of a lab sheet; sheet_changed says that it is to be kept, in memory until write.
+  [[nodiscard]] SheetWork& sheet(const std::string& id) { return sheets_[id]; }
+  void sheet_changed(const std::string& id) { changed_.insert("sheet:" + id); }
+  /// The point files that were opened last, the latest first.
+  std::vector<std::string> recent;
+  /// The student's name; empty until one is typed.
+  std::string student;
   /// Erases everything but the invitations, which are not shown again.
   void erase();
   /// Whether the file could be written the last time.
@@ -90,6 +99,9 @@ class Kept {
     std::optional<KeptView> view;
     Lessons lessons;
     Exercises exercises;
+    std::map<std::string, SheetWork> sheets;
+    std::string student;
+    std::vector<std::string> recent;
   };
   /// What the file says; none if it is not there, or set aside.
   [[nodiscard]] std::optional<State> read();
@@ -103,6 +115,9 @@ class Kept {
   std::string last_, written_, set_aside_;
   Lessons lessons_;
   Exercises exercises_;
+  std::map<std::string, SheetWork> sheets_;
+  std::string student_read_;
+  std::vector<std::string> recent_read_;
   std::set<std::string> changed_;  // the lessons and exercises that this window has kept
   std::optional<KeptView> view_read_;
 };

@@ -25,5 +25,5 @@ int become_window(const snug::desktop::WindowOptions&) {
 
 int main(int argc, char** argv) {
   arguments = argv;
-  return snug::desktop::run_command(argc, argv, &become_window);
+  return snug::desktop::run_command(argc, argv, {&become_window, false});
 }

@@ -2,6 +2,7 @@
 
 #include <png.h>
 #include <snug_gl.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <vector>
@@ -37,27 +38,53 @@ OffScreen::~OffScreen() {
 
 void OffScreen::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, drawn_); }
 
-std::string OffScreen::png() const {
+std::vector<unsigned char> OffScreen::pixels(int channels) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
-  std::vector<unsigned char> pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3);
+  const std::size_t row = static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels);
+  std::vector<unsigned char> upwards(row * static_cast<std::size_t>(height_)), pixels(upwards.size());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+  glReadPixels(0, 0, width_, height_, channels == 4 ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE, upwards.data());
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y)  // OpenGL's first row is the bottom one
+    std::copy_n(upwards.begin() + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(height_) - 1 - y) * row), row,
+                pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
+  return pixels;
+}
 
+std::string OffScreen::png(bool transparent) const {
+  std::vector<unsigned char> all = pixels(transparent ? 4 : 3);
+  // What was blended over nothing is darker by its opacity.
+  for (std::size_t i = 0; transparent && i + 3 < all.size(); i += 4)
+    for (std::size_t channel = 0; channel < 3 && all[i + 3] > 0; ++channel)
+      all[i + channel] = static_cast<unsigned char>(std::min(255, all[i + channel] * 255 / all[i + 3]));
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width_);
   image.height = static_cast<png_uint_32>(height_);
-  image.format = PNG_FORMAT_RGB;
-  const png_int_32 upwards = -width_ * 3;  // OpenGL's first row is the bottom one
+  image.format = transparent ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
   png_alloc_size_t size = 0;
-  if (!png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), upwards, nullptr)) return {};
+  if (!png_image_write_to_memory(&image, nullptr, &size, 0, all.data(), 0, nullptr)) return {};
   std::string bytes(size, '\0');
-  if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), upwards, nullptr)) return {};
+  if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, all.data(), 0, nullptr)) return {};
   bytes.resize(size);
   return bytes;
+}
+
+std::string with_source(std::string png, const std::string& address) {
+  constexpr std::size_t kAfterHeader = 33;  // the signature, and the first chunk
+  if (png.size() < kAfterHeader || address.empty()) return png;
+  const std::string chunk = std::string("tEXtSource") + '\0' + address;
+  const auto whole = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+    return bytes;
+  };
+  const auto sum = crc32(0, reinterpret_cast<const unsigned char*>(chunk.data()), static_cast<unsigned>(chunk.size()));
+  png.insert(kAfterHeader,
+             whole(static_cast<std::uint32_t>(chunk.size() - 4)) + chunk + whole(static_cast<std::uint32_t>(sum)));
+  return png;
 }
 
 std::uint32_t texture_of_png(const std::string& png) {

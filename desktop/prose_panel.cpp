@@ -26,13 +26,16 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   float x = rect.x + kMargin;
   using Tab = Shell::Tab;
   if (!shell.session().subject().file() && shell.tab == Tab::kFile) shell.tab = Tab::kLesson;
+  if (shell.sheet() == nullptr && shell.tab == Tab::kSheet) shell.tab = Tab::kLesson;
   for (const auto& [tab, id] : {std::pair{Tab::kLesson, "tab lesson"}, std::pair{Tab::kPoints, "tab points"},
-                                std::pair{Tab::kFile, "tab file"}}) {
+                                std::pair{Tab::kFile, "tab file"}, std::pair{Tab::kSheet, "tab sheet"}}) {
+    if (tab == Tab::kSheet && shell.sheet() == nullptr) continue;
     if (tab == Tab::kFile && !shell.session().subject().file()) continue;
     if (tab == Tab::kPoints && shell.app().sitting() != nullptr && !shell.app().sitting()->adds()) continue;
-    const std::string_view words = tab == Tab::kPoints ? shell.session().subject().tools().word
-                                   : tab == Tab::kFile ? lesson::kFileWord
-                                                       : "Lesson";
+    const std::string_view words = tab == Tab::kPoints  ? shell.session().subject().tools().word
+                                   : tab == Tab::kFile  ? lesson::kFileWord
+                                   : tab == Tab::kSheet ? lesson::kHandInWord
+                                                        : "Lesson";
     const bool on = shell.tab == tab;
     const float width = app::measure(look, Face::kSemiBold, 14, words).x;
     if (app::touch_area(id, {x - 8, rect.y, width + 16, rect.height}, words).clicked) shell.tab = tab;
@@ -65,10 +68,13 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
   const bool hint_shown = shell.hint_of == static_cast<int>(number);
   std::vector<std::string> buttons{lesson::start_task_text(session, task)};
   if (!task.hint.empty()) buttons.emplace_back(lesson::kHintWord);
+  const int back = session.can_solve_again(number) ? static_cast<int>(buttons.size()) : -1;
+  if (back >= 0) buttons.emplace_back(lesson::kBackToSolutionWord);
   const std::string id = "task " + std::to_string(number);
   const int clicked = column.buttons(number == 0 ? "task" : id.c_str(), buttons, hint_shown ? 1 : -1);
   if (clicked == 0) session.start_task(number);
-  if (clicked == 1) shell.hint_of = hint_shown ? -1 : static_cast<int>(number);
+  if (clicked == back && back >= 0) shell.tell(session.solve_again(number));
+  else if (clicked == 1) shell.hint_of = hint_shown ? -1 : static_cast<int>(number);
   if (hint_shown) draw_prompt(column, task.hint, figures, {13, 20, Face::kRegular, look->muted, look->panel});
   column.end_card();
 }
@@ -202,7 +208,7 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
   }
   const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs};
   {
-    constexpr std::array<const char*, 3> kPanes{"##prose", "##points", "##file"};
+    constexpr std::array<const char*, 4> kPanes{"##prose", "##points", "##file", "##sheet"};
     const app::Pane pane(kPanes[static_cast<std::size_t>(shell.tab)], upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
     Column column(look, upper.x + kMargin, upper.y + 20 - ImGui::GetScrollY(), upper.width - 2 * kMargin);
@@ -211,6 +217,7 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
       case Shell::Tab::kLesson: draw_lesson(shell, column); break;
       case Shell::Tab::kPoints: draw_tools(shell, column); break;
       case Shell::Tab::kFile: draw_file(shell, column, upper.height - kMargin); break;
+      case Shell::Tab::kSheet: draw_sheet(shell, column); break;
     }
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});

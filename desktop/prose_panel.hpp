@@ -15,5 +15,7 @@ class Column;
 void draw_tools(Shell& shell, Column& column);
 /// The tab with the scene's file. height: what the column has for it.
 void draw_file(Shell& shell, Column& column, float height);
+/// The tab with what is handed in of a lab sheet.
+void draw_sheet(Shell& shell, Column& column);
 
 }  // namespace snug::desktop

@@ -182,16 +182,24 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   }
   column.words(outcome.says);
   if (!outcome.because.empty()) column.gap(4), draw_prompt(column, outcome.because, figures, {15, 22});
-  if (const lesson::Sitting* const sitting = shell.app().sitting()) draw_rule(column, *sitting, session);
+  const lesson::Sitting* const sitting = shell.app().sitting();
+  if (sitting != nullptr) draw_rule(column, *sitting, session);
   column.gap(12);
   std::vector<RowButton> row;
   std::vector<std::string_view> commands;
   const auto offer = [&](const RowButton& one, std::string_view command) {
     row.push_back(one), commands.push_back(command);
   };
-  if (session.can_show_answer() && !session.answer_shown()) offer({"show", lesson::kShowMeWord}, "show_answer");
-  if (session.can_watch_outcome()) offer({"watch", lesson::kWatchWord}, "watch_outcome");
-  offer({"continue", lesson::kContinueWord, ButtonKind::kPrimary}, "continue");
+  if (sitting != nullptr && sitting->looks_at(session) == lesson::Sitting::Looked::kOwn) {
+    const bool last = sitting->at(session) + 1 == session.questions().size();
+    offer({"mark", lesson::kYourMarkWord, last ? ButtonKind::kPrimary : ButtonKind::kQuiet}, "continue");
+    offer({"other_run", lesson::kRightRunWord}, "other_run");
+    if (!last) offer({"next", lesson::kNextDecisionWord, ButtonKind::kPrimary}, "step");
+  } else {
+    if (session.can_show_answer() && !session.answer_shown()) offer({"show", lesson::kShowMeWord}, "show_answer");
+    if (session.can_watch_outcome()) offer({"watch", lesson::kWatchWord}, "watch_outcome");
+    offer({"continue", lesson::kContinueWord, ButtonKind::kPrimary}, "continue");
+  }
   if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
 }
 
@@ -267,11 +275,11 @@ void lead_on(Shell& shell, const std::string& command) {
   else if (!command.empty()) shell.app().command(command);
 }
 
-/// Where the card stands that was so high in the last frame.
-app::Rect card_in(const Shell& shell, const app::Rect& place, float measured) {
+/// Where the card stands that was so high in the last frame. most: the share of the stage that it covers at most.
+app::Rect card_in(const Shell& shell, const app::Rect& place, float measured, float most) {
   if (shell.presenting) return place;
   const float width = std::floor(std::min(place.width - 2 * kBeside, shell.app().look().px(608)));
-  const float height = std::clamp(measured, 1.0f, place.height * 0.66f);
+  const float height = std::clamp(measured, 1.0f, place.height * most);
   return {std::floor(place.x + (place.width - width) / 2), place.y + place.height - height - kBelow, width, height};
 }
 
@@ -294,7 +302,8 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
     return;
   }
   const app::Look& look = shell.app().look();
-  const app::Rect card = card_in(shell, place, before);
+  // An order of lines, with its hints, needs the room more than the stage does.
+  const app::Rect card = card_in(shell, place, before, asked != nullptr && asked->ordered ? 0.9f : 0.66f);
   std::string command;
   {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);
@@ -310,6 +319,8 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
     if (asked != nullptr) draw_question(shell, column, *asked);
     else if (deciding != nullptr) draw_deciding(column, session, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
+    else if (sitting != nullptr && sitting->looks_at(session) == lesson::Sitting::Looked::kRight)
+      command = draw_right_run(column, *sitting, session);
     else if (over && sitting != nullptr) command = draw_mark(shell, column, *sitting);
     else if (builds) command = draw_build(shell, column, *sitting);
     else command = draw_summary(shell, column);

@@ -9,6 +9,8 @@
 #include "desktop/cli/cost_file.hpp"
 #include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/page_address.hpp"
+#include "lesson/demo_now.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/playground.hpp"
@@ -22,7 +24,7 @@ Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::opt
 
 std::size_t Shell::course_size() const {
   const auto first =
-      std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& file) { return file.is_case; });
+      std::find_if(lessons_.begin(), lessons_.end(), [](const LessonFile& file) { return !file.of_course(); });
   return first - lessons_.begin();
 }
 
@@ -32,7 +34,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
     auto mesh = mesh_of(file.lesson);
     if (!tell(mesh)) return tl::unexpected(mesh.error());
     auto opened = app_.open(file.lesson, *std::move(mesh), anew);
-    hint_of = -1, typed = {};
+    hint_of = -1, typed = {}, cover_seen_ = -1;
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
       side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear();
@@ -65,6 +67,7 @@ std::pair<std::size_t, std::string> Shell::lead() const {
 void Shell::go_to_kept_place() {
   const KeptLesson* const kept = kept_.lesson(session().lesson().id);
   if (kept == nullptr) return;
+  const lesson::AtOnce at_once(session());  // each part is of what the last one left
   // A situation that the lesson no longer has is left out, as is a method.
   if (!kept->situation.empty()) static_cast<void>(session().show_situation(kept->situation));
   if (kept->seed != session().seed()) session().scatter(kept->seed);
@@ -131,7 +134,6 @@ void Shell::show_course() {
 }
 
 void Shell::present(bool on) {
-  constexpr float kLeastScale = 1.3f;
   if (on == presenting) return;
   presenting = on, text_shown = false;
   if (!on) demo.reset();
@@ -143,11 +145,21 @@ void Shell::present(bool on) {
   }
   before_presenting_ = settings;
   settings.theme = app::Theme::kProjector;
-  settings.text_scale = std::max(settings.text_scale, kLeastScale / app::kProjector.text);
+}
+
+bool Shell::fit_words(float width, float height) {
+  constexpr float kWidth = 1280, kHeight = 720, kScale = 1.3f;
+  constexpr float kDemoScale = 1.5f;  // the smallest words of a stage have 12 px, of which a fortieth of kHeight is 1.5
+  if (!presenting) return false;
+  const float larger = std::max(1.0f, std::min(width / kWidth, height / kHeight));
+  const float scale =
+      std::max(before_presenting_.text_scale, (demo ? kDemoScale : kScale) * larger / app::kProjector.text);
+  return std::exchange(app_.settings().text_scale, scale) != scale;
 }
 
 void Shell::keep(bool dragging) {
   if (app_.session() == nullptr || demo) return;  // a demo is nobody's work
+  if (const lesson::Sheet* const of = sheet()) see_measured(*of);
   if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
     kept_.invited = followed;
     kept_.write();
@@ -156,6 +168,7 @@ void Shell::keep(bool dragging) {
   const std::uint64_t changes = app_.sitting() != nullptr ? app_.sitting()->changes() : 0;
   if (app_.playing() || (session().revision() == kept_revision_ && changes == kept_changes_)) return;
   kept_revision_ = session().revision(), kept_changes_ = changes;
+  if (sheet() != nullptr) see_built();
   if (app_.sitting() != nullptr) return keep_exercise();
   kept_.keep(session());
   kept_.write();
@@ -191,15 +204,19 @@ void Shell::use_file(const std::string& path) {
     return;
   }
   const auto read = read_point_file(path);
-  if (tell(read)) tell(app_.load(*read, std::filesystem::path(path).filename().string()));
+  if (tell(read)) use_points(*read, path);
+}
+
+void Shell::use_points(const io::PointFile& points, const std::string& path) {
+  tell(app_.load(points, std::filesystem::path(path).filename().string()));
 }
 
 void Shell::use_dropped(const std::vector<std::string>& paths) {
   if (paths.empty()) return;
   const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
-  notice.clear();
-  use_file(paths.front());
-  if (notice.empty()) notice = name_of(paths.front()) + " is open.";
+  open_points(paths.front());
+  if (notice.empty() && loading_ == nullptr && session().preparing() == nullptr)
+    notice = name_of(paths.front()) + " is open.";
   if (paths.size() == 1) return;
   std::string others;
   for (std::size_t i = 1; i < paths.size(); ++i) others += (i > 1 ? ", " : "") + name_of(paths[i]);
@@ -242,5 +259,29 @@ void Shell::save_cover(std::string_view format) {
   const auto written = write_file(path, text);
   if (tell(written)) notice = "Saved as " + path + ".";
 }
+
+void Shell::save_stage(std::string_view format) {
+  picture_wanted = new_file(session().lesson().id + '-' + std::to_string(session().step()), '.' + std::string(format));
+}
+
+void Shell::record() {
+  auto state = lesson::state_now(session(), mesh_named);
+  if (!tell(state)) return;
+  state->camera = app_.hand_view();
+  if (recorded_.empty()) recorded_ = new_file("demo", ".toml");
+  if (recorded_.empty()) return;
+  const auto before = std::filesystem::exists(recorded_)
+                          ? read_file(recorded_)
+                          : "version = 1\ntitle = \"My demo\"\nlecture = \"My lecture\"\n";
+  if (!tell(before)) return;
+  const std::string text =
+      *before + '\n' + lesson::state_text(*state, session().lesson().title, session().trace_hash());
+  const std::size_t states = lesson::read_demo(text, recorded_).demo.states.size();
+  if (tell(write_file(recorded_, text)))
+    notice = "Saved in " + recorded_ + ", with " +
+             (states == 1 ? std::string("this state.") : std::to_string(states) + " states.");
+}
+
+void Shell::show_code() { hall.taken = code_words(session()); }
 
 }  // namespace snug::desktop

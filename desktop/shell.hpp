@@ -12,9 +12,13 @@
 #include "app/focus.hpp"
 #include "desktop/cli/drafts.hpp"
 #include "desktop/cli/exercise_files.hpp"
+#include "desktop/cli/page_address.hpp"
 #include "desktop/course_screen.hpp"
 #include "desktop/demo_play.hpp"
+#include "desktop/file_card.hpp"
+#include "desktop/hall.hpp"
 #include "desktop/kept.hpp"
+#include "desktop/loading.hpp"
 
 namespace snug::desktop {
 
@@ -34,7 +38,7 @@ class Shell {
   [[nodiscard]] app::App& app() { return app_; }
   [[nodiscard]] const app::App& app() const { return app_; }
   [[nodiscard]] lesson::Session& session() { return *app_.session(); }
-  /// The course's lessons in order, then the named cases.
+  /// The course's lessons in order, then the lab sheets, then the named cases.
   [[nodiscard]] const std::vector<LessonFile>& lessons() const { return lessons_; }
   /// How many of them are the course's.
   [[nodiscard]] std::size_t course_size() const;
@@ -64,6 +68,10 @@ class Shell {
   [[nodiscard]] std::optional<std::size_t> way_back() const;
   /// Starts or ends a presentation: the projector's theme, larger words, no bar and no text column.
   void present(bool on);
+  /// While it presents, makes words as large as the window asks for. In a demo none on the stage is lower than a
+  /// fortieth of its height, which the last row of a hall still reads; a lesson's controls would leave too little of
+  /// it. Returns whether they were of another size.
+  bool fit_words(float width, float height);
   /// Keeps which invitations were followed and, unless it is moving, the open lesson's place.
   void keep(bool dragging = false);
   /// Keeps how the window looks; not while it presents, which changes that for a while.
@@ -75,12 +83,21 @@ class Shell {
   /// Replaces the points by one of the program's meshes, by name, or by a point file, by path.
   void use_mesh(const std::string& name);
   void use_file(const std::string& path);
+  void use_points(const io::PointFile& points, const std::string& path);
   /// Takes the first of several dropped files; the notice says what became of each.
   void use_dropped(const std::vector<std::string>& paths);
 
   /// Saves what the cover shows as a new file in the folder that the program was started in; the notice says which
   /// file, or why it failed. format: one of the cover's.
   void save_cover(std::string_view format);
+  /// The same for the stage: "png" or "svg".
+  void save_stage(std::string_view format);
+  /// The address of where one stands, and of the view that a hand has made.
+  [[nodiscard]] std::string address() const { return page_address(*app_.session(), app_.hand_view()); }
+  /// Adds where one stands to the demo that this window records: a new file, which grows by a state each time.
+  void record();
+  /// Shows the code of where one stands, to take it along.
+  void show_code();
 
   // ---- exercises (shell_exercises.cpp) ----------------------------------------------------------
   /// Takes the exercises and their sets, which the first screen lists.
@@ -105,6 +122,47 @@ class Shell {
   /// "Best 8 of 9 in 3 tries"; empty after one.
   [[nodiscard]] std::string best_says() const;
 
+  // ---- files and the clipboard (shell_files.cpp) -----------------------------------------------
+  /// Opens a point file, and remembers it among the recent ones.
+  void open_points(const std::string& path);
+  void remember(const std::string& path);
+  /// Reads a large file in a thread. poll_loading shows what was read once it is there.
+  void begin_loading(const std::string& path);
+  void poll_loading();
+  void cancel_loading() { loading_.reset(); }
+  [[nodiscard]] const Loading* loading() const { return loading_.get(); }
+  /// Opens a lesson's file in a window of its own.
+  void open_lesson_file(const std::string& path);
+  /// Writes the points, or the table of the chart, in the format of the path's ending; replaces a file that is there.
+  void save_points(const std::string& path);
+  void export_table(const std::string& path);
+  void copy_points();
+  void paste_points();
+  /// A new file in the class's folder of results, or else in the folder that the program was started in: stem.csv,
+  /// stem-2.csv, stem-3.csv …, the first that does not exist; nothing is overwritten. Empty, with a notice, if there is
+  /// no such folder.
+  [[nodiscard]] std::string new_file(const std::string& stem, const std::string& extension);
+  /// From the lesson to the course, and back.
+  void switch_course();
+  void next_theme();
+  /// Whether the text can be a size larger (1) or smaller (-1), and makes it so.
+  [[nodiscard]] bool may_resize(int by) const;
+  void resize_text(int by);
+
+  // ---- lab sheets (shell_sheets.cpp) ------------------------------------------------------------
+  /// The sheet that is open; null if the lesson is none.
+  [[nodiscard]] const lesson::Sheet* sheet() const;
+  /// What was done of it.
+  [[nodiscard]] SheetWork& sheet_work();
+  /// Keeps what was written.
+  void sheet_changed();
+  /// The student's name, as it goes into results.
+  [[nodiscard]] std::string& student() { return kept_.student; }
+  /// "2 of 6 parts are missing."; empty if none is.
+  [[nodiscard]] std::string sheet_lacks();
+  /// Saves all of it as one file; the notice says which.
+  void hand_in_sheet();
+
   // ---- lessons that are being written (shell_drafts.cpp) ------------------------------------
   [[nodiscard]] bool writing() const { return drafts_.has_value(); }
   /// Reads the files that have changed. If that of the open lesson has, opens it anew at the same place; if it cannot
@@ -114,7 +172,7 @@ class Shell {
   bool waits_for(const std::string& id);
   /// What is wrong with the file of the lesson that is open or waited for, and with that of the course; empty if
   /// nothing is.
-  [[nodiscard]] std::vector<lesson::DraftText> strip() const;
+  [[nodiscard]] std::vector<check::DraftText> strip() const;
 
   bool course_shown = false;  // instead of the lesson
   CourseScreen course;
@@ -125,11 +183,19 @@ class Shell {
 
   /// One sentence that is shown until it is dismissed; empty for none.
   std::string notice;
-  std::string picture_wanted;  // a PNG file, to which the window writes the cover's chart after this frame; or empty
-  bool keys_shown = false;
+  std::string
+      picture_wanted;  // a file, to which the window draws the cover's chart or the stage after this frame; or empty
+  Hall hall;           // what a lecturer points with
+  bool keys_shown = false, about_shown = false;
+  std::string wish;     // what a menu asks of the window after this frame: "quit", "full_screen", "copy_picture"
+  std::string version;  // the program's
+  FileCard file_card;
+  bool dialog_open = false;      // whether the system's own dialog asks for what the card would
+  float file_card_height = 200;  // measured in the last frame
+  ImGuiID first_menu = 0;        // the control of the bar's first menu
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question
-  enum class Tab : std::uint8_t { kLesson, kPoints, kFile } tab = Tab::kLesson;  // of the left column
+  enum class Tab : std::uint8_t { kLesson, kPoints, kFile, kSheet } tab = Tab::kLesson;  // of the left column
   bool file_typing = false;  // whether the scene's file has the keys
   std::string file_text;     // what is typed as the scene's file
   enum class SideTab : std::uint8_t { kStored, kNumbers, kCode } side_tab = SideTab::kStored;  // of the right column
@@ -163,16 +229,16 @@ class Shell {
   }
 
  private:
+  std::string recorded_;  // the file of the demo that record() adds to; empty before the first state
   void take_files();
   void keep_exercise();
-  /// A new file in the class's folder of results, or else in the folder that the program was started in: stem.csv,
-  /// stem-2.csv, stem-3.csv …, the first that does not exist; nothing is overwritten. Empty, with a notice, if there is
-  /// no such folder.
-  [[nodiscard]] std::string new_file(const std::string& stem, const std::string& extension);
+  void see_measured(const lesson::Sheet& sheet);
+  void see_built();
   [[nodiscard]] const std::string& of_strip() const;
   void read_again();
 
   std::optional<KeptView> view_seen_;
+  std::unique_ptr<Loading> loading_;  // the file that is being read; null for none
   app::App& app_;
   std::vector<LessonFile> lessons_;
   std::size_t open_ = 0;  // index into lessons_
@@ -185,6 +251,7 @@ class Shell {
   Kept kept_;
   bool watches_ = false;             // whether the exercise is an attempt that is only looked at
   bool counted_ = false;             // whether the exercise, finished, has counted as a try
+  int cover_seen_ = -1;              // the cover's version when its table was last taken
   std::uint64_t kept_changes_ = 0;   // the sitting's changes when it was last kept
   std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
   app::Settings before_presenting_;

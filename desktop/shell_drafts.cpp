@@ -55,12 +55,12 @@ void Shell::read_again() {
   unread = false, hint_of = hint;
 }
 
-std::vector<lesson::DraftText> Shell::strip() const {
-  std::vector<lesson::DraftText> all;
+std::vector<check::DraftText> Shell::strip() const {
+  std::vector<check::DraftText> all;
   if (!drafts_) return all;
   if (const DraftFile* const draft = drafts_->find(of_strip())) all.push_back(draft->says);
   all.push_back(drafts_->course_says());
-  std::erase_if(all, [](const lesson::DraftText& says) { return says.empty(); });
+  std::erase_if(all, [](const check::DraftText& says) { return says.empty(); });
   return all;
 }
 

@@ -82,7 +82,7 @@ void Shell::hand_in() {
   const std::string path = new_file(sitting.exercise().id + "-" + std::to_string(sitting.seed()), ".json");
   if (path.empty()) return;
   const Json attempt = json_of(sitting.attempt(session()), sitting.mark(session()), sitting.of());
-  if (tell(write_file(path, result_text("", {attempt}))))
+  if (tell(write_file(path, result_text(kept_.student, {attempt}))))
     notice = "Saved as " + path + ". It is no signature: it proves that these decisions earn this mark.";
 }
 

@@ -5,6 +5,7 @@
 
 #include "desktop/cli/files.hpp"
 #include "lesson/door_words.hpp"
+#include "lesson/patience.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects.hpp"
 #include "number/fnv.hpp"
@@ -21,9 +22,9 @@ using Json = nlohmann::ordered_json;
 /// The lines of the strip, those of a file after its heading.
 Json mistakes_of(const Shell& shell) {
   Json lines = Json::array();
-  for (const lesson::DraftText& says : shell.strip()) {
+  for (const check::DraftText& says : shell.strip()) {
     lines.push_back(says.heading);
-    for (const lesson::DraftText::Line& line : says.lines) lines.push_back(line.text);
+    for (const check::DraftText::Line& line : says.lines) lines.push_back(line.text);
   }
   return lines;
 }
@@ -38,7 +39,11 @@ Json course_state(Shell& shell) {
              {"kept", shell.kept().works()},
              {"set_aside", shell.kept().set_aside()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
-    const auto& [path, lesson, chapter, slides, is_case, is_playground] = shell.lessons()[i];
+    const auto& [path, lesson, chapter, slides, is_case, is_playground, sheet] = shell.lessons()[i];
+    if (sheet != nullptr) {
+      state["sheets"].push_back(lesson.id);
+      continue;
+    }
     if (is_case) {
       state["cases"].push_back(lesson.id);
       continue;
@@ -107,7 +112,7 @@ Json exercise_state(Shell& shell) {
   return {{"exercise", sitting->exercise().id}, {"seed", sitting->seed()},
           {"decision", sitting->at(session)},   {"decisions", sitting->of()},
           {"mark", sitting->mark(session)},     {"finished", sitting->finished(session)},
-          {"hints", sitting->hints(session)}};
+          {"hints", sitting->hints(session)},   {"run", static_cast<int>(sitting->looks_at(session))}};
 }
 
 Json lesson_state(Shell& shell, float scale) {
@@ -123,12 +128,15 @@ Json lesson_state(Shell& shell, float scale) {
              {"selected", app.selected()}};
   add_answers(state, session);
   state["exercise"] = exercise_state(shell);
+  state["sheet"] = shell.sheet() != nullptr ? json_of(shell.sheet()->lesson.id, 0, shell.sheet_work()) : Json();
   state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
   add_sliders(state, shell, scale);
   state["scalar"] = session.subject().in_float() ? "float" : "double";
   if (const auto file = session.subject().file())
     state["file"] = {{"runs", file->runs}, {"typed", file->typed}, {"mistakes", file->mistakes}};
   state["notice"] = shell.notice;
+  const lesson::Preparation* const preparing = session.preparing();
+  state["preparing"] = preparing != nullptr ? Json{{"says", preparing->says()}, {"share", preparing->share()}} : Json();
   state["focus"] = shell.focus.name();
   state["text_scale"] = shell.app().settings().text_scale;
   state["theme"] = lesson::kThemeWords[static_cast<std::size_t>(shell.app().settings().theme)];
@@ -146,6 +154,16 @@ Json lesson_state(Shell& shell, float scale) {
   state["readout"] = Json::object();
   for (const auto& figure : session.figures())
     if (figure.known) state["readout"][figure.key] = figure.value;
+  if (shell.demo) {
+    const lesson::Vote* const vote = shell.demo->vote();
+    state["demo"] = {{"state", shell.demo->at() + 1},
+                     {"notes", shell.demo->notes_wanted},
+                     {"vote", vote != nullptr ? vote->told_text() : ""},
+                     {"shown", vote == nullptr           ? ""
+                               : shell.demo->vote_told() ? vote->told_text()
+                                                         : vote->hidden_text()}};
+  }
+  state["code"] = shell.hall.taken.letters;
   add_places(state, shell, scale);
   return state;
 }
@@ -156,6 +174,8 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   if (path_.empty() || (!shell.course_shown && shell.app().session() == nullptr)) return;
   Json state = shell.course_shown ? course_state(shell) : lesson_state(shell, extent.window_per_page);
   state["height"] = extent.height;
+  state["asks_path"] = shell.file_card.what != FileCard::What::kNone;
+  state["replaces"] = shell.file_card.replaces;
   state["mistakes"] = mistakes_of(shell);
   std::string text = state.dump();
   if (text == written_) return;

@@ -14,10 +14,10 @@ using app::Face;
 constexpr float kStripMargin = 24, kStripPad = 8, kStripEdge = 4;
 constexpr float kMostHeight = 152;  // page pixels at text scale 1: more scrolls
 
-void draw_text(Column& column, const lesson::DraftText& says) {
+void draw_text(Column& column, const check::DraftText& says) {
   const app::Look& look = column.look();
   column.words(says.heading, Face::kSemiBold, 14);
-  for (const lesson::DraftText::Line& line : says.lines)
+  for (const check::DraftText::Line& line : says.lines)
     column.words(line.text, Face::kRegular, 14, line.warning ? look->ink : look->wrong_text);
 }
 
@@ -30,10 +30,10 @@ void draw_strip(Shell& shell, const app::Rect& rect) {
   pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   const float top = rect.y + kStripPad - ImGui::GetScrollY();
   Column column(look, rect.x + kStripMargin, top, rect.width - 2 * kStripMargin);
-  for (const lesson::DraftText& says : all) draw_text(column, says);
+  for (const check::DraftText& says : all) draw_text(column, says);
   ImGui::SetCursorScreenPos({column.x(), column.y()});
   ImGui::Dummy({1, 1});
-  const bool wrong = std::any_of(all.begin(), all.end(), [](const lesson::DraftText& says) {
+  const bool wrong = std::any_of(all.begin(), all.end(), [](const check::DraftText& says) {
     return std::any_of(says.lines.begin(), says.lines.end(), [](const auto& line) { return !line.warning; });
   });
   pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + kStripEdge, rect.y + rect.height},

@@ -4,6 +4,8 @@
 #include <imgui_impl_opengl3.h>
 #include <snug_gl.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,25 +16,34 @@
 #include "app/chart_pen.hpp"
 #include "app/cover.hpp"
 #include "app/look.hpp"
+#include "app/picture_svg.hpp"
 #include "app/timeline_buttons.hpp"
 #include "app/widgets.hpp"
+#include "desktop/animation.hpp"
 #include "desktop/chart_file.hpp"
 #include "desktop/chart_picture.hpp"
 #include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/page_address.hpp"
 #include "desktop/cli/timing.hpp"
 #include "desktop/controls.hpp"
+#include "desktop/demo_draw.hpp"
+#include "desktop/file_dialog.hpp"
 #include "desktop/glfw_host.hpp"
 #include "desktop/header.hpp"
+#include "desktop/menus.hpp"
 #include "desktop/picture.hpp"
+#include "desktop/picture_pdf.hpp"
 #include "desktop/presentation.hpp"
 #include "desktop/prose_panel.hpp"
 #include "desktop/question_card.hpp"
+#include "desktop/second_window.hpp"
 #include "desktop/shell.hpp"
 #include "desktop/state_file.hpp"
 #include "desktop/stored_panel.hpp"
 #include "desktop/strip.hpp"
+#include "desktop/working.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/stored.hpp"
 
@@ -40,10 +51,11 @@ namespace snug::desktop {
 namespace {
 
 constexpr int kBadInput = 2;
-constexpr double kTick = 0.008;       // seconds between looks at the clock while something plays
-constexpr double kLook = 0.25;        // seconds between looks at the files of lessons that are being written
-constexpr double kSlice = 8e6;        // nanoseconds of measuring between two frames
-constexpr double kSettled = 0.3;      // seconds after which a window's size is the one that it stays at
+constexpr double kTick = 0.008;           // seconds between looks at the clock while something plays
+constexpr double kLook = 0.25;            // seconds between looks at the files of lessons that are being written
+constexpr double kSlice = 8e6;            // nanoseconds of measuring between two frames
+constexpr double kBetweenSeconds = 0.25;  // between looks at a file that is being read
+constexpr double kSettled = 0.3;          // seconds after which a window's size is the one that it stays at
 constexpr double kLongestRun = 1e9;   // nanoseconds of one run on the growth chart: a window may stand still that long
 constexpr int kFramesForPicture = 6;  // until ImGui has measured everything once
 
@@ -123,8 +135,8 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float inspector = lecture && !beside.any() ? 0
                           : lecture                ? side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale)
                                                    : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
-  constexpr float kLowScreen = 900, kLeastSide = 400;
-  shell.low = lecture && extent.height < kLowScreen;
+  constexpr float kLowScreen = 690, kLeastSide = 400;  // kLowScreen: for words of the size that they are made for
+  shell.low = lecture && extent.height < kLowScreen * look.text_scale;
   const bool no_timeline = cover && shell.app().cover()->shown();  // it is the stage's
   const float timeline = no_timeline ? 0 : shell.low ? app::low_timeline_height(look) : app::timeline_height(look);
   const float height = extent.height - header, right = extent.width - inspector;
@@ -167,7 +179,7 @@ void finish(const Extent& extent, app::App& app, app::Color ground) {
   const ImVec4 color = ImGui::ColorConvertU32ToFloat4(ground);
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, extent.device_width, extent.device_height);
-  glClearColor(color.x, color.y, color.z, 1);
+  glClearColor(color.x, color.y, color.z, color.w);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   app.draw_3d_behind(extent.device_width, extent.device_height, extent.scale);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -178,7 +190,7 @@ void draw_stage(GlfwHost& host, app::App& app, double now) {
   host.begin_frame();
   const Extent extent = host.extent();
   app.frame({.stage = {0, 0, extent.width, extent.height}}, now);
-  finish(extent, app, app.look()->ground);
+  finish(extent, app, app.settings().ground ? app.look()->ground : 0);
 }
 
 void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
@@ -223,7 +235,7 @@ void draw_course(Shell& shell, const Parts& parts, double now) {
 
 /// Where one is in the demo, in a corner that nothing else needs; or nothing but black.
 void draw_demo(const DemoPlay& demo, const app::Look& look, const Parts& parts) {
-  constexpr float kSize = 13, kLeft = 24, kBelow = 20;
+  constexpr float kSize = 12, kLeft = 10, kBelow = 20;
   ImDrawList* const list = ImGui::GetForegroundDrawList();
   const app::Rect &timeline = parts.app.timeline, &window = parts.window;
   if (demo.black)
@@ -237,14 +249,21 @@ void draw_demo(const DemoPlay& demo, const app::Look& look, const Parts& parts) 
 void draw(GlfwHost& host, Shell& shell, double now) {
   host.begin_frame();
   const Extent extent = host.extent();
+  const bool refitted = shell.fit_words(extent.width, extent.height);
   const app::Look& look = shell.app().look();
   const Parts parts = parts_of(extent, look, shell);
-  shell.measured_anew = false;
+  shell.measured_anew = refitted;
   shell.slider = -1, shell.tracks.clear();
   shell.focus.begin_frame(look->current);
-  if (shell.course_shown) draw_course(shell, parts, now);
+  if (is_working(shell)) draw_working(shell, parts.window, now);
+  else if (shell.course_shown) draw_course(shell, parts, now);
   else draw_stage_and_panels(shell, parts, now);
   draw_keys(shell, parts.window);
+  if (!shell.course_shown) draw_vote(shell, parts.app.stage);
+  shell.hall.draw(look, parts.window, now);
+  draw_about(shell, parts.window);
+  draw_loading(shell, shell.course_shown ? parts.window : parts.app.stage);
+  draw_file_card(shell, parts.window);
   if (shell.demo) draw_demo(*shell.demo, look, parts);
   shell.focus.end_frame();
   finish(extent, shell.app(), shell.course_shown ? look->ground : look->panel);
@@ -267,20 +286,70 @@ void draw(GlfwHost& host, app::App& app, const app::Chart& chart) {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-/// Writes what draw draws to a file.
+/// How a picture is written.
+struct PictureFile {
+  std::string path, address;  // of what it shows; empty for none
+  bool transparent = false;
+};
+
+/// What draw draws, as PNG; empty, with a line on standard error, if there is none.
 template <class Draw>
-int take_picture(GlfwHost& host, const std::string& path, Draw&& draw) {
+std::string png_of(GlfwHost& host, bool transparent, Draw&& draw) {
   const Extent extent = host.extent();
   const OffScreen picture(extent.device_width, extent.device_height);
-  if (!picture.complete()) return stop("the graphics driver cannot draw off the screen at this size");
+  if (!picture.complete()) return stop("the graphics driver cannot draw off the screen at this size"), "";
   for (int i = 0; i < kFramesForPicture; ++i) {
     picture.bind();
     draw();
   }
-  const std::string png = picture.png();
-  if (png.empty()) return stop("the picture could not be encoded");
-  if (const auto written = write_file(path, png); !written) return stop(written.error().message());
-  return 0;
+  std::string png = picture.png(transparent);
+  if (png.empty()) stop("the picture could not be encoded");
+  return png;
+}
+
+int write_picture(const std::string& path, const std::string& bytes) {
+  const auto written = write_file(path, bytes);
+  return written ? 0 : stop(written.error().message());
+}
+
+/// Writes what draw draws to a file.
+template <class Draw>
+int take_picture(GlfwHost& host, const PictureFile& file, Draw&& draw) {
+  const std::string png = png_of(host, file.transparent, draw);
+  return png.empty() ? kBadInput : write_picture(file.path, with_source(png, file.address));
+}
+
+/// The stage as SVG, as large as frames are now.
+std::string stage_svg(GlfwHost& host, app::App& app, const std::string& address) {
+  for (int i = 0; i + 1 < kFramesForPicture; ++i) draw_stage(host, app, host.now());
+  host.begin_frame();
+  const Extent extent = host.extent();
+  return app::stage_svg(app, {.width = extent.width, .height = extent.height, .address = address}, host.now());
+}
+
+/// Steps as an animation.
+template <class Draw>
+int take_animation(GlfwHost& host, lesson::Session& session, const WindowOptions& options, Draw&& draw) {
+  constexpr double kLast = 2.5;  // times as long as the others
+  const Extent extent = host.extent();
+  const OffScreen picture(extent.device_width, extent.device_height);
+  if (!picture.complete()) return stop("the graphics driver cannot draw off the screen at this size");
+  const auto [first, last] = *options.steps;
+  session.jump(first);
+  Animation animation(extent.device_width, extent.device_height, page_address(session));
+  for (int step = first; step <= last; ++step) {
+    session.jump(step);
+    for (int i = 0; i < kFramesForPicture; ++i) {
+      picture.bind();
+      draw();
+    }
+    if (!animation.add(picture.pixels(), options.pause * (step == last ? kLast : 1)))
+      return stop("the animation could not be encoded");
+  }
+  const std::string gif = animation.finish();
+  if (gif.empty()) return stop("the animation could not be encoded");
+  const auto written = write_file(options.screenshot, gif);
+  return written ? 0 : stop(written.error().message());
 }
 
 /// Restores how the window looked, as far as nothing else was asked for.
@@ -290,14 +359,17 @@ void restore_view(app::Settings& settings, const std::optional<KeptView>& view) 
   settings.text_scale = view->text_scale;
 }
 
-/// The theme that SNUG_THEME names, for labs that set one for every seat.
-app::Theme theme_of_environment(std::string_view otherwise = "") {
-  const char* name = std::getenv("SNUG_THEME");
-  const std::string_view theme = name != nullptr ? name : otherwise;
+app::Theme theme_named(std::string_view theme) {
   return theme == "dark"        ? app::Theme::kDark
          : theme == "contrast"  ? app::Theme::kHighContrast
          : theme == "projector" ? app::Theme::kProjector
                                 : app::Theme::kLight;
+}
+
+/// The theme that SNUG_THEME names, for labs that set one for every seat.
+app::Theme theme_of_environment(std::string_view otherwise = "") {
+  const char* name = std::getenv("SNUG_THEME");
+  return theme_named(name != nullptr ? name : otherwise);
 }
 
 /// Chooses an answer to the open question by a digit. Returns whether it did.
@@ -317,6 +389,8 @@ bool put_away(Shell& shell) {
     else shell.focus.go_to(0);
     return true;
   }
+  if (shell.file_card.what != FileCard::What::kNone) return shell.file_card = {}, true;
+  if (shell.about_shown) return shell.about_shown = false, true;
   if (shell.keys_shown) return shell.keys_shown = false, true;
   if (!shell.notice.empty()) return shell.notice.clear(), true;
   if (shell.presenting) return shell.present(false), true;
@@ -350,11 +424,23 @@ bool present_by_key(Shell& shell, const std::string& key) {
 }
 
 void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
+  if (is_working(shell))
+    return key == "Escape" ? cancel_working(shell) : static_cast<void>(move_focus(shell, key, shift));
+  if (!shell.hall.taken.letters.empty()) return static_cast<void>(shell.hall.taken = {});  // any key puts the code away
+  if (key == "Escape" && shell.hall.put_away()) return;
   if (shell.demo && !control && shell.demo->answer_key(shell, key)) return;
-  if (key == "F1") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
+  if (!control && shell.presenting && shell.hall.answer_key(key)) return;
+  if (!control && !shell.course_shown && (key == "q" || key == "Q")) return shell.show_code();
+  if (!control && key == "D" && !shell.course_shown && shell.app().sitting() == nullptr) return shell.record();
+  if (control && key == "s" && !shell.course_shown && (shell.app().cover() == nullptr || !shell.app().cover()->shown()))
+    return shell.save_stage(shift ? "svg" : "png");
+  if (key == "F1" || key == "?") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
   if (key == "F11") return host.fill_screen(!host.fills_screen());
-  if (key == "F2") return shell.course_shown ? shell.open_at_place(shell.lead().first) : shell.show_course();
-  if (key == "F5" && !shell.course_shown) return shell.present(!shell.presenting);
+  if (key == "F2") return shell.switch_course();
+  if (key == "F10" && !shell.presenting) return shell.focus.go_to(shell.first_menu);
+  if (menu_by_key(shell, key, shift, control)) return;
+  const bool presents = key == "F5" || (key == "P" && ImGui::GetIO().KeyShift && !shell.presenting);
+  if (presents && !shell.course_shown) return shell.present(!shell.presenting);
   // Any key ends the way to an outcome, and does nothing else.
   if (!shell.course_shown && shell.session().deciding() != nullptr)
     return static_cast<void>(shell.app().command("continue"));
@@ -367,14 +453,94 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
-/// Writes the chart that was asked for as a picture, as large as the window.
+/// Writes the stage, twice as fine as the screen, or as SVG, as large as it stands there.
+bool write_stage(GlfwHost& host, Shell& shell, const std::string& path) {
+  const std::string address = shell.address();
+  Extent extent = host.extent();
+  const app::Rect stage = parts_of(extent, shell.app().look(), shell).app.stage;
+  constexpr float kFiner = 2;
+  extent.width = stage.width, extent.height = stage.height, extent.scale *= kFiner;
+  extent.device_width = static_cast<int>(stage.width * extent.scale);
+  extent.device_height = static_cast<int>(stage.height * extent.scale);
+  app::App& app = shell.app();
+  const app::Settings settings = app.settings();
+  app.settings().prose_in_canvas = app.settings().tools = false;
+  app.settings().reduced_motion = true;
+  host.draw_as(extent);
+  const bool saved = ending_of(path) == "svg"
+                         ? write_file(path, stage_svg(host, app, address)).has_value()
+                         : take_picture(host, {path, address}, [&] { draw_stage(host, app, host.now()); }) == 0;
+  host.draw_as(std::nullopt);
+  app.settings() = settings;
+  return saved;
+}
+
+/// Writes the chart that is shown, or else the stage. Returns whether that succeeded.
+bool write_picture(GlfwHost& host, Shell& shell, const std::string& path) {
+  const app::Cover* const cover = shell.app().cover();
+  const app::Chart* const shown = cover != nullptr && cover->shown() ? cover->picture() : nullptr;
+  bool saved = false;
+  if (shown != nullptr) {
+    const app::Chart chart = *shown;
+    saved = take_picture(host, {path}, [&] { draw(host, shell.app(), chart); }) == 0;
+  } else {
+    saved = write_stage(host, shell, path);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return saved;
+}
+
 void save_picture(GlfwHost& host, Shell& shell) {
   const std::string path = std::exchange(shell.picture_wanted, {});
-  const app::Chart chart = *shell.app().cover()->picture();
-  const bool saved = take_picture(host, path, [&] { draw(host, shell.app(), chart); }) == 0;
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  const bool saved = write_picture(host, shell, path);
   shell.notice = saved ? "Saved as " + path + "." : "Not saved: the picture could not be written.";
   shell.measured_anew = true;  // the window is drawn again
+}
+
+/// Opens, draws or closes the window of the notes, as the demo wants it. Closed by hand, it is no longer wanted.
+void show_notes(std::unique_ptr<SecondWindow>& notes, GlfwHost& host, Shell& shell, bool drawn) {
+  if (notes != nullptr && !notes->open() && shell.demo) shell.demo->notes_wanted = false;
+  const bool wanted = shell.demo && shell.demo->notes_wanted;
+  if (!wanted) return notes.reset();
+  if (notes == nullptr) {
+    notes = SecondWindow::make("Notes – Snug", 960, 720);
+    if (notes == nullptr) return static_cast<void>(shell.demo->notes_wanted = false);
+    notes->on_key = [&](const std::string& key) {
+      if (shell.demo) shell.demo->answer_key(shell, key);
+      shell.measured_anew = true;
+    };
+    drawn = true;
+  }
+  const double second = std::floor(host.now());  // the clock's
+  if (!drawn && !notes->stale() && second == shell.demo->notes_second) return;
+  shell.demo->notes_second = second;
+  notes->draw(shell.app().look(), [&](ImDrawList* list, const app::Rect& rect) {
+    draw_notes(list, shell.app().look(), rect, *shell.demo);
+  });
+}
+
+/// Puts the picture on the clipboard by the desktop's own program, for GLFW's has text alone.
+void copy_picture(GlfwHost& host, Shell& shell) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("snug-" + std::to_string(getpid()) + ".png");
+  const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+  const std::string call = wayland ? "wl-copy --type image/png < " : "xclip -selection clipboard -t image/png -i ";
+  const bool drawn = write_picture(host, shell, file.string());
+  const bool copied = drawn && std::system((call + file.string() + " 2>/dev/null").c_str()) == 0;
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  shell.notice = copied ? "The picture is on the clipboard."
+                        : std::string("Not copied: pictures are copied by ") + (wayland ? "wl-copy" : "xclip") +
+                              ", which is not installed. “Save picture” writes a file.";
+  shell.measured_anew = true;
+}
+
+/// Does what a menu has asked for.
+void grant(GlfwHost& host, Shell& shell) {
+  const std::string wish = std::exchange(shell.wish, {});
+  if (wish == "quit") host.close();
+  if (wish == "full_screen") host.fill_screen(!host.fills_screen());
+  if (wish == "copy_picture") copy_picture(host, shell);
 }
 
 /// Draws if there is something to draw, and otherwise sleeps.
@@ -388,9 +554,11 @@ void run(GlfwHost& host, Shell& shell) {
   StateFile state;
   std::string title;
   bool due = true, presented = false, anew = false;
+  std::unique_ptr<SecondWindow> notes;
   double next_look = 0;
   std::array<int, 2> size = host.windowed_size();
   while (host.open()) {
+    const bool drawn = due;
     if (due) {
       shell.app().settings().prose_in_canvas = !shell.demo || shell.demo->shows("caption");
       draw(host, shell, host.now());
@@ -403,23 +571,33 @@ void run(GlfwHost& host, Shell& shell) {
       host.set_title(title = next);
     if (presented != shell.presenting) host.fill_screen(presented = shell.presenting);
     shell.app().measure(kSlice);
+    go_on_working(shell);
     const app::Cover* const cover = shell.app().cover();
-    if (cover != nullptr && !shell.picture_wanted.empty()) save_picture(host, shell);
+    if (!shell.wish.empty()) grant(host, shell);
+    else if (!shell.picture_wanted.empty()) save_picture(host, shell);
+    if (!host.open()) break;  // or it would sleep until the next key
+    show_notes(notes, host, shell, drawn);
     const auto more = [&] {
-      return shell.measured_anew || shell.focus.wants_frame() || shell.app().wants_frame(host.now());
+      return shell.measured_anew || shell.hall.moves() || shell.focus.wants_frame() ||
+             shell.app().wants_frame(host.now());
     };
     const bool measuring = cover != nullptr && cover->running();
     // While a window is drawn larger it has many sizes: that which it ends with is kept.
     const auto window_size = host.windowed_size();
     const bool resized = std::exchange(size, window_size) != window_size;
     if (!resized) shell.keep_view(size[0], size[1]);
-    const double rest = resized ? kSettled : shell.writing() ? kLook : -1;
-    const bool input = host.wait(measuring || more() ? 0 : shell.app().playing() ? kTick : rest);
+    const double rest = resized ? kSettled : shell.writing() || notes != nullptr ? kLook : -1;
+    shell.poll_loading();
+    const bool asks = poll_dialog(shell);
+    const bool input = host.wait(measuring || more()             ? 0
+                                 : asks || shell.app().playing() ? kTick
+                                 : shell.loading() != nullptr    ? kBetweenSeconds
+                                                                 : rest);
     if (host.now() >= next_look) {
       anew = shell.look_at_files();
       next_look = host.now() + kLook;
     }
-    due = input || std::exchange(anew, false) || more();
+    due = input || std::exchange(anew, false) || shell.loading() != nullptr || more();
   }
 }
 
@@ -461,14 +639,17 @@ int open_first(Shell& shell, const WindowOptions& options) {
     return shell.writing() && !picture ? 0 : stop(opened.error().message());
   if (bare) shell.go_to_kept_place();
   shell.course_shown = bare && options.lesson.empty() && !begins;
+  const bool gave_way = shell.session().give_way(false);  // each part is of what the last one left
   if (!options.at.situation.empty())
     if (const auto shown = shell.session().show_situation(options.at.situation); !shown)
       return stop(shown.error().message());
   if (options.seed) shell.session().scatter(*options.seed);
-  if (!options.points_file.empty()) {
-    shell.use_file(options.points_file);
+  shell.session().give_way(gave_way && options.at.empty());
+  if (options.points != nullptr) {
+    shell.use_points(*options.points, options.points_file);
     if (!shell.notice.empty()) return stop(shell.notice);
   }
+  shell.session().give_way(gave_way);
   // A window opens at the lesson's start; a picture shows the step before the first.
   lesson::Standpoint at = options.at;
   if (picture && !at.step && at.question.empty()) at.step = 0;
@@ -478,8 +659,10 @@ int open_first(Shell& shell, const WindowOptions& options) {
   return 0;
 }
 
-/// Draws each state of the demo, with all of its reveals, as a numbered picture.
-int take_pictures(GlfwHost& host, Shell& shell, const std::string& folder) {
+/// Draws each state of the demo, with all of its reveals: numbered pictures in a folder, or the pages of one PDF.
+int take_pictures(GlfwHost& host, Shell& shell, const std::string& to) {
+  const bool bound = ending_of(to) == "pdf";
+  PictureBook book;
   shell.app().settings().reduced_motion = true;
   for (std::size_t i = 0; i < shell.demo->states().size(); ++i) {
     const lesson::DemoState& state = shell.demo->states()[i];
@@ -487,10 +670,16 @@ int take_pictures(GlfwHost& host, Shell& shell, const std::string& folder) {
     if (!shell.notice.empty()) return stop(shell.notice);
     shell.app().settings().prose_in_canvas = shell.demo->shows("caption");
     const std::string number = std::to_string(i + 1), name = std::string(number.size() < 2 ? 1 : 0, '0') + number;
-    const std::string path = (std::filesystem::path(folder) / (name + '-' + state.lesson + ".png")).string();
-    if (const int status = take_picture(host, path, [&] { draw(host, shell, host.now()); }); status != 0) return status;
+    const std::string png = png_of(host, false, [&] { draw(host, shell, host.now()); });
+    if (png.empty()) return kBadInput;
+    const std::string address = shell.address(), title = name + '-' + state.lesson;
+    if (bound) book.add(png, title, address);
+    else if (const int status =
+                 write_picture((std::filesystem::path(to) / (title + ".png")).string(), with_source(png, address));
+             status != 0)
+      return status;
   }
-  return 0;
+  return bound ? write_picture(to, book.pdf()) : 0;
 }
 
 /// The lessons, and where they are one's own, the drafts that they come from.
@@ -502,14 +691,32 @@ struct Lessons {
 tl::expected<Lessons, InputError> lessons_of(const WindowOptions& options) {
   if (!is_own(options))
     return read_lessons("").and_then([](std::vector<LessonFile>&& files) {
-      return read_cases().map([&](std::vector<LessonFile>&& cases) {
-        std::move(cases.begin(), cases.end(), std::back_inserter(files));
-        return Lessons{std::move(files), {}};
-      });
+      for (auto read : {read_sheets(""), read_cases()}) {
+        if (!read) return tl::expected<Lessons, InputError>(tl::unexpect, std::move(read.error()));
+        std::move(read->begin(), read->end(), std::back_inserter(files));
+      }
+      return tl::expected<Lessons, InputError>(Lessons{std::move(files), {}});
     });
   return Drafts::open(options.folder, is_path(options.lesson) ? options.lesson : "").map([](Drafts&& drafts) {
     return Lessons{{}, std::move(drafts)};
   });
+}
+
+/// A picture, or an animation, of where the shell stands.
+int render(GlfwHost& host, Shell& shell, const WindowOptions& options) {
+  Extent extent = host.extent();
+  const auto scale = static_cast<float>(options.scale);
+  extent.scale *= scale, extent.device_width *= options.scale, extent.device_height *= options.scale;
+  host.draw_as(extent);
+  const auto frame = [&] {
+    options.stage_alone ? draw_stage(host, shell.app(), host.now()) : draw(host, shell, host.now());
+  };
+  if (options.steps) return take_animation(host, shell.session(), options, frame);
+  const std::string address = shell.address();
+  if (ending_of(options.screenshot) != "svg")
+    return take_picture(host, {options.screenshot, address, options.transparent}, frame);
+  const auto written = write_file(options.screenshot, stage_svg(host, shell.app(), address));
+  return written ? 0 : stop(written.error().message());
 }
 
 }  // namespace
@@ -540,27 +747,30 @@ int run_window(const WindowOptions& options) {
     size.width = kept.view->width, size.height = kept.view->height;
   auto host = GlfwHost::make(size, shown);
   if (!host) return stop(host.error());
+  const cost::Provenance here = native_provenance();
   app::App app({.font = font_bytes,
                 .glsl_version = "#version 330 core",
                 .clock = native_now,
                 .longest_run = kLongestRun,
-                .here = native_provenance()});
+                .gives_way = shown,
+                .here = here});
   if (!app.create_graphics()) return stop("the graphics driver refused a shader: " + app.graphics_error());
   app.settings().prose_in_canvas = true;
   app.settings().theme = theme_of_environment(options.screenshot.empty() ? defaults().theme : "");
-  if (chart) return take_picture(**host, options.screenshot, [&] { draw(**host, app, *chart); });
+  if (!options.theme.empty()) app.settings().theme = theme_named(options.theme);
+  app.settings().labels = options.labels, app.settings().ground = !options.transparent;
+  if (chart) return take_picture(**host, {options.screenshot}, [&] { draw(**host, app, *chart); });
   restore_view(app.settings(), kept.view);
   Shell shell(app, std::move(lessons->files), std::move(kept), std::move(lessons->drafts));
   if (auto exercises = read_exercises(options.folder))
     if (auto sets = read_sets_of(options.folder)) shell.take_exercises(*std::move(exercises), *std::move(sets));
+  shell.version = here.version;
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.pictures.empty()) return take_pictures(**host, shell, options.pictures);
   if (!options.screenshot.empty()) {
     app.settings().reduced_motion = true;
-    if (!options.stage_alone)
-      return take_picture(**host, options.screenshot, [&] { draw(**host, shell, (*host)->now()); });
-    app.settings().prose_in_canvas = app.settings().tools = false;
-    return take_picture(**host, options.screenshot, [&] { draw_stage(**host, app, (*host)->now()); });
+    if (options.stage_alone) app.settings().prose_in_canvas = app.settings().tools = false;
+    return render(**host, shell, options);
   }
   run(**host, shell);
   return 0;

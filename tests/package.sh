@@ -81,3 +81,12 @@ here cmake -S /usr/share/doc/snug/example -B /tmp/example >"$work/cmake.log" && 
     { tail -n 20 "$work/cmake.log"; fail "the example cannot be built"; }
 [[ $(here /tmp/example/example) == "radius 1.63299, overlap 1" ]] || fail "the example computes something else"
 passed "a program finds the packaged core and computes with it"
+
+# A lab, from its folder to the mark that a teacher sees.
+apt install --no-install-recommends /packages/snug.deb
+cp tests/command/lab/overlap.cpp "$root/packages/"
+chmod -R a+rX "$root/packages"
+lab() { student sh -c "cd /tmp && rm -rf lab && snug lab new overlap lab && $1 && snug lab check lab; snug grade --json lab/result.json"; }
+[[ $(lab true) == *'"mark":0.0,'* ]] || fail "the stub earns marks, or is not tried"
+[[ $(lab "cp /packages/overlap.cpp lab") == *'"mark":7.0,'* ]] || fail "a lab that is solved earns less than every mark"
+passed "a lab is begun, solved, checked and graded by somebody without rights"

@@ -171,6 +171,7 @@ void set_answers(val& object, const lesson::Session& session) {
     val task = grade_object(session.grade(i));
     task.set("was", session.was_done(i));
     task.set("says", lesson::task_says(session, i));
+    task.set("kept", session.can_solve_again(i));
     tasks.call<void>("push", task);
   }
   object.set("tasks", tasks);

@@ -61,6 +61,11 @@ void pointer_moved(float x, float y, const std::string& source) {
   owe_frames();
 }
 
+void forget_input() {
+  ImGui::GetIO().ClearEventsQueue();
+  ImGui::GetIO().ClearInputMouse();
+}
+
 void pointer_left() {
   ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
   owe_frames();

@@ -24,6 +24,8 @@ bool input_pending();
 /// source: "mouse", "pen" or "touch", as in pointer events. Positions are in page pixels from the canvas's corner.
 void pointer_moved(float x, float y, const std::string& source);
 void pointer_left();
+/// What was pressed and not drawn yet is forgotten: it was meant for what stood there before.
+void forget_input();
 /// button: as in pointer events, 0 the main one, 1 the middle one, 2 the secondary one.
 void pointer_button(int button, bool down, const std::string& source);
 /// The scroll in notches of a wheel, y away from the user.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cover_picture.hpp"
+#include "app/picture_svg.hpp"
 #include "web/canvas.hpp"
 #include "web/door.hpp"
 #include "web/values.hpp"
@@ -75,19 +76,70 @@ val cover_file_object(app::App& app, const std::string& format) {
   return object;
 }
 
+namespace {
+
+/// Draws the current frame onto the canvas, at a size of its own.
+void show_frame(float width, float height, float scale) {
+  Door& d = door();
+  ImGui::Render();
+  const int across = static_cast<int>(std::lround(width * scale)), down = static_cast<int>(std::lround(height * scale));
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, across, down);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(d.ground[0], d.ground[1], d.ground[2], 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  d.app->draw_3d_behind(across, down, scale);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+constexpr int kFramesForPicture = 6;  // until the stage has settled
+
+/// Draws a picture's frames, each by draw(last). Returns false if nothing can be drawn.
+template <class Draw>
+bool draw_frames(float width, float height, float scale, bool labels, Draw&& draw) {
+  Door& d = door();
+  if (!d.graphics || session() == nullptr) return false;
+  app::Settings& settings = d.app->settings();
+  const app::Settings before = settings;
+  settings.labels = labels, settings.tools = false, settings.reduced_motion = true;
+  for (int left = kFramesForPicture; left > 0; --left) {
+    begin_frame(width, height, scale, 0);
+    draw(left == 1);
+  }
+  settings = before;
+  return true;
+}
+
+}  // namespace
+
+bool draw_picture(float width, float height, float scale, bool labels) {
+  return draw_frames(width, height, scale, labels, [&](bool) {
+    door().app->frame({.stage = {0, 0, width, height}}, door().last_frame);
+    show_frame(width, height, scale);
+  });
+}
+
+std::string picture_svg(float width, float height, bool labels, const std::string& address) {
+  std::string svg;
+  draw_frames(width, height, 1, labels, [&](bool last) {
+    Door& d = door();
+    if (last) {
+      svg = app::stage_svg(*d.app, {.width = width, .height = height, .address = address}, d.last_frame);
+    } else {
+      d.app->frame({.stage = {0, 0, width, height}}, d.last_frame);
+      ImGui::Render();
+    }
+  });
+  return svg;
+}
+
 bool draw_cover(float width, float height, float scale) {
   Door& d = door();
   if (!d.graphics || d.app->cover() == nullptr || d.app->cover()->picture() == nullptr) return false;
   begin_frame(width, height, scale, 0);
   d.app->frame({}, d.last_frame);  // sets the fonts and palette
   app::draw_cover_picture(*d.app, {0, 0, width, height});
-  ImGui::Render();
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, static_cast<int>(std::lround(width * scale)), static_cast<int>(std::lround(height * scale)));
-  glDisable(GL_SCISSOR_TEST);
-  glClearColor(d.ground[0], d.ground[1], d.ground[2], 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  show_frame(width, height, scale);
   return true;
 }
 

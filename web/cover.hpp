@@ -29,4 +29,10 @@ namespace snug::web {
 /// each. Returns false if nothing can be drawn.
 bool draw_cover(float width, float height, float scale);
 
+/// Draws the stage alone on the canvas, which has that size times the scale; the next frame draws the page's again.
+/// Returns false if nothing can be drawn.
+bool draw_picture(float width, float height, float scale, bool labels);
+/// The stage alone as SVG, of that size in page pixels, with the address of what it shows; empty if it cannot be drawn.
+[[nodiscard]] std::string picture_svg(float width, float height, bool labels, const std::string& address);
+
 }  // namespace snug::web

@@ -6,6 +6,7 @@
 #include "app/cover.hpp"
 #include "io/point_file.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/patience.hpp"
 #include "lesson/playground.hpp"
 #include "number/fnv.hpp"
 #include "web/cover.hpp"
@@ -25,8 +26,31 @@ std::string sentence(const tl::expected<Value, InputError>& result) {
 
 }  // namespace
 
-/// Remembers how an address can describe the current state.
-static void remember() { door().shared.remember(*session()); }
+/// Remembers how an address can describe the current state, once it is there.
+static void remember() {
+  door().remembers_later = session()->preparing() != nullptr;
+  if (!door().remembers_later) door().shared.remember(*session());
+}
+
+val preparing() {
+  const lesson::Preparation* now = session() ? session()->preparing() : nullptr;
+  if (now == nullptr) return val::null();
+  val object = val::object();
+  object.set("says", now->says());
+  object.set("share", now->share());
+  return object;
+}
+std::string go_on(double milliseconds) {
+  if (!session()) return "";
+  const auto gone_on = session()->go_on(milliseconds * 1e6);
+  if (session()->preparing() != nullptr) return "";
+  if (std::exchange(door().remembers_later, false) && gone_on) remember();
+  return sentence(gone_on);
+}
+void give_up() {
+  door().remembers_later = false;
+  if (session()) session()->give_up();
+}
 
 bool command(const std::string& name) {
   if (!session() || !door().app->command(name)) return false;
@@ -86,10 +110,11 @@ std::string show_situation(const std::string& name) {
   return sentence(shown);
 }
 
-void hold_slider(bool held) {
-  if (!session()) return;
-  if (held) session()->begin_drag();
-  else session()->end_drag();
+std::string hold_slider(bool held) {
+  if (!session()) return "";
+  if (!held) return sentence(session()->end_drag());
+  session()->begin_drag();
+  return "";
 }
 std::string slide(int slider, int place) { return session() ? sentence(session()->slide_to_place(slider, place)) : ""; }
 std::string set_sliders(const val& values) {
@@ -182,16 +207,32 @@ void start_task(int task) {
   remember();
 }
 
+std::string solve_again(int task) {
+  if (!session() || task < 0 || task >= static_cast<int>(session()->lesson().tasks.size())) return "";
+  const auto solved = session()->solve_again(task);
+  remember();
+  return sentence(solved);
+}
+
 std::string set_numbers(int group, int row, const val& values) {
   return session() ? take_numbers(*session(), group, row, values) : "";
 }
 
+std::string take_packed_rows(const std::string& packed) { return session() ? take_packed(*session(), packed) : ""; }
 std::string set_rows(const val& rows) { return session() ? take_rows(*session(), rows) : ""; }
 std::string set_file(const std::string& text) { return session() ? sentence(session()->set_file(text)) : ""; }
 void end_typing() {
   if (session()) session()->end_typing();
 }
 std::string change_rows(const val& moved) { return session() ? take_changes(*session(), moved) : ""; }
-val shared_rows() { return session() ? door().shared.describe(*session()) : val::object(); }
+val shared_rows() {
+  if (!session()) return val::object();
+  val object = door().shared.describe(*session());
+  if (const auto view = door().app->hand_view(); !view.empty()) object.set("camera", array_of(view, number));
+  return object;
+}
+void look_from(const val& view) {
+  if (session()) door().app->look_from(emscripten::vecFromJSArray<double>(view));
+}
 
 }  // namespace snug::web

@@ -37,13 +37,18 @@ void select_point(int point);
 std::string move_point(int point, double x, double y, double z);
 std::string show_situation(const std::string& name);
 /// Whether a slider is in hand: its moves meanwhile are one edit.
-void hold_slider(bool held);
+std::string hold_slider(bool held);
 /// Moves a slider, by its number, to a place of its knob.
 std::string slide(int slider, int place);
 /// Moves all sliders to the values that shared_rows said.
 std::string set_sliders(const val& values);
 /// Scatters the same things again, from a seed.
 void scatter(double seed);
+/// An edit that takes long: {says, share}, from 0 to 1; null for none. go_on: goes on with it, and returns why it is
+/// refused; the stage changes when it is done. give_up: the stage stays as it is.
+[[nodiscard]] emscripten::val preparing();
+std::string go_on(double milliseconds);
+void give_up();
 /// Scatters points of another kind.
 std::string set_generator(const std::string& kind, int count, double seed);
 /// Chooses float or double for the runs.
@@ -76,13 +81,18 @@ void light(const std::string& mark);
 /// The first invitations, of which so many were followed before.
 void invite(int followed);
 void start_task(int task);
+/// Puts on the stage again what the task was done by.
+std::string solve_again(int task);
 /// Sets a row of view()'s numbers, by the indices of its group and row.
 std::string set_numbers(int group, int row, const val& values);
 std::string set_rows(const val& rows);
+/// The same, as an address has many.
+std::string take_packed_rows(const std::string& packed);
 /// Makes the stage from what was typed in its file; and says that the typing is over, for undo.
 std::string set_file(const std::string& text);
 void end_typing();
 std::string change_rows(const val& moved);
 val shared_rows();
+void look_from(const val& view);
 
 }  // namespace snug::web

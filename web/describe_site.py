@@ -1,11 +1,13 @@
-"""describe_site.py VERSION INDEX.html SITE COURSE.toml LESSON.toml...: writes what the page must know of its own files, which a
-static host does not tell.
+"""describe_site.py PROGRAM.js VERSION INDEX.html SITE COURSE.toml LESSON.toml...: writes what the page must know of its own
+files, which a static host does not tell. PROGRAM.js: that of web/check, which reads TOML.
 
 index.html: the page, which asks for all its modules at once: each names the next ones, and to follow them takes a round trip
 a level.
 
 cases.json: the same of the named cases, in the folder cases beside the course: the id, title and summary of each, and where a
 program failed on it.
+write/ID.json: an exercise in which a function is written.
+demo_keys.json: what a demo's file and an address call the parts of a place.
 demos/ID.json: a lecturer's demo: its states, each with the address of its place in a lesson, what is shown, and the notes.
 course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
 whether it has a task, and the words that a search finds it by; the exercises and their sets; and the program's version.
@@ -19,9 +21,9 @@ import json
 import pathlib
 import re
 import sys
-import tomllib
 import urllib.parse
 
+from tables import ask, read_tables
 from without_comments import served
 
 
@@ -36,54 +38,61 @@ def words_of(lesson: dict, slides_of: dict[str, str]) -> str:
     return " · ".join(dict.fromkeys(" ".join(words.split()) for words in found))
 
 
-def lesson_entry(path: pathlib.Path, slides_of: dict[str, str]) -> dict:
-    lesson = tomllib.loads(path.read_text(encoding="utf-8"))
+def lesson_entry(path: pathlib.Path, lesson: dict, slides_of: dict[str, str]) -> dict:
     shown = {key: lesson[key] for key in ("title", "summary", "minutes")}
     asked = {"questions": len(lesson.get("question", [])), "task": "task" in lesson}
     return {"id": path.stem} | shown | asked | {"words": words_of(lesson, slides_of)}
 
 
-def case_entry(path: pathlib.Path) -> dict:
-    lesson = tomllib.loads(path.read_text(encoding="utf-8"))
+def case_entry(path: pathlib.Path, lesson: dict) -> dict:
     return {"id": path.stem, "title": lesson["title"], "summary": lesson["summary"], "source": lesson.get("source", "")}
 
 
-def exercise_entry(path: pathlib.Path) -> dict:
-    exercise = tomllib.loads(path.read_text(encoding="utf-8"))
+def exercise_entry(path: pathlib.Path, exercise: dict) -> dict:
     shown = {key: exercise[key] for key in ("title", "summary", "minutes")}
     return {"id": path.stem} | shown | {"lesson": exercise["exercise"]["lesson"]}
 
 
-def sets_of(folder: pathlib.Path) -> dict:
-    """The exercises, and the sets that they stand in."""
-    exercises = {path.stem: exercise_entry(path) for path in sorted(folder.glob("*.toml")) if path.name != "sets.toml"}
-    sets = tomllib.loads((folder / "sets.toml").read_text(encoding="utf-8"))["set"] if exercises else []
+def sets_of(files: dict[pathlib.Path, dict], written: list[dict]) -> dict:
+    """The exercises, and the sets that they stand in. files: those of their folder; written: those in which a function is
+    written, which are a set of their own as well."""
+    listed = [{"id": f"write:{one['id']}"} | {key: one[key] for key in ("title", "summary", "minutes", "lesson")} for one in written]
+    decided = [exercise_entry(path, file) for path, file in sorted(files.items()) if path.name != "sets.toml"]
+    exercises = {one["id"]: one for one in [*decided, *listed]}
+    sets = [one for path, file in files.items() if path.name == "sets.toml" for one in file["set"]]
     filled = [one | {"exercises": [exercises[name] for name in one["exercises"]]} for one in sets]
-    return {"sets": filled, "exercises": list(exercises.values())}
+    own = {"id": "write", "title": "Write it yourself", "lecture": "", "exercises": listed}
+    return {"sets": [*filled, *([own] if listed else [])], "exercises": list(exercises.values())}
 
 
-ADDRESS_KEYS = {"lesson": "lesson", "step": "step", "seed": "seed", "situation": "situation", "algorithm": "a", "compare": "b", "scalar": "scalar", "from": "from", "sliders": "slide", "moved": "moved", "rows": "rows"}
+def write_of(path: pathlib.Path, file: dict) -> dict:
+    """An exercise in which a function is written, without the mistakes that its test tries."""
+    shown = {key: file[key] for key in ("title", "summary", "minutes", "lesson", "contract", "stub", "model", "reasons")}
+    return {"id": path.stem} | shown | {"methods": [{"title": one["title"], "code": one["code"]} for one in file.get("method", [])]}
 
 
-def demo_state(state: dict) -> dict:
-    """What the page needs of it: its address as a lesson, and what is said and shown."""
+def demo_state(state: dict, keys: list[list]) -> dict:
+    """What the page needs of it: its address as a lesson, and what is said and shown. keys: demo_keys.json."""
     place = {"step": 0} | state
-    address = urllib.parse.urlencode({name: place[key] for key, name in ADDRESS_KEYS.items() if key in place}, safe=",;:")
+    address = urllib.parse.urlencode({name: place[key] for key, name, _ in keys if key in place}, safe=",;:")
     return {"address": "?" + address, "shows": state.get("shows", ["caption"]), "reveal": state.get("reveal", []), "slide": state["slide"], "notes": " ".join(state["notes"].split()), "hash": state.get("hash", "")}
 
 
-def demo_of(path: pathlib.Path) -> dict:
-    demo = tomllib.loads(path.read_text(encoding="utf-8"))
-    return {"id": path.stem, "title": demo["title"], "lecture": demo["lecture"], "states": [demo_state(state) for state in demo["state"]]}
+def demo_of(path: pathlib.Path, demo: dict, keys: list[list]) -> dict:
+    return {"id": path.stem, "title": demo["title"], "lecture": demo["lecture"], "states": [demo_state(state, keys) for state in demo["state"]]}
 
 
-def slides_in(course: pathlib.Path) -> dict[str, str]:
+def demos_in(demos: list[dict]) -> dict:
+    """What the course's page lists of them. demos: as demo_of makes them."""
+    return {"demos": [{"id": demo["id"], "title": demo["title"], "states": len(demo["states"])} for demo in demos]}
+
+
+def slides_in(course: dict) -> dict[str, str]:
     """The slide of each idea that the course lists."""
-    return {idea["id"]: idea["slide"] for idea in tomllib.loads(course.read_text(encoding="utf-8")).get("idea", [])}
+    return {idea["id"]: idea["slide"] for idea in course.get("idea", [])}
 
 
-def course_of(path: pathlib.Path, lessons: dict[str, dict]) -> dict:
-    course = tomllib.loads(path.read_text(encoding="utf-8"))
+def course_of(path: pathlib.Path, course: dict, lessons: dict[str, dict]) -> dict:
     chapters = course["chapter"]
     named = [lesson for chapter in chapters for lesson in chapter["lessons"]]
     if sorted(named) != sorted(lessons):
@@ -91,7 +100,7 @@ def course_of(path: pathlib.Path, lessons: dict[str, dict]) -> dict:
     return {"playground": course.get("playground", ""), "chapters": [{"title": chapter["title"], "lessons": [lessons[lesson] for lesson in chapter["lessons"]]} for chapter in chapters]}
 
 
-def write(path: pathlib.Path, what: dict) -> None:
+def write(path: pathlib.Path, what) -> None:
     path.write_text(json.dumps(what, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
 
 
@@ -128,16 +137,28 @@ def with_modules(first_page: pathlib.Path, build: str) -> str:
     return text.replace("<script src", links + "<script src", 1)
 
 
-def main(version: str, first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
+def main(program: pathlib.Path, version: str, first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     try:
-        cases = course.parent / "cases"
-        write(site / "cases.json", course_of(cases / course.name, {path.stem: case_entry(path) for path in cases.glob("*.toml") if path.name != course.name}))
-        lessons = {path.stem: lesson_entry(path, slides_in(course)) for path in lesson_files}
-        exercises = sets_of(course.parent / "exercises")
+        folders = {name: sorted((course.parent / name).glob("*.toml")) for name in ("cases", "exercises", "demos", "write")}
+        read = read_tables(program, [course, *lesson_files, *(path for paths in folders.values() for path in paths)])
+        files_of = lambda name: {path: read[path] for path in folders[name]}
+        cases = {path.stem: case_entry(path, file) for path, file in files_of("cases").items() if path.name != course.name}
+        cases_file = course.parent / "cases" / course.name
+        write(site / "cases.json", course_of(cases_file, read[cases_file], cases))
+        slides = slides_in(read[course])
+        lessons = {path.stem: lesson_entry(path, read[path], slides) for path in lesson_files}
+        keys = ask(program, "keys")
+        write(site / "demo_keys.json", keys)
+        demos = [demo_of(path, demo, keys) for path, demo in files_of("demos").items()]
         (site / "demos").mkdir(exist_ok=True)
-        for demo in (course.parent / "demos").glob("*.toml"):
-            write(site / "demos" / f"{demo.stem}.json", demo_of(demo))
-        write(site / "course.json", course_of(course, lessons) | exercises | {"version": version})
+        for demo in demos:
+            write(site / "demos" / f"{demo['id']}.json", demo)
+        written = [write_of(path, file) for path, file in files_of("write").items()]
+        (site / "write").mkdir(exist_ok=True)
+        for one in written:
+            write(site / "write" / f"{one['id']}.json", one)
+        parts = sets_of(files_of("exercises"), written) | demos_in(demos) | {"version": version}
+        write(site / "course.json", course_of(course, read[course], lessons) | parts)
     except ValueError as error:
         sys.exit(str(error))
     build = build_of(site)
@@ -151,4 +172,4 @@ def main(version: str, first_page: pathlib.Path, site: pathlib.Path, course: pat
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], *(pathlib.Path(name) for name in sys.argv[2:5]), [pathlib.Path(name) for name in sys.argv[5:]])
+    main(pathlib.Path(sys.argv[1]), sys.argv[2], *(pathlib.Path(name) for name in sys.argv[3:6]), [pathlib.Path(name) for name in sys.argv[6:]])

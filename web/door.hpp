@@ -23,6 +23,7 @@ struct Door {
   SharedRows shared;
   std::shared_ptr<const lesson::Exercise> exercise;  // whose file was read last
   lesson::Draft draft;                               // the lesson file that was read last
+  bool remembers_later = false;                      // whether `shared` learns what the session is still preparing
   std::optional<io::PointFile> carried;              // the points that are on their way to the playground
 };
 

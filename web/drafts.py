@@ -1,21 +1,25 @@
 """The lessons of a folder while they are being written: what serve.py serves of them."""
 
+import functools
 import json
 import os
 import pathlib
 import subprocess
-import tomllib
 
-from describe_site import course_of, words_of
+from describe_site import course_of, demo_of, demos_in, slides_in, words_of
+from tables import ask, read_tables, tables_of
 
 COURSE = "course.toml"
 TYPESET = pathlib.Path(__file__).resolve().parent.parent / "assets/formulas.mjs"
 
 
 class Drafts:
-    def __init__(self, folder: str):
+    def __init__(self, folder: str, site: str):
         self.folder = pathlib.Path(folder)
-        self.entries = {}  # by the file's name: its stamp, and what the course's page shows of it
+        self.meshes = pathlib.Path(site) / "meshes"
+        self.program = pathlib.Path(site).resolve().parent / "snug_check.js"
+        self.told = {}  # by the file's name: its stamp, and what the program reads of it
+        self.entries = {}  # the same with what the course's page shows of it
         self.typeset = {}  # the same with its formulas
 
     def wrong(self) -> str | None:
@@ -40,7 +44,7 @@ class Drafts:
 
     def has(self, name: str) -> bool:
         """Whether a path of the site is answered from the folder, or not at all: the site's own lessons are not there."""
-        return name in ("course.json", "formulas.json", "preview.json") or name.startswith("lessons/")
+        return name in ("course.json", "formulas.json", "preview.json") or name.startswith(("lessons/", "demos/", "checks/"))
 
     def read(self, name: str) -> bytes:
         """OSError: there is no such file."""
@@ -50,30 +54,78 @@ class Drafts:
             return json.dumps(self.course()).encode()
         if name == "formulas.json":
             return json.dumps(self.formulas()).encode()
+        if name.startswith("demos/"):
+            return self.demo(name.removeprefix("demos/").removesuffix(".json"))
+        if name.startswith("checks/"):
+            return json.dumps(self.check(name.removeprefix("checks/").removesuffix(".json") + ".toml")).encode()
         name = name.removeprefix("lessons/")
         if name not in self.stamps():
             raise FileNotFoundError(name)
         return (self.folder / name).read_bytes()
 
+    @functools.cached_property
+    def keys(self) -> list[list]:
+        """demo_keys.json"""
+        return ask(self.program, "keys")
+
+    def demo(self, name: str) -> bytes:
+        path = self.folder / "demos" / f"{name}.toml"
+        if path.parent != self.folder / "demos":
+            raise FileNotFoundError(name)
+        try:
+            return json.dumps(demo_of(path, read_tables(self.program, [path])[path], self.keys)).encode()
+        except (KeyError, ValueError) as error:  # `snug demo check` says more
+            raise FileNotFoundError(name) from error
+
+    def demos(self) -> dict:
+        try:
+            read = read_tables(self.program, sorted((self.folder / "demos").glob("*.toml")))
+            return demos_in([demo_of(path, demo, self.keys) for path, demo in read.items()])
+        except (KeyError, ValueError):
+            return {}
+
     def course(self) -> dict:
         """As its own file says or, where there is none or it has a mistake, all lessons by name."""
         stamps = self.stamps()
-        lessons = {pathlib.Path(name).stem: self.entry(name, stamp) for name, stamp in stamps.items() if name != COURSE}
+        told = self.read_files(stamps)
+        lessons = {pathlib.Path(name).stem: self.entry(name, stamp, told.get(name, {})) for name, stamp in stamps.items() if name != COURSE}
         course = {"chapters": [{"title": self.folder.resolve().name, "lessons": list(lessons.values())}]}
-        mistake, ideas = None, []
+        mistake = None
         if COURSE in stamps:
             try:
-                course = course_of(self.folder / COURSE, lessons)
-                ideas = [idea["id"] for idea in tomllib.loads((self.folder / COURSE).read_text(encoding="utf-8")).get("idea", [])]
+                course = course_of(self.folder / COURSE, self.course_tables(), lessons)
             except Exception as error:  # whatever is in it
                 mistake = str(error) or type(error).__name__
-        return course | {"preview": {"files": stamps, "mistake": mistake, "ideas": ideas}}
+        return course | self.demos() | {"preview": {"files": stamps, "mistake": mistake}}
 
-    def entry(self, name: str, stamp: str) -> dict:
+    def read_files(self, stamps: dict[str, str]) -> dict[str, dict]:
+        """What the program reads of each file: {tables} or {mistake}. It is asked once for all that have changed."""
+        changed = [name for name, stamp in stamps.items() if self.told.get(name, (None, None))[0] != stamp]
+        told = ask(self.program, "read", *(self.folder / name for name in changed)) if changed else {}
+        for name in changed:
+            self.told[name] = (stamps[name], told[str(self.folder / name)])
+        return {name: self.told[name][1] for name in stamps}
+
+    def course_tables(self) -> dict:
+        """ValueError: the course's file is no TOML."""
+        return tables_of(self.read_files(self.stamps())[COURSE])
+
+    def check(self, name: str) -> dict:
+        """What is wrong with a lesson: {heading, lines}. OSError: there is no such file."""
+        if name not in self.lessons():
+            raise FileNotFoundError(name)
+        try:
+            ideas = slides_in(self.course_tables()) if COURSE in self.stamps() else {}
+        except Exception:  # that file's mistake is told by itself
+            ideas = {}
+        beside = [pathlib.Path(lesson).stem for lesson in self.lessons()]
+        return ask(self.program, "check", self.folder / name, self.meshes, ",".join(beside), ",".join(ideas))
+
+    def entry(self, name: str, stamp: str, told: dict) -> dict:
         """As far as the file says; while it cannot be read at all, as it said before."""
         before, entry = self.entries.get(name, (None, None))
         if before != stamp:
-            entry = self.read_entry(name) or entry or draft_entry(name, {})
+            entry = read_entry(name, told["tables"]) if "tables" in told else entry or draft_entry(name, {})
             self.entries[name] = (stamp, entry)
         return entry
 
@@ -95,16 +147,12 @@ class Drafts:
         except (OSError, ValueError, subprocess.SubprocessError):
             return {}  # they stand on one line then
 
-    def read_entry(self, name: str) -> dict | None:
-        """None: it cannot be read. The page says what is wrong with it."""
-        try:
-            lesson = tomllib.loads((self.folder / name).read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return None
-        try:
-            return draft_entry(name, lesson) | {"words": words_of(lesson, {})}
-        except Exception:  # a key of it is missing, or is something else
-            return draft_entry(name, lesson)
+
+def read_entry(name: str, lesson: dict) -> dict:
+    try:
+        return draft_entry(name, lesson) | {"words": words_of(lesson, {})}
+    except Exception:  # a key of it is missing, or is something else
+        return draft_entry(name, lesson)
 
 
 def draft_entry(name: str, lesson: dict) -> dict:

@@ -1,5 +1,6 @@
 // The exercise, for the page.
 #include <algorithm>
+#include <array>
 
 #include "lesson/exercise/build.hpp"
 #include "lesson/exercise/sitting.hpp"
@@ -91,6 +92,10 @@ val exercise_object(app::App& app) {
   object.set("hint", sitting->hint_words(session));
   object.set("rule", sitting->rule_says(session));
   object.set("followed", over ? array_of(sitting->rules_followed(session), text) : val::array());
+  constexpr std::array kRuns{"", "own", "right"};  // by Looked
+  object.set("run", text(kRuns[static_cast<std::size_t>(sitting->looks_at(session))]));
+  object.set("compared", sitting->compared(session));
+  object.set("firstDifference", sitting->first_difference(session));
   object.set("canTakeBack", !sitting->tells_at_once() && !session.given().empty() && !over);
   object.set("rows", rows_of(*sitting, session));
   return object;

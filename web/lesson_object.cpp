@@ -1,4 +1,5 @@
 // The constant data of an open lesson.
+#include "lesson/exercise/sitting.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
@@ -126,10 +127,15 @@ val words_object() {
   object.set("finish", text(lesson::kFinishWord));
   object.set("start_again", text(lesson::kStartAgainWord));
   object.set("back_to_best", text(lesson::kBackToBestWord));
+  object.set("back_to_solution", text(lesson::kBackToSolutionWord));
   object.set("show_model", text(lesson::kShowModelWord));
   object.set("harder", text(lesson::kHarderWord));
   object.set("without_mark", text(lesson::kWithoutMarkWord));
   object.set("for_mark", text(lesson::kForMarkWord));
+  object.set("right_run", text(lesson::kRightRunWord));
+  object.set("your_run", text(lesson::kYourRunWord));
+  object.set("both_runs", text(lesson::kBothRunsWord));
+  object.set("next_decision", text(lesson::kNextDecisionWord));
   return object;
 }
 

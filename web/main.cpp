@@ -16,7 +16,6 @@
 
 #include "app/app.hpp"
 #include "io/point_file.hpp"
-#include "lesson/check_beside.hpp"
 #include "lesson/place.hpp"
 #include "snug_gl.h"
 #include "web/canvas.hpp"
@@ -61,8 +60,11 @@ std::string start(const std::string& selector, bool smooth, const std::string& p
     return found == door().fonts.end() ? std::string() : found->second;
   };
   const auto clock = [] { return emscripten_get_now() * 1e6; };
-  door().app = std::make_unique<app::App>(app::Platform{
-      .font = font, .glsl_version = web::kGlslVersion, .clock = clock, .here = web::web_provenance(processor)});
+  door().app = std::make_unique<app::App>(app::Platform{.font = font,
+                                                        .glsl_version = web::kGlslVersion,
+                                                        .clock = clock,
+                                                        .gives_way = true,
+                                                        .here = web::web_provenance(processor)});
   if (!web::make_graphics_context(selector.c_str(), smooth)) return "no WebGL 2";
   return start_graphics();
 }
@@ -127,32 +129,16 @@ bool menu_open() {
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
-/// Reads a lesson's file for open_lesson: {draws, mesh, error, says}. checked: whether its algorithms are run to check
-/// it, as for a lesson that is being written; those of the course were checked before. mesh: the one that the page must
-/// load for it, "" for none. error: the first mistake, "" for none. says: all of them, {heading, lines: [{text,
-/// warning}]}.
-val read_lesson(const std::string& toml, const std::string& name, bool checked) {
+/// Reads a lesson's file for open_lesson: {draws, mesh, error}. Its algorithms are not run: whoever serves a lesson has
+/// checked it. mesh: the one that the page must load for it, "" for none. error: the first mistake, "" for none.
+val read_lesson(const std::string& toml, const std::string& name) {
   lesson::Draft& draft = door().draft;
-  draft = lesson::read_draft(toml, name, checked ? lesson::Checked::kAsRun : lesson::Checked::kAsWritten);
+  draft = lesson::read_draft(toml, name);
   val answer = val::object();
   answer.set("draws", draft.lesson.has_value());
   answer.set("mesh", draft.lesson ? draft.lesson->points.mesh : std::string());
   answer.set("error", draft.mistakes.empty() ? std::string() : draft.mistakes.front().error().message());
-  answer.set("says", web::draft_object(draft, name));
   return answer;
-}
-
-/// What is wrong with a lesson that is being written, with what only playing it shows, and what it names that is not
-/// there. toml, name: its file. lessons, ideas: the ids of those beside it. mesh: as for open_lesson. As `says` above.
-val check_draft(const std::string& toml, const std::string& name, const val& lessons, const val& ideas,
-                const std::string& mesh) {
-  std::optional<io::PointFile> file;
-  if (auto read = io::read_points(mesh, "mesh.ply"); !mesh.empty() && read) file = std::move(*read);
-  lesson::Draft draft = lesson::read_draft(toml, name, lesson::Checked::kAsRun, file ? &*file : nullptr);
-  const auto ids = [](const val& list) { return emscripten::vecFromJSArray<std::string>(list); };
-  lesson::check_names_beside(draft, name, {ids(lessons), ids(ideas)});
-  lesson::check_played(draft, name, std::move(file));
-  return web::draft_object(draft, name);
 }
 
 /// Opens the lesson that was read. mesh: a PLY file's bytes, "" for none. anew: at the place where it stands now.
@@ -191,6 +177,16 @@ val handles() {
   return array;
 }
 
+/// Where a handle of that name is on the canvas, {x, y}; null if it is not in view.
+val place_named(const std::string& name) {
+  const auto at = door().app ? door().app->place_named(name) : std::nullopt;
+  if (!at) return val::null();
+  val object = val::object();
+  object.set("x", at->x);
+  object.set("y", at->y);
+  return object;
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(snug) {
@@ -208,17 +204,18 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("figures_fill", &web::figures_fill);
   function("pointer_moved", &web::pointer_moved);
   function("pointer_left", &web::pointer_left);
+  function("forget_input", &web::forget_input);
   function("pointer_button", &web::pointer_button);
   function("wheel_turned", &web::wheel_turned);
   function("pinch", &web::pinch);
   function("modifiers_held", &web::modifiers_held);
   function("cursor", &web::cursor);
   function("read_lesson", &read_lesson);
-  function("check_draft", &check_draft);
   function("open_lesson", &open_lesson);
   function("lesson", &opened_lesson);
   function("view", &view_now);
   function("handles", &handles);
+  function("place_named", &place_named);
   function("command", &web::command);
   function("command_of_key", &web::command_of_key);
   function("pick_choice", &web::pick_choice);
@@ -236,15 +233,20 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("move_point", &web::move_point);
   function("set_numbers", &web::set_numbers);
   function("set_rows", &web::set_rows);
+  function("take_packed", &web::take_packed_rows);
   function("set_file", &web::set_file);
   function("end_typing", &web::end_typing);
   function("change_rows", &web::change_rows);
   function("shared_rows", &web::shared_rows);
+  function("look_from", &web::look_from);
   function("show_situation", &web::show_situation);
   function("hold_slider", &web::hold_slider);
   function("slide", &web::slide);
   function("set_sliders", &web::set_sliders);
   function("scatter", &web::scatter);
+  function("preparing", &web::preparing);
+  function("go_on", &web::go_on);
+  function("give_up", &web::give_up);
   function("set_generator", &web::set_generator);
   function("set_float", &web::set_float);
   function("read_exercise", &web::read_exercise);
@@ -255,12 +257,15 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("light", &web::light);
   function("invite", &web::invite);
   function("start_task", &web::start_task);
+  function("solve_again", &web::solve_again);
   function("load_file", &web::load_file);
   function("measure", &web::measure_slice);
   function("measuring", &web::measuring);
   function("measured", &web::measured);
   function("cover_file", &web::cover_file);
   function("draw_cover", &web::draw_cover);
+  function("draw_picture", &web::draw_picture);
+  function("picture_svg", &web::picture_svg);
   function("playground_says", &web::playground_says);
   function("carry_points", &web::carry_points);
   function("put_down_points", &web::put_down_points);

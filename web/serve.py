@@ -14,6 +14,7 @@ import functools
 import gzip
 import hashlib
 import os
+import subprocess
 import sys
 import urllib.parse
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -90,7 +91,7 @@ class Handler(SimpleHTTPRequestHandler):
         """What changes while it is served is never kept by the browser."""
         try:
             body = self.drafts.read(name)
-        except OSError:
+        except (OSError, ValueError, subprocess.SubprocessError):
             return self.send_error(404)
         self.send_response(200)
         self.send_header("Cache-Control", "no-store")
@@ -119,7 +120,7 @@ def main():
     options = parser.parse_args()
     drafts = None
     if options.lessons is not None:
-        drafts = Drafts(options.lessons)
+        drafts = Drafts(options.lessons, options.folder)
         if wrong := drafts.wrong():
             sys.exit(wrong)
     handler = functools.partial(Handler, directory=options.folder, drafts=drafts)

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/generate.hpp"
-#include "lesson/point_subject.hpp"
+#include "lesson/demo_now.hpp"
+#include "lesson/packed_rows.hpp"
 #include "lesson/situations.hpp"
 #include "web/values.hpp"
 
@@ -14,7 +14,8 @@ namespace {
 
 using emscripten::val;
 
-constexpr std::size_t kMostInAddress = 64;  // in full precision: about 4000 characters, which every browser accepts
+using lesson::kMostPlainRows;
+constexpr std::size_t kMostPacked = 6000;  // numbers: what is packed has 66,000 letters then, more than Firefox shows
 constexpr std::size_t kMostKnown = 16;
 
 std::vector<std::size_t> differences(const lesson::Rows& a, const lesson::Rows& b) {
@@ -24,23 +25,6 @@ std::vector<std::size_t> differences(const lesson::Rows& a, const lesson::Rows& 
   return places;
 }
 
-bool is_one_of(const auto& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// How an address names the state, apart from the seed; none if it cannot.
-std::optional<std::string> words_for(const lesson::Session& session) {
-  const lesson::Points& own = lesson::points_in(session.lesson(), session.situation());
-  const std::string& source = session.source();
-  if (source == "own" || (!own.mesh.empty() && source == own.mesh)) return "";
-  const Index count = lesson::count_of(session.subject());
-  if (source == own.generate && count == own.count) return "";
-  if (source == "task" && session.task() > 0) return source + ":" + std::to_string(session.task() + 1);
-  if (source == "task" || is_one_of(lesson::mesh_names(), source)) return source;
-  if (is_one_of(generator_kinds(), source)) return source + ":" + std::to_string(count);
-  return std::nullopt;
-}
-
 val row_object(const std::vector<double>& row) { return array_of(row, number); }
 
 std::string sentence(const lesson::Done& done) { return done ? "" : done.error().message(); }
@@ -48,7 +32,7 @@ std::string sentence(const lesson::Done& done) { return done ? "" : done.error()
 }  // namespace
 
 void SharedRows::remember(const lesson::Session& session) {
-  const auto how = words_for(session);
+  const auto how = lesson::source_words(session);
   if (!how) return;
   if (known_.size() == kMostKnown) known_.erase(known_.begin() + 1);  // the first is the lesson as it opened
   known_.push_back({*how, session.seed(), session.snapshot()});
@@ -79,8 +63,8 @@ val SharedRows::describe(const lesson::Session& session) const {
   const auto set_slide = [&] {
     if (session.has_slid()) object.set("slide", array_of(session.slider_values(), number));
   };
-  const bool few = rows.size() <= kMostInAddress;
-  if (nearest != nullptr && fewest.size() <= kMostInAddress && (!few || 2 * fewest.size() < rows.size())) {
+  const bool few = rows.size() <= kMostPlainRows;
+  if (nearest != nullptr && fewest.size() <= kMostPlainRows && (!few || 2 * fewest.size() < rows.size())) {
     set_slide();
     object.set("how", nearest->how);
     object.set("moved", array_of(fewest, [&](std::size_t i) {
@@ -91,6 +75,11 @@ val SharedRows::describe(const lesson::Session& session) const {
   } else if (few) {
     set_slide();
     object.set("rows", array_of(rows, row_object));
+  } else if (std::size_t numbers = 0; std::all_of(rows.begin(), rows.end(), [&](const std::vector<double>& row) {
+               return (numbers += row.size()) <= kMostPacked;
+             })) {
+    set_slide();
+    object.set("packed", lesson::packed_rows(rows));
   }
   return object;
 }
@@ -99,6 +88,11 @@ std::string take_rows(lesson::Session& session, const val& rows) {
   lesson::Rows all;
   for (int i = 0; i < rows["length"].as<int>(); ++i) all.push_back(emscripten::vecFromJSArray<double>(rows[i]));
   return sentence(session.set_rows(all));
+}
+
+std::string take_packed(lesson::Session& session, const std::string& packed) {
+  const auto rows = lesson::unpacked_rows(packed);
+  return rows ? sentence(session.set_rows(*rows)) : "the packed numbers of the address are damaged";
 }
 
 std::string take_changes(lesson::Session& session, const val& moved) {

@@ -19,8 +19,9 @@ class SharedRows {
   void forget() { known_.clear(); }
 
   /// {how, moved: [[i, numbers …] …]} relative to the nearest known state; {rows: [[numbers …] …]} if none is near and
-  /// there are few rows; or {} if an address cannot hold them. how: "" for the situation's own, "clusters:200",
-  /// "bunny", "task". slide: the sliders' values, if any has moved; a known state is near if they lead there.
+  /// there are few rows; {packed} if there are more (lesson/packed_rows.hpp); or {} if an address cannot hold them.
+  /// how: "" for the situation's own, "clusters:200", "bunny", "task". slide: the sliders' values, if any has moved; a
+  /// known state is near if they lead there.
   [[nodiscard]] emscripten::val describe(const lesson::Session& session) const;
 
  private:
@@ -36,6 +37,7 @@ class SharedRows {
 
 /// Replaces all rows; or some, each given after its index. Returns "" or why that is impossible.
 [[nodiscard]] std::string take_rows(lesson::Session& session, const emscripten::val& rows);
+[[nodiscard]] std::string take_packed(lesson::Session& session, const std::string& packed);
 [[nodiscard]] std::string take_changes(lesson::Session& session, const emscripten::val& moved);
 
 }  // namespace snug::web

@@ -9,6 +9,7 @@
 #include "lesson/stored.hpp"
 #include "lesson/subjects.hpp"
 #include "web/cover.hpp"
+#include "web/deeds.hpp"
 #include "web/numbers.hpp"
 #include "web/prose.hpp"
 #include "web/values.hpp"
@@ -215,6 +216,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   object.set("previewing", session.previewing());
   set_answers(object, session);
   object.set("exercise", exercise_object(app));
+  object.set("preparing", preparing());
   object.set("framesDrawn", static_cast<double>(app.frames_drawn()));
   object.set("cover", cover_object(app));
   set_algorithms(object, session);

@@ -13,9 +13,6 @@ namespace snug::web {
 /// What stays constant while the lesson is open: {id, title, sections, task, algorithms, tools, stageSays …}.
 emscripten::val lesson_object(const lesson::Session& session);
 
-/// What is wrong with a lesson's file: {heading, lines: [{text, warning}]}. file: its name.
-emscripten::val draft_object(const lesson::Draft& draft, std::string_view file);
-
 /// What changes: {step, steps, caption, algorithms, code, rivals, readout, selected, numbers, cover, effects …}, and
 /// set_answers.
 emscripten::val view_object(app::App& app, const lesson::Session& session);

@@ -54,9 +54,15 @@ Point clusters(Random& random, int index, int n, int dim) {
   }
 }
 
-Point lattice(Random&, int index, int n, int dim) {
+/// The least number of blocks a side of a square, or a cube, that holds n.
+int blocks_a_side(int n, int dim) {
   int side = 1;
   while ((dim == 2 ? side * side : side * side * side) < n) ++side;
+  return side;
+}
+
+Point lattice(Random&, int index, int n, int dim) {
+  const int side = blocks_a_side(n, dim);
   Point p = Point::Zero();
   for (int i = 0; i < dim; ++i, index /= side) p[i] = index % side;
   const double middle = (side - 1) / 2.0;
@@ -66,9 +72,21 @@ Point lattice(Random&, int index, int n, int dim) {
 
 Point on_line(Random& random, int, int, int dim) { return random.between(-1, 1) * tilted(dim); }
 
-constexpr std::array<std::string_view, 8> kKinds{"cube",  "ball",     "sphere",  "gaussian",
-                                                 "stick", "clusters", "lattice", "line"};
-constexpr std::array<Make, 8> kMakers{in_cube, in_ball, on_sphere, gaussian, stick, clusters, lattice, on_line};
+/// One node of each block of three in a grid of whole numbers, so that many distances are equal, without rounding.
+Point in_blocks(Random& random, int index, int n, int dim) {
+  const int blocks = blocks_a_side(n, dim);
+  Point p = Point::Zero();
+  for (int i = 0; i < dim; ++i, index /= blocks) p[i] = index % blocks * 3 + static_cast<int>(random.below(3));
+  double half = 1;
+  while (half < 1.5 * blocks) half *= 2;
+  for (int i = 0; i < dim; ++i) p[i] = (p[i] - (3 * blocks - 1) / 2.0) / half;
+  return p;
+}
+
+constexpr std::array<std::string_view, 9> kKinds{"cube",     "ball",    "sphere", "gaussian", "stick",
+                                                 "clusters", "lattice", "line",   "blocks"};
+constexpr std::array<Make, 9> kMakers{in_cube,  in_ball, on_sphere, gaussian, stick,
+                                      clusters, lattice, on_line,   in_blocks};
 
 }  // namespace
 

@@ -35,7 +35,6 @@ class Statements {
   [[nodiscard]] bool loses_one() const { return lost_; }
 
  private:
-  static std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
   static bool goes_on(std::string_view line) { return !line.empty() && line.back() == '\\'; }
   static bool is_named(std::string_view line) {
     const std::string_view keyword = take_word(line);
@@ -62,7 +61,7 @@ class Statements {
 
 class ObjReader {
  public:
-  explicit ObjReader(bool skip_nan) : skip_nan_(skip_nan) {}
+  explicit ObjReader(const Wanted& wanted) : wanted_(wanted) {}
 
   Read<PointFile> read(std::string_view text) {
     for (Statements statements(text); statements.next();) {
@@ -73,14 +72,20 @@ class ObjReader {
       if (statements.loses_one())
         return at_line(line_, "the line ends in a backslash, and the next line is a statement of its own");
       const std::string wrong = keyword == "v" ? add_vertex(rest) : keyword == "f" ? add_face(rest) : std::string();
-      if (!wrong.empty()) return at_line(line_, wrong);
+      if (keyword == "f" && !wanted_.faces && !wrong.empty()) pass_over(file_, Passed::kDamaged);
+      else if (!wrong.empty()) return at_line(line_, wrong);
       if (is_obj_keyword(keyword)) continue;
-      if (file_.passed == PassedOver{})
-        unknown_ = at_line(line_, quoted(keyword) + " is not a statement of OBJ").value();
+      if (unknown_.what.empty()) unknown_ = at_line(line_, quoted(keyword) + " is not a statement of OBJ").value();
       pass_over(file_, Passed::kStatements);
     }
     if (file_.points.empty() && !unknown_.what.empty()) return tl::unexpected(unknown_);
-    if (largest_ > vertices()) return at_line(line_of_largest_, out_of_range(largest_));
+    if (!wanted_.faces) {
+      file_.triangles.clear();
+      pass_over(file_, Passed::kDamaged,
+                std::count_if(ahead_.begin(), ahead_.end(), [&](auto largest) { return largest > vertices(); }));
+    } else if (largest_ > vertices()) {
+      return at_line(line_of_largest_, out_of_range(largest_));
+    }
     return std::move(file_);
   }
 
@@ -92,18 +97,19 @@ class ObjReader {
            std::to_string(vertices());
   }
 
-  /// Reads x y z, and perhaps a weight or a colour, which are ignored. Returns what is wrong, or an empty text.
+  /// Reads x y z, and perhaps a weight or a colour, which are passed over. Returns what is wrong, or an empty text.
   std::string add_vertex(std::string_view rest) {
     Vector<double, 3> point;
     int count = 0;
     for (auto word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
       if (count >= 3) continue;
-      const auto value = parse_coordinate(word, skip_nan_);
+      const auto value = parse_coordinate(word, wanted_.skip_nan);
       if (!value) return value.error();
       point[count] = *value;
     }
     if (count < 3) return "a vertex has three coordinates, and there are " + counted(count, "number");
     if (file_.points.size() == kMostPoints) return std::string(kTooManyPoints);
+    if (count > 3) pass_over(file_, Passed::kColumns);
     file_.points.push_back(point);
     return {};
   }
@@ -112,15 +118,18 @@ class ObjReader {
   std::string add_face(std::string_view rest) {
     std::array<Index, 3> corners{};
     int count = 0;
+    Index largest = 0;
     for (auto word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
       const auto index = index_of(word);
       if (!index) return index.error();
+      largest = std::max(largest, *index);
       corners[std::min(count, 2)] = *index;
       if (count < 2) continue;
       file_.triangles.push_back(corners);
       corners[1] = corners[2];
     }
     if (count < 3) pass_over(file_, Passed::kFaces);
+    if (largest >= vertices() && !wanted_.faces) ahead_.push_back(std::int64_t{largest} + 1);
     return {};
   }
 
@@ -139,12 +148,13 @@ class ObjReader {
     return static_cast<Index>(*reference - 1);
   }
 
-  bool skip_nan_;
+  Wanted wanted_;
   PointFile file_;
   std::int64_t line_ = 0;
   std::int64_t largest_ = 0;
   std::int64_t line_of_largest_ = 0;
-  InputError unknown_;  // the first statement that is not OBJ's
+  std::vector<std::int64_t> ahead_;  // of each face that names vertices to come, the last one
+  InputError unknown_;               // the first statement that is not OBJ's
 };
 
 }  // namespace
@@ -153,6 +163,6 @@ bool is_obj_keyword(std::string_view word) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
 }
 
-Read<PointFile> read_obj(std::string_view text, bool skip_nan) { return ObjReader(skip_nan).read(text); }
+Read<PointFile> read_obj(std::string_view text, const Wanted& wanted) { return ObjReader(wanted).read(text); }
 
 }  // namespace snug::io

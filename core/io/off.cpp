@@ -3,14 +3,15 @@
 namespace snug::io {
 namespace {
 
-/// Reads "OFF, the counts of vertices, faces and edges, the vertices, the faces", word by word.
+/// Reads "OFF" (which may be missing), "the counts of vertices, faces and edges, the vertices, the faces", word by
+/// word.
 class OffReader {
  public:
-  OffReader(std::string_view text, bool skip_nan) : lines_(text), skip_nan_(skip_nan) {}
+  OffReader(std::string_view text, const Wanted& wanted) : lines_(text), wanted_(wanted) {}
 
   Read<PointFile> read() {
-    std::string_view word;
-    if (!take(word) || !take_count(vertices_) || !take_count(faces_)) return tl::unexpected(error_);
+    skip_keyword();
+    if (!take_count(vertices_) || !take_count(faces_)) return tl::unexpected(error_);
     rest_ = {};  // the count of edges is not used, and may be missing
     if (vertices_ > most()) return at_line(lines_.number(), claims(vertices_, "vertices"));
     if (faces_ > most()) return at_line(lines_.number(), claims(faces_, "faces"));
@@ -19,11 +20,17 @@ class OffReader {
       if (!read_vertex()) return tl::unexpected(error_);
     for (std::int64_t i = 0; i < faces_; ++i)
       if (!read_face()) return tl::unexpected(error_);
+    if (!wanted_.faces) file_.triangles.clear();
     while (next_line()) pass_over(file_, Passed::kLines);
     return std::move(file_);
   }
 
  private:
+  void skip_keyword() {
+    if (!next_line()) return;
+    std::string_view after = rest_;
+    if (lower_case(take_word(after)) == "off") rest_ = after;
+  }
   [[nodiscard]] std::int64_t most() const { return static_cast<std::int64_t>(lines_.rest().size()) / 2 + 1; }
   static std::string claims(std::int64_t n, std::string_view what) {
     return "the file claims " + std::to_string(n) + " " + std::string(what) + ", and is too short for that";
@@ -31,7 +38,7 @@ class OffReader {
 
   bool next_line() {
     while (lines_.next_filled()) {
-      rest_ = trim(lines_.line().substr(0, lines_.line().find('#')));
+      rest_ = trim(without_comment(lines_.line()));
       if (!rest_.empty()) return true;
     }
     return false;
@@ -55,7 +62,7 @@ class OffReader {
     for (int axis = 0; axis < 3; ++axis) {
       std::string_view word;
       if (!take(word)) return false;
-      const auto value = parse_coordinate(word, skip_nan_);
+      const auto value = parse_coordinate(word, wanted_.skip_nan);
       if (!value) return fail(value.error());
       point[axis] = *value;
     }
@@ -70,18 +77,24 @@ class OffReader {
     std::int64_t count = 0;
     if (!take_count(count)) return false;
     std::array<Index, 3> corners{};
+    std::string wrong;
     for (std::int64_t i = 0; i < count; ++i) {
-      std::int64_t index = 0;
-      if (!take_count(index)) return false;
-      if (index >= vertices_)
-        return fail("the face names vertex " + std::to_string(index) + ", counted from 0, and there are " +
-                    std::to_string(vertices_));
-      corners[static_cast<std::size_t>(i < 2 ? i : 2)] = static_cast<Index>(index);
+      std::string_view word;
+      if (!take(word)) return false;
+      const auto index = parse_integer(word);
+      if (!index) wrong = quoted(word) + " does not name a vertex";
+      else if (*index < 0 || *index >= vertices_)
+        wrong = "the face names vertex " + std::to_string(*index) + ", counted from 0, and there are " +
+                std::to_string(vertices_);
+      if (!wrong.empty() && wanted_.faces) return fail(wrong);
+      if (!wrong.empty()) continue;
+      corners[static_cast<std::size_t>(i < 2 ? i : 2)] = static_cast<Index>(*index);
       if (i < 2) continue;
       file_.triangles.push_back(corners);
       corners[1] = corners[2];
     }
-    if (count < 3) pass_over(file_, Passed::kFaces);
+    if (!wrong.empty()) pass_over(file_, Passed::kDamaged);
+    else if (count < 3) pass_over(file_, Passed::kFaces);
     rest_ = {};
     return true;
   }
@@ -92,7 +105,7 @@ class OffReader {
   }
 
   Lines lines_;
-  bool skip_nan_;
+  Wanted wanted_;
   std::string_view rest_;
   std::int64_t vertices_ = 0, faces_ = 0;
   PointFile file_;
@@ -101,6 +114,6 @@ class OffReader {
 
 }  // namespace
 
-Read<PointFile> read_off(std::string_view text, bool skip_nan) { return OffReader(text, skip_nan).read(); }
+Read<PointFile> read_off(std::string_view text, const Wanted& wanted) { return OffReader(text, wanted).read(); }
 
 }  // namespace snug::io

@@ -29,12 +29,18 @@ double number_of(PlyType type, std::uint64_t bits) {
   return static_cast<double>(integer_of(type, bits));
 }
 
+/// The number as an integer, if it is one.
+std::optional<std::int64_t> whole_of(std::optional<double> number) {
+  if (!number || !(std::abs(*number) < 1e15) || *number != std::floor(*number)) return std::nullopt;
+  return static_cast<std::int64_t>(*number);
+}
+
 }  // namespace
 
 // ---- text ------------------------------------------------------------------------------------------------------
 
-PlyText::PlyText(const PlyHeader& header, std::string_view, bool skip_nan)
-    : lines_(header.body, header.lines + 1), skip_nan_(skip_nan) {}
+PlyText::PlyText(const PlyHeader& header, std::string_view, const Wanted& wanted)
+    : lines_(header.body, header.lines + 1), wanted_(wanted) {}
 
 std::int64_t PlyText::smallest(const PlyElement& element) {
   return 2 * static_cast<std::int64_t>(element.properties.size());  // a digit and a separator
@@ -61,23 +67,18 @@ bool PlyText::word(std::string_view& word) {
 bool PlyText::number(PlyType, double& value) {
   std::string_view text;
   if (!word(text)) return false;
-  const auto coordinate = parse_coordinate(text, skip_nan_);
+  const auto coordinate = parse_coordinate(text, wanted_.skip_nan);
   if (!coordinate) return fail(coordinate.error());
   value = *coordinate;
   return true;
 }
 
-bool PlyText::integer(PlyType, std::int64_t& value) {
-  std::string_view text;
-  if (!word(text)) return false;
-  if (const auto integer = parse_integer(text)) {
-    value = *integer;
-    return true;
-  }
-  const auto number = parse_number(text);  // some programs write 3.0
-  if (!number || !(std::abs(*number) < 1e15) || *number != std::floor(*number))
-    return fail(quoted(text) + " is not an integer");
-  value = static_cast<std::int64_t>(*number);
+std::string PlyText::not_integer() const { return quoted(word_) + " is not an integer"; }
+
+bool PlyText::whole(PlyType, std::optional<std::int64_t>& value) {
+  if (!word(word_)) return false;
+  value = parse_integer(word_);
+  if (!value) value = whole_of(parse_number(word_));  // some programs write 3.0
   return true;
 }
 
@@ -106,9 +107,9 @@ bool PlyText::fail(std::string what) {
 
 // ---- bytes -----------------------------------------------------------------------------------------------------
 
-PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole, bool skip_nan)
+PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole, const Wanted& wanted)
     : bytes_(whole), at_(whole.size() - header.body.size()), value_(at_),
-      big_endian_(header.form == PlyForm::kBigEndian), skip_nan_(skip_nan) {}
+      big_endian_(header.form == PlyForm::kBigEndian), wanted_(wanted) {}
 
 std::int64_t PlyBytes::smallest(const PlyElement& element) {
   std::size_t size = 0;
@@ -138,14 +139,16 @@ bool PlyBytes::number(PlyType type, double& value) {
   std::uint64_t raw = 0;
   if (!bits(type, raw)) return false;
   value = number_of(type, raw);
-  const std::string_view fault = fault_of_coordinate(value, skip_nan_);
+  const std::string_view fault = fault_of_coordinate(value, wanted_.skip_nan);
   return fault.empty() || fail(std::string("the coordinate ").append(fault));
 }
 
-bool PlyBytes::integer(PlyType type, std::int64_t& value) {
+std::string PlyBytes::not_integer() const { return "the number is not an integer"; }
+
+bool PlyBytes::whole(PlyType type, std::optional<std::int64_t>& value) {
   std::uint64_t raw = 0;
   if (!bits(type, raw)) return false;
-  value = integer_of(type, raw);
+  value = is_integer(type) ? integer_of(type, raw) : whole_of(number_of(type, raw));
   return true;
 }
 

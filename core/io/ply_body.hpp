@@ -10,7 +10,7 @@ namespace snug::io {
 /// Data as text: an instance of an element begins a line, and may go on to the next.
 class PlyText {
  public:
-  PlyText(const PlyHeader& header, std::string_view whole, bool skip_nan);
+  PlyText(const PlyHeader& header, std::string_view whole, const Wanted& wanted);
 
   /// The fewest bytes that an instance can take.
   [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
@@ -19,7 +19,9 @@ class PlyText {
 
   bool begin(const PlyElement& element, std::int64_t instance);
   bool number(PlyType type, double& value);
-  bool integer(PlyType type, std::int64_t& value);
+  /// None if there is a value, and it is not an integer; false only at the end of the data.
+  bool whole(PlyType type, std::optional<std::int64_t>& value);
+  [[nodiscard]] std::string not_integer() const;
   bool skip(PlyType type, std::int64_t n);
   bool end();
   /// Counts what is left, which is passed over.
@@ -32,22 +34,24 @@ class PlyText {
   bool word(std::string_view& word);
 
   Lines lines_;
-  bool skip_nan_;
-  std::string_view rest_;
+  Wanted wanted_;
+  std::string_view rest_, word_;
   std::int64_t first_ = 0;  // the line on which the instance begins
   InputError error_;
 };
 
 class PlyBytes {
  public:
-  PlyBytes(const PlyHeader& header, std::string_view whole, bool skip_nan);
+  PlyBytes(const PlyHeader& header, std::string_view whole, const Wanted& wanted);
 
   [[nodiscard]] static std::int64_t smallest(const PlyElement& element);
   [[nodiscard]] std::int64_t left() const { return static_cast<std::int64_t>(bytes_.size() - at_); }
 
   bool begin(const PlyElement& element, std::int64_t instance);
   bool number(PlyType type, double& value);
-  bool integer(PlyType type, std::int64_t& value);
+  /// None if there is a value, and it is not an integer; false only at the end of the data.
+  bool whole(PlyType type, std::optional<std::int64_t>& value);
+  [[nodiscard]] std::string not_integer() const;
   bool skip(PlyType type, std::int64_t n);
   bool end() { return true; }
   void finish(PointFile& file);
@@ -63,7 +67,7 @@ class PlyBytes {
   std::size_t at_;     // of the next value
   std::size_t value_;  // of the last value, for errors
   bool big_endian_;
-  bool skip_nan_;
+  Wanted wanted_;
   InputError error_;
 };
 

@@ -31,7 +31,8 @@ class HeaderReader {
   explicit HeaderReader(std::string_view bytes) : lines_(bytes) {}
 
   Read<PlyHeader> read() {
-    if (!lines_.next() || trim(lines_.line()) != "ply") return at_line(1, "the file does not begin with \"ply\"");
+    if (!lines_.next() || lower_case(trim(lines_.line())) != "ply")
+      return at_line(1, "the file does not begin with \"ply\"");
     while (lines_.next()) {
       std::string_view rest = lines_.line();
       const std::string_view word = take_word(rest);
@@ -81,14 +82,15 @@ class HeaderReader {
     if (header_.elements.empty()) return "the property belongs to no element";
     std::string_view type_name = take_word(rest);
     std::optional<PlyType> count_type;
+    std::string_view unknown;
     if (type_name == "list") {
       const std::string_view count_name = take_word(rest);
-      count_type = type_named(count_name);
-      if (!count_type || !is_integer(*count_type)) return quoted(count_name) + " is not a type for a list's count";
+      count_type = type_named(count_name).value_or(PlyType::kUnknown);
       type_name = take_word(rest);
+      if (count_type == PlyType::kUnknown) unknown = count_name;
     }
-    const auto type = type_named(type_name);
-    if (!type) return quoted(type_name) + " is not a type of PLY";
+    const auto type = type_named(type_name).value_or(PlyType::kUnknown);
+    if (type == PlyType::kUnknown && unknown.empty()) unknown = type_name;
     const std::string_view name = take_word(rest);
     if (name.empty()) return "the property has no name";
     if (!trim(rest).empty()) return "there is more on the line than a property's type and name";
@@ -96,7 +98,7 @@ class HeaderReader {
     for (const PlyProperty& other : properties)
       if (other.name == name) return "the element has the property " + quoted(name) + " twice";
     if (properties.size() == kMost) return "the element has more than 1000 properties";
-    properties.push_back({name, *type, count_type});
+    properties.push_back({name, type, count_type, lines_.number(), unknown});
     return {};
   }
 

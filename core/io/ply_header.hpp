@@ -20,11 +20,12 @@ enum class PlyType : std::uint8_t {
   kInt64,
   kUint64,
   kFloat32,
-  kFloat64
+  kFloat64,
+  kUnknown  // an error where the data is needed, or has to be gone over as bytes
 };
 
 [[nodiscard]] constexpr std::size_t size_of(PlyType type) {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8, 0};
   return kSizes[static_cast<std::size_t>(type)];
 }
 [[nodiscard]] constexpr bool is_integer(PlyType type) { return type < PlyType::kFloat32; }
@@ -33,6 +34,8 @@ struct PlyProperty {
   std::string_view name;
   PlyType type;                       // for a list: the type of its items
   std::optional<PlyType> count_type;  // of a list only
+  std::int64_t line = 0;              // the line that declares it
+  std::string_view unknown = {};      // the name of its type, if PLY has no such type
 };
 
 struct PlyElement {

@@ -9,9 +9,6 @@ namespace {
 
 enum class Format { kRows, kCsv, kObj, kPly, kStlText, kStlBinary, kOff };
 
-/// What may follow a text: zero bytes, and the mark with which DOS ends one.
-constexpr std::string_view kPadding("\0\x1a", 2);
-
 std::string extension_of(std::string_view name) {
   const std::size_t dot = name.find_last_of("./\\");
   return dot == std::string_view::npos || name[dot] != '.' ? "" : lower_case(name.substr(dot + 1));
@@ -35,8 +32,9 @@ Format format_of_text(std::string_view text, std::string_view extension) {
   const std::string_view line = rest;
   const std::string_view word = take_word(rest);
   if (lower_case(word) == "solid") return Format::kStlText;
-  if (word == "OFF") return Format::kOff;
+  if (lower_case(word) == "off") return Format::kOff;
   if (is_obj_keyword(word) && !rest.empty()) return Format::kObj;
+  if (extension == "off" && !line.empty()) return Format::kOff;
   const Format rows = extension == "csv" ? Format::kCsv : Format::kRows;
   if (line.empty() || parse_number(line.substr(0, line.find_first_of(" \t,;")))) return rows;
   if (extension == "obj") return Format::kObj;
@@ -55,12 +53,18 @@ bool is_something_else(std::string_view bytes, std::string_view extension) {
   return std::any_of(line.begin(), line.end(), [](char c) { return (c & 0x80) != 0 || (c < ' ' && c != '\t'); });
 }
 
+bool is_text(std::string_view bytes, bool zeros) {
+  return std::none_of(bytes.begin(), bytes.end(),
+                      [&](char c) { return c >= 0 && c < ' ' && (c < '\t' || c > '\r') && (c != '\0' || !zeros); });
+}
+
 /// Text into which zero bytes have come: up to the first there is nothing but text, and not as a binary STL's header,
-/// whose text says nothing of facets.
-bool is_text_with_zeros(std::string_view bytes) {
+/// whose text says nothing of facets; and of a format that is text alone, wherever they are.
+bool is_text_with_zeros(std::string_view bytes, std::string_view extension) {
+  const bool always_text = is_point_extension(extension) && extension != "stl" && extension != "ply";
+  if (always_text && is_text(bytes.substr(0, 4096), true)) return true;
   const std::string_view start = bytes.substr(0, bytes.find('\0'));
-  const bool text = std::none_of(start.begin(), start.end(), [](char c) { return c < ' ' && (c < '\t' || c > '\r'); });
-  if (start.empty() || !text) return false;
+  if (start.empty() || !is_text(start, false)) return false;
   return lower_case(start.substr(0, 5)) == "solid" ? start.find("facet") != std::string_view::npos
                                                    : start.find_first_of("\r\n") != std::string_view::npos;
 }
@@ -71,9 +75,10 @@ std::string_view not_read(std::string_view text, std::string_view extension) {
   std::string_view rest = line;
   const std::string_view word = take_word(rest);
   if (text.substr(0, 7) == "# .PCD " || extension == "pcd") return "PCD is not read: save the points as PLY or xyz";
-  if (word == "COFF" || word == "NOFF" || word == "CNOFF" || word == "STOFF" || word == "4OFF" || word == "nOFF")
+  const std::string kind = lower_case(word);
+  if (kind == "coff" || kind == "noff" || kind == "cnoff" || kind == "stoff" || kind == "4off")
     return "only plain OFF is read, without colours or normals: save the points as OFF, PLY or OBJ";
-  if (word == "OFF" && trim(rest) == "BINARY") return "binary OFF is not read: save the points as text";
+  if (kind == "off" && lower_case(trim(rest)) == "binary") return "binary OFF is not read: save the points as text";
   if (!line.empty() && (line[0] == '{' || line[0] == '['))
     return "JSON is not read: give a point file: xyz, csv, obj, ply, stl or off";
   return {};
@@ -82,24 +87,24 @@ std::string_view not_read(std::string_view text, std::string_view extension) {
 /// The content decides if it can: binary STL is recognized by its size, because its header may begin with "solid".
 Format format_of(std::string_view bytes, std::string_view extension) {
   const std::string_view start = bytes.substr(0, 4);
-  if (start.substr(0, 3) == "ply" && start.find_first_of("\n\r \t", 3) == 3) return Format::kPly;
+  if (lower_case(start.substr(0, 3)) == "ply" && start.find_first_of("\n\r \t", 3) == 3) return Format::kPly;
   if (has_size_of_stl(bytes)) return Format::kStlBinary;
-  if (!looks_binary(bytes) || is_text_with_zeros(bytes)) return format_of_text(bytes, extension);
+  if (!looks_binary(bytes) || is_text_with_zeros(bytes, extension)) return format_of_text(bytes, extension);
   if (extension == "ply") return Format::kPly;
   return Format::kStlBinary;
 }
 
-Read<PointFile> read_as(Format format, std::string_view bytes, bool skip_nan) {
+Read<PointFile> read_as(Format format, std::string_view bytes, const Wanted& wanted) {
   switch (format) {
-    case Format::kRows: return read_rows(bytes, false, skip_nan);
-    case Format::kCsv: return read_rows(bytes, true, skip_nan);
-    case Format::kObj: return read_obj(bytes, skip_nan);
-    case Format::kPly: return read_ply(bytes, skip_nan);
-    case Format::kStlText: return read_stl_text(bytes, skip_nan);
-    case Format::kOff: return read_off(bytes, skip_nan);
+    case Format::kRows: return read_rows(bytes, false, wanted);
+    case Format::kCsv: return read_rows(bytes, true, wanted);
+    case Format::kObj: return read_obj(bytes, wanted);
+    case Format::kPly: return read_ply(bytes, wanted);
+    case Format::kStlText: return read_stl_text(bytes, wanted);
+    case Format::kOff: return read_off(bytes, wanted);
     case Format::kStlBinary: break;
   }
-  return read_stl_binary(bytes, skip_nan);
+  return read_stl_binary(bytes, wanted);
 }
 
 /// Text whose bytes are every second one zero.
@@ -129,7 +134,7 @@ std::int64_t line_at(std::string_view text, std::size_t at) {
   return lines.number();
 }
 
-Read<PointFile> read_any(std::string_view bytes, std::string_view name, bool skip_nan) {
+Read<PointFile> read_any(std::string_view bytes, std::string_view name, const Wanted& wanted) {
   if (const auto text = without_mark(bytes)) bytes = *text;
   else return tl::unexpected(text.error());
   const std::string extension = extension_of(name);
@@ -137,8 +142,9 @@ Read<PointFile> read_any(std::string_view bytes, std::string_view name, bool ski
     if (const std::string_view what = not_read(bytes, extension); !what.empty())
       return tl::unexpected(InputError{.what = std::string(what)});
   const Format format = format_of(bytes, extension);
+  std::int64_t padding = 0;
   if (format != Format::kPly && format != Format::kStlBinary) {
-    bytes = bytes.substr(0, bytes.find_last_not_of(kPadding) + 1);
+    padding = take_padding(bytes);
     if (const std::size_t zero = bytes.find('\0'); zero != std::string_view::npos)
       return at_line(line_at(bytes, zero), "there is a zero byte in the text");
   }
@@ -148,20 +154,21 @@ Read<PointFile> read_any(std::string_view bytes, std::string_view name, bool ski
     return tl::unexpected(InputError{.what = "this is not a point file: xyz, csv, obj, ply, stl or off"});
   if (format == Format::kStlBinary && !has_size_of_stl(bytes) && extension != "stl" && lower_case(start) != "solid")
     return at_byte(static_cast<std::int64_t>(bytes.find('\0')), "the data is binary, but neither PLY nor STL");
-  Read<PointFile> file = read_as(format, bytes, skip_nan);
+  Read<PointFile> file = read_as(format, bytes, wanted);
   if (file && file->points.empty()) return tl::unexpected(InputError{.what = "there are no points"});
+  if (file) pass_over(*file, Passed::kBytes, padding);
   return file;
 }
 
-/// Takes out the points with a NaN, which a reader lets through if asked, and the faces that name them.
-Read<PointFile> without_nan(PointFile file) {
-  const auto has_nan = [](const Vector<double, 3>& point) { return point.hasNaN(); };
-  const auto first = std::find_if(file.points.begin(), file.points.end(), has_nan);
+/// Takes out the points that are not finite, which a reader lets through if asked, and the faces that name them.
+Read<PointFile> finite_part(PointFile file) {
+  const auto is_lost = [](const Vector<double, 3>& point) { return !point.allFinite(); };
+  const auto first = std::find_if(file.points.begin(), file.points.end(), is_lost);
   if (first == file.points.end()) return file;
   std::vector<Index> number(file.points.size(), -1);
   Index kept = 0;
   for (std::size_t i = 0; i < file.points.size(); ++i) {
-    if (has_nan(file.points[i])) continue;
+    if (is_lost(file.points[i])) continue;
     file.points[static_cast<std::size_t>(kept)] = file.points[i];
     number[i] = kept++;
   }
@@ -184,11 +191,12 @@ bool is_point_extension(std::string_view extension) {
 }
 
 std::string passed_text(const PassedOver& passed) {
-  constexpr std::array<std::array<std::string_view, 2>, 8> kNames{{{"point", " with a coordinate that is not a number"},
+  constexpr std::array<std::array<std::string_view, 2>, 9> kNames{{{"point", " with a coordinate that is not finite"},
                                                                    {"line", " with more columns than three"},
                                                                    {"header line", ""},
                                                                    {"statement", " unknown to OBJ"},
                                                                    {"face", " of fewer than three vertices"},
+                                                                   {"damaged face", ""},
                                                                    {"line", " after the data"},
                                                                    {"byte", " after the data"},
                                                                    {"missing endsolid", ""}}};
@@ -199,9 +207,9 @@ std::string passed_text(const PassedOver& passed) {
   return text;
 }
 
-tl::expected<PointFile, InputError> read_points(std::string_view bytes, std::string_view name, bool skip_nan) {
-  Read<PointFile> file = read_any(bytes, name, skip_nan);
-  if (file) file = without_nan(std::move(*file));
+tl::expected<PointFile, InputError> read_points(std::string_view bytes, std::string_view name, const Wanted& wanted) {
+  Read<PointFile> file = read_any(bytes, name, wanted);
+  if (file) file = finite_part(std::move(*file));
   if (!file) file.error().file = name;
   return file;
 }

@@ -13,6 +13,7 @@ namespace {
 struct Fields {
   std::array<std::string_view, 4> at;
   std::size_t count = 0;
+  bool open = false;  // whether the line ends with a separator
 
   void add(std::string_view field) {
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
@@ -40,7 +41,10 @@ Fields fields_of(std::string_view line, bool csv) {
     const std::size_t end = line.find(separator);
     more = end != std::string_view::npos;
     const std::string_view field = trim(line.substr(0, end));
-    if (!more && field.empty() && fields.count > 0) break;  // the line ends with a separator
+    if (!more && field.empty() && fields.count > 0) {
+      fields.open = true;
+      break;
+    }
     fields.add(field);
     if (more) line.remove_prefix(end + 1);
   }
@@ -56,21 +60,14 @@ bool is_header(const Fields& fields) {
   return true;
 }
 
-/// "1,5" and "5 2" are what decimal commas leave of a line.
-std::string hint(std::string_view field) {
-  const bool starts = !field.empty() && std::string_view("0123456789+-").find(field.front()) != std::string_view::npos;
-  const bool split = starts && field.find_first_of(", \t") != std::string_view::npos;
-  return split ? ": write decimals with a point, not a comma" : "";
-}
-
-/// What is wrong with a header that has more than three columns; empty if the first three are x, y and z. Another
-/// order would give other points, silently.
+/// What is wrong with a header of three columns or more; empty if the first three are x, y and z. Another order would
+/// give other points, silently.
 std::string wrong_columns(const Fields& fields) {
   const std::string_view names = "xyz";
   for (std::size_t i = 0; i < std::min<std::size_t>(fields.count, 3); ++i) {
     const std::string name = lower_case(fields.at[i]);
     const bool other = name.size() == 1 && names.find(name) != std::string_view::npos && name[0] != names[i];
-    if (other || (fields.full() && name.find(names[i]) == std::string::npos))
+    if (other || (fields.count >= 3 && name.find(names[i]) == std::string::npos))
       return "column " + std::to_string(i + 1) + " is " + quoted(fields.at[i]) +
              ": the first columns must be x, y and z";
   }
@@ -79,30 +76,36 @@ std::string wrong_columns(const Fields& fields) {
 
 /// A line without its comment.
 std::string_view content_of(std::string_view line) {
-  line = trim(line.substr(0, line.find('#')));
+  line = trim(without_comment(line));
   return line.substr(0, 2) == "//" ? std::string_view() : line;
 }
 
-tl::expected<Vector<double, 3>, std::string> point_of(const Fields& fields, bool skip_nan) {
+tl::expected<Vector<double, 3>, std::string> point_of(const Fields& fields, const Wanted& wanted) {
   Vector<double, 3> point = Vector<double, 3>::Zero();
   for (std::size_t i = 0; i < std::min<std::size_t>(fields.count, 3); ++i) {
     if (fields.at[i].empty()) return tl::unexpected("field " + std::to_string(i + 1) + " is empty");
-    const auto value = parse_coordinate(fields.at[i], skip_nan);
-    if (!value) return tl::unexpected(value.error() + hint(fields.at[i]));
+    const auto value = parse_coordinate(fields.at[i], wanted.skip_nan);
+    if (!value) return tl::unexpected(value.error());
     point[static_cast<int>(i)] = *value;
   }
   if (fields.count < 2) return tl::unexpected(std::string("there is one number on the line: a point has two or three"));
   return point;
 }
 
+/// Whether a line has as many columns as the first. Beyond the third one, an empty field may be missing.
+bool are_alike(const Fields& fields, const Fields& first) {
+  const auto may_be_more = [](const Fields& some) { return some.full() || (some.count == 3 && some.open); };
+  return fields.count == first.count || (may_be_more(fields) && may_be_more(first));
+}
+
 std::string columns_text(std::size_t n) { return n > 3 ? "more than 3" : std::to_string(n); }
 
 }  // namespace
 
-Read<PointFile> read_rows(std::string_view text, bool csv, bool skip_nan) {
+Read<PointFile> read_rows(std::string_view text, bool csv, const Wanted& wanted) {
   PointFile file;
-  std::size_t columns = 0;      // of the first point
-  std::int64_t first_line = 0;  // the line of the first point, which sets the dimension
+  Fields first;                 // of the first point, which sets the dimension
+  std::int64_t first_line = 0;  // the line of the first point
   bool header_may_come = true;
   std::optional<InputError> header;
   for (Lines lines(text); lines.next();) {
@@ -116,16 +119,16 @@ Read<PointFile> read_rows(std::string_view text, bool csv, bool skip_nan) {
       pass_over(file, Passed::kHeader);
       continue;
     }
-    const auto point = point_of(fields, skip_nan);
+    const auto point = point_of(fields, wanted);
     if (!point) return at_line(lines.number(), point.error());
     if (first_line == 0) {
       first_line = lines.number();
-      columns = fields.count;
-      file.dim = columns == 2 ? 2 : 3;
+      first = fields;
+      file.dim = first.count == 2 ? 2 : 3;
     }
-    if (fields.count != columns)
+    if (!are_alike(fields, first))
       return at_line(lines.number(), "there are " + columns_text(fields.count) + " numbers on the line, and on line " +
-                                         std::to_string(first_line) + " there were " + columns_text(columns));
+                                         std::to_string(first_line) + " there were " + columns_text(first.count));
     if (fields.full()) pass_over(file, Passed::kColumns);
     if (file.points.size() == kMostPoints) return at_line(lines.number(), std::string(kTooManyPoints));
     file.points.push_back(*point);

@@ -36,7 +36,7 @@ bool has_more_triangles(std::string_view bytes, std::uint64_t claimed) {
 
 bool has_size_of_stl(std::string_view bytes) { return bytes.size() >= kStart && bytes.size() == size_claimed(bytes); }
 
-Read<PointFile> read_stl_binary(std::string_view bytes, bool skip_nan) {
+Read<PointFile> read_stl_binary(std::string_view bytes, const Wanted& wanted) {
   const auto size = static_cast<std::int64_t>(bytes.size());
   if (bytes.size() < kStart) return at_byte(size, "the file is cut short: a binary STL has at least 84 bytes");
   const std::uint64_t claimed = size_claimed(bytes);
@@ -56,7 +56,7 @@ Read<PointFile> read_stl_binary(std::string_view bytes, bool skip_nan) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t at = triangle + 12 * corner + 4 * axis;
         const double value = static_cast<double>(float_of(word_at(bytes, at)));
-        const std::string_view fault = fault_of_coordinate(value, skip_nan);
+        const std::string_view fault = fault_of_coordinate(value, wanted.skip_nan);
         if (!fault.empty()) return at_byte(static_cast<std::int64_t>(at), std::string("the coordinate ").append(fault));
         point[static_cast<int>(axis)] = value;
       }

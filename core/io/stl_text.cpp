@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "io/corner_merger.hpp"
 #include "io/formats.hpp"
 
@@ -7,19 +10,34 @@ namespace {
 /// Goes through "solid, (facet, outer loop, three times vertex, endloop, endfacet) ..., endsolid" word by word.
 class StlTextReader {
  public:
-  StlTextReader(std::string_view text, bool skip_nan) : lines_(text), skip_nan_(skip_nan) {}
+  StlTextReader(std::string_view text, const Wanted& wanted) : lines_(text), wanted_(wanted) {}
 
   Read<PointFile> read() {
     for (std::string_view word = take(); !word.empty(); word = take()) {
+      if (is_note(word)) {
+        ++notes_;
+        words_ = {};
+        continue;
+      }
       if (!is(word, "solid")) return at_line(lines_.number(), "a solid does not begin with \"solid\"");
+      solid_ = true;
       if (!read_solid()) return tl::unexpected(std::move(error_));
     }
     PointFile file = merger_.take();
     pass_over(file, Passed::kEnd, ends_missing_);
+    pass_over(file, Passed::kLines, notes_);
     return file;
   }
 
  private:
+  /// Whether a word after a solid begins a line that has nothing of a solid.
+  [[nodiscard]] bool is_note(std::string_view word) const {
+    constexpr std::string_view kStatements[] = {"solid",  "facet",   "normal",   "outer",    "loop",
+                                                "vertex", "endloop", "endfacet", "endsolid", "end"};
+    const std::string name = lower_case(word);
+    return solid_ && std::find(std::begin(kStatements), std::end(kStatements), name) == std::end(kStatements);
+  }
+
   bool read_solid() {
     if (!skip_name("facet")) return false;
     for (;;) {
@@ -55,9 +73,13 @@ class StlTextReader {
 
   bool read_corner(Vector<double, 3>& point) {
     for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view word = take_word(words_);
-      if (word.empty()) return fail("a vertex has three coordinates, and there are " + std::to_string(axis));
-      const auto value = parse_coordinate(word, skip_nan_);
+      const std::int64_t line = lines_.number();
+      const std::string_view word = take();  // it may be on the next line
+      if (word.empty() || is(word, "vertex") || is(word, "endloop")) {
+        error_ = at_line(line, "a vertex has three coordinates, and there are " + std::to_string(axis)).value();
+        return false;
+      }
+      const auto value = parse_coordinate(word, wanted_.skip_nan);
       if (!value) return fail(value.error());
       point[axis] = *value;
     }
@@ -106,15 +128,18 @@ class StlTextReader {
   }
 
   Lines lines_;
-  bool skip_nan_;
+  Wanted wanted_;
   std::string_view words_;
   CornerMerger merger_;
-  std::int64_t ends_missing_ = 0;
+  bool solid_ = false;  // whether one was read
+  std::int64_t ends_missing_ = 0, notes_ = 0;
   InputError error_;
 };
 
 }  // namespace
 
-Read<PointFile> read_stl_text(std::string_view text, bool skip_nan) { return StlTextReader(text, skip_nan).read(); }
+Read<PointFile> read_stl_text(std::string_view text, const Wanted& wanted) {
+  return StlTextReader(text, wanted).read();
+}
 
 }  // namespace snug::io

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fast_float/fast_float.h>
+#include <limits>
 #include <string>
 
 #include "geometry/point_set.hpp"
@@ -15,6 +16,22 @@ namespace snug::io {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
+constexpr std::string_view kDigits = "0123456789";
+
+/// What Windows writes for what is not finite, filled up with zeros: "1.#IND", "1.#QNAN0", "1.#INF00". word: unsigned.
+std::optional<double> parse_windows(std::string_view word) {
+  const std::string name = lower_case(word.substr(0, word.find_last_not_of('0') + 1));
+  if (name == "1.#inf") return std::numeric_limits<double>::infinity();
+  if (name == "1.#ind" || name == "1.#qnan" || name == "1.#snan") return std::numeric_limits<double>::quiet_NaN();
+  return std::nullopt;
+}
+
+/// What decimal commas leave of numbers: "1,5", or "5 2" where commas separate. "1,5,2" is a list.
+bool has_decimal_comma(std::string_view word) {
+  const std::size_t at = word.find_first_of(", \t");
+  return at != std::string_view::npos && (kDigits.find(word[0]) < kDigits.size() || word[0] == '+' || word[0] == '-') &&
+         word.find(',', at + 1) == std::string_view::npos && kDigits.find(word.back()) < kDigits.size();
+}
 
 }  // namespace
 
@@ -42,6 +59,20 @@ std::string_view trim(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::string_view without_comment(std::string_view line) {
+  std::size_t at = line.find('#');
+  while (at != std::string_view::npos && at > 0 && kBlanks.find(line[at - 1]) == std::string_view::npos)
+    at = line.find('#', at + 1);
+  return line.substr(0, at);
+}
+
+std::int64_t take_padding(std::string_view& text) {
+  const std::size_t end = text.find_last_not_of(std::string_view("\0\x1a", 2)) + 1;
+  const std::size_t taken = text.size() - end;
+  text.remove_suffix(taken);
+  return static_cast<std::int64_t>(taken);
 }
 
 std::string_view take_word(std::string_view& rest) {
@@ -76,6 +107,8 @@ std::optional<double> parse_number(std::string_view word) {
     word.remove_prefix(1);
     if (!word.empty() && word.front() == '-') return std::nullopt;
   }
+  const bool negative = !word.empty() && word.front() == '-';
+  if (const auto value = parse_windows(word.substr(negative ? 1 : 0))) return negative ? -*value : *value;
   double value = 0;
   const char* end = word.data() + word.size();
   const auto result = fast_float::from_chars(word.data(), end, value);
@@ -96,19 +129,22 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
   return value;
 }
 
-tl::expected<double, std::string> parse_coordinate(std::string_view word, bool allow_nan) {
+tl::expected<double, std::string> parse_coordinate(std::string_view word, bool allow_not_finite) {
   const std::optional<double> value = parse_number(word);
-  if (!value) return tl::unexpected(quoted(word) + " is not a number");
-  std::string_view fault = fault_of_coordinate(*value, allow_nan);
+  if (!value)
+    return tl::unexpected(quoted(word) + " is not a number" +
+                          (has_decimal_comma(word) ? ": write decimals with a point, not a comma" : ""));
+  std::string_view fault = fault_of_coordinate(*value, allow_not_finite);
   // An infinity that was written in digits is a number that no double can represent.
-  if (std::isinf(*value) && word.find_first_of("0123456789") != std::string_view::npos)
-    fault = fault_of_coordinate(std::numeric_limits<double>::max(), allow_nan);
+  if (std::isinf(*value) && word.find('#') == std::string_view::npos &&
+      word.find_first_of(kDigits) != std::string_view::npos)
+    fault = fault_of_coordinate(std::numeric_limits<double>::max(), allow_not_finite);
   if (fault.empty()) return *value;
   return tl::unexpected(quoted(word).append(" ").append(fault));
 }
 
-std::string_view fault_of_coordinate(double value, bool allow_nan) {
-  if (std::isinf(value) || (std::isnan(value) && !allow_nan)) return "is not a finite number";
+std::string_view fault_of_coordinate(double value, bool allow_not_finite) {
+  if (!std::isfinite(value)) return allow_not_finite ? "" : "is not a finite number";
   if (std::abs(value) > PointSet<double, 3>::kLargest) return "is too large: coordinates reach to 2^508, about 8.3e152";
   return {};
 }

@@ -49,6 +49,12 @@ class Lines {
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
+/// A line without its comment: '#' begins one at the line's start or after a blank, and not in a word such as "1.#IND".
+[[nodiscard]] std::string_view without_comment(std::string_view line);
+
+/// Takes what may follow a text off its end: zero bytes, and the mark with which DOS ends one. Returns how many.
+std::int64_t take_padding(std::string_view& text);
+
 /// Takes the next word, between blanks and tabs, off the front of rest; returns an empty one if there is none.
 [[nodiscard]] std::string_view take_word(std::string_view& rest);
 
@@ -61,17 +67,18 @@ class Lines {
 /// "1 byte", "2 bytes".
 [[nodiscard]] std::string counted(std::int64_t n, std::string_view noun);
 
-/// A decimal number, a leading + allowed; also nan and the infinities. None if the word is not a number.
+/// A decimal number, a leading + allowed; also nan and the infinities, as Windows writes them too: "-1.#IND". None if
+/// the word is not a number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view word);
 
 /// None if the word is not a 64-bit integer.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word);
 
-/// A coordinate that a PointSet takes, or a NaN if that is allowed, or what is wrong with it.
-[[nodiscard]] tl::expected<double, std::string> parse_coordinate(std::string_view word, bool allow_nan);
+/// A coordinate that a PointSet takes, or one that is not finite if that is allowed, or what is wrong with it.
+[[nodiscard]] tl::expected<double, std::string> parse_coordinate(std::string_view word, bool allow_not_finite);
 
-/// What is wrong with a coordinate; empty if a PointSet takes it.
-[[nodiscard]] std::string_view fault_of_coordinate(double value, bool allow_nan);
+/// What is wrong with a coordinate; empty if it is taken.
+[[nodiscard]] std::string_view fault_of_coordinate(double value, bool allow_not_finite);
 
 /// The shortest text that reads back as the same number; value: finite.
 [[nodiscard]] std::string shortest_text(double value);

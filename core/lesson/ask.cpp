@@ -74,11 +74,20 @@ bool same_set(std::vector<int> a, std::vector<int> b) {
   return a == b;
 }
 
+/// Whether these are the right handles. At least one of each tied group must be given.
+bool are_right(const std::vector<int>& given, const Truth& truth) {
+  if (truth.tied.empty()) return same_set(given, {truth.points.begin(), truth.points.end()});
+  const auto is_given = [&](Index handle) { return contains(given, static_cast<int>(handle)); };
+  return std::all_of(given.begin(), given.end(), [&](int one) { return contains(truth.points, one); }) &&
+         std::all_of(truth.tied.begin(), truth.tied.end(),
+                     [&](const auto& tied) { return std::any_of(tied.begin(), tied.end(), is_given); });
+}
+
 bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
   switch (answer.kind) {
     case Answer::Kind::kSkipped: return false;
     case Answer::Kind::kPoint: return contains(truth.points, answer.value);
-    case Answer::Kind::kPoints: return same_set(answer.list, {truth.points.begin(), truth.points.end()});
+    case Answer::Kind::kPoints: return are_right(answer.list, truth);
     case Answer::Kind::kNumber: return std::abs(answer.number - truth.number) <= truth.tolerance;
     case Answer::Kind::kOrder: {
       const auto before = [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; };
@@ -306,6 +315,17 @@ bool can_be_said(const Asked& asked, std::string_view answer) {
   return asked.on_stage && handle_named(*asked.subject, answer).has_value();
 }
 
+/// Which way the right answer lies from a wrong one, where the lesson has no words for it.
+static std::string way_to(const Asked& asked, const Answer& answer, const Truth& truth) {
+  if (truth.pending) return {};
+  if (answer.kind == Answer::Kind::kNumber) {
+    if (std::abs(answer.number - truth.number) <= truth.tolerance) return {};
+    return answer.number < truth.number ? "That is too little." : "That is too much.";
+  }
+  if (answer.kind != Answer::Kind::kChoice || truth.choices.empty() || contains(truth.choices, answer.value)) return {};
+  return std::string(answer.value < truth.choices.front() ? asked.asking->before : asked.asking->after);
+}
+
 std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth) {
   const auto is_given = [&](const std::string& what) {
     if (answer.kind == Answer::Kind::kNumber) {
@@ -325,7 +345,7 @@ std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& tr
   for (const Meaning& meaning : asked.question->meanings)
     if (answer.kind != Answer::Kind::kSkipped && is_said(meaning) && is_given(meaning.answer))
       return in_words_of(asked.dim, meaning.says);
-  return {};
+  return way_to(asked, answer, truth);
 }
 
 std::optional<double> typed_number(std::string_view text, std::string_view unit) {
@@ -389,6 +409,13 @@ Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
   outcome.says = std::move(truth.sentence);
   if (!truth.pending) outcome.happened = std::move(truth.happened);
   return outcome;
+}
+
+bool has_tie(const Asked& asked, const Run& run) {
+  const Truth truth = asked.asking->truth(asked, run);
+  if (asked.many) return !truth.tied.empty();
+  if (!truth.choices.empty()) return truth.choices.size() > 1 && truth.choices.size() < asked.choices.size();
+  return truth.points.size() > 1 && truth.points.size() != asked.stage_points.size();
 }
 
 Answer model_answer(const Asked& asked, const Run& run) {

@@ -66,6 +66,9 @@ struct Truth {
   std::vector<int> ranks = {};  // of an order: each choice's place, equal where either may come first
   double number = 0;            // of a number, within
   double tolerance = 0;
+  /// An answer of several handles may have ties. This then has a list for each handle that is due: any handle of the
+  /// list is right. The points are those of all lists.
+  std::vector<std::vector<Index>> tied = {};
 };
 
 /// The keys, like those of figures, of a method's result in the final comparison, and of which method is best.
@@ -77,6 +80,9 @@ struct WrongRule {
   /// What somebody answers who follows it; none where it decides nothing.
   std::optional<Answer> (*decides)(const Asked& asked, const Run& run);
 };
+
+/// Of a wrong range: which way the right one lies.
+inline constexpr std::string_view kMore = "It is more than that.", kLess = "It is less than that.";
 
 /// Something that can be asked of a step.
 struct Asking {
@@ -94,6 +100,9 @@ struct Asking {
   /// ask for it.
   double (*margin)(const Asked& asked, const Run& run) = nullptr;
   std::span<const WrongRule> rules = {};
+  /// What a wrong choice is told where the lesson has no words for it: one that comes before the right one, and one
+  /// after it; empty for nothing.
+  std::string_view before = {}, after = {};
 };
 
 /// Something that can be asked of a fact; the fact is empty if the question is not about a step.
@@ -194,6 +203,9 @@ void read_bounds(TomlTable& table, Question& question);
 
 /// The outcome of an answer. answer: one that answers() accepts, or a skip.
 [[nodiscard]] Outcome judge(const Asked& asked, const Answer& answer, const Run& run);
+
+/// Whether several answers are right, because what they name is equally far, large or early, while others are wrong.
+[[nodiscard]] bool has_tie(const Asked& asked, const Run& run);
 
 /// A right answer.
 [[nodiscard]] Answer model_answer(const Asked& asked, const Run& run);

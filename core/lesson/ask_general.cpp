@@ -238,22 +238,33 @@ Truth cheapest_truth(const Asked& asked, const Run& run) {
   return truth;
 }
 
-/// How far the sizes that are nearest to each other are apart, as a share of the larger one.
-double order_margin(const Asked& asked, const Run& run) {
-  std::vector<double> sizes = sizes_of(asked, run);
-  std::sort(sizes.begin(), sizes.end());
+/// How far the values that are nearest to each other are apart, as a share of the larger one. Equal ones may stand
+/// either way round.
+double least_gap(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < sizes.size(); ++i) least = std::min(least, (sizes[i] - sizes[i - 1]) / sizes[i]);
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i - 1] * (1 + tolerance::kBoxProof) < values[i])
+      least = std::min(least, (values[i] - values[i - 1]) / values[i]);
   return least;
 }
+double order_margin(const Asked& asked, const Run& run) { return least_gap(sizes_of(asked, run)); }
+double cost_margin(const Asked& asked, const Run& run) { return least_gap(operations_of(asked, run)); }
 
 /// The order the wrong way round.
-std::optional<Answer> reversed_order(const Asked& asked, const Run& run) {
-  Truth truth = order_truth(asked, run);
+template <Truth (*Ordered)(const Asked&, const Run&)>
+std::optional<Answer> reversed(const Asked& asked, const Run& run) {
+  const Truth truth = Ordered(asked, run);
   return Answer{.kind = Answer::Kind::kOrder, .list = {truth.choices.rbegin(), truth.choices.rend()}};
 }
-constexpr std::array kOrderRules{WrongRule{"reversed", &reversed_order}};
+std::optional<Answer> tightest_first(const Asked& asked, const Run& run) {
+  return Answer{.kind = Answer::Kind::kOrder, .list = order_truth(asked, run).choices};
+}
+constexpr std::array kOrderRules{WrongRule{"reversed", &reversed<order_truth>}};
+constexpr std::array kCostRules{WrongRule{"reversed", &reversed<cost_order_truth>},
+                                WrongRule{"tightest", &tightest_first}};
 
+constexpr std::string_view kSmaller = "Another one is smaller.";
 constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points", &offer_all_points, &point_truth},
     kChoice{.name = "choice", .offer = &offer_choices, .truth = &choice_truth, .read = &read_choices},
     kSequence{.name = "sequence",
@@ -261,9 +272,19 @@ constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points",
               .truth = &sequence_truth,
               .read = &read_sequence,
               .margin = &no_tie},
-    kFigure{.name = "figure", .offer = &offer_ranges, .truth = &range_truth, .read = &read_figure},
+    kFigure{.name = "figure",
+            .offer = &offer_ranges,
+            .truth = &range_truth,
+            .read = &read_figure,
+            .before = kMore,
+            .after = kLess},
     kNumber{.name = "number", .offer = &offer_number, .truth = &number_truth, .read = &read_number, .margin = &no_tie},
-    kTightest{.name = "tightest", .offer = &offer_methods, .truth = &tightest_truth, .figure = kComparedFigure},
+    kTightest{.name = "tightest",
+              .offer = &offer_methods,
+              .truth = &tightest_truth,
+              .figure = kComparedFigure,
+              .before = kSmaller,
+              .after = kSmaller},
     kTightestOrder{.name = "tightest_order",
                    .offer = &offer_order,
                    .truth = &order_truth,
@@ -271,7 +292,11 @@ constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points",
                    .margin = &order_margin,
                    .rules = kOrderRules},
     kCheapest{.name = "cheapest", .offer = &offer_methods, .truth = &cheapest_truth},
-    kCheapestOrder{.name = "cheapest_order", .offer = &offer_order, .truth = &cost_order_truth};
+    kCheapestOrder{.name = "cheapest_order",
+                   .offer = &offer_order,
+                   .truth = &cost_order_truth,
+                   .margin = &cost_margin,
+                   .rules = kCostRules};
 
 constexpr std::array<const Asking*, 6> kOfAnyStep{&kPoint, &kPoints, &kChoice, &kSequence, &kFigure, &kNumber};
 constexpr std::array<const Asking*, 4> kOfMethods{&kTightest, &kTightestOrder, &kCheapest, &kCheapestOrder};

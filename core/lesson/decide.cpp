@@ -19,6 +19,14 @@ double no_tie(const Asked&, const Run&) { return std::numeric_limits<double>::in
 int Scores::greatest() const { return of[std::max_element(values.begin(), values.end()) - values.begin()]; }
 int Scores::least() const { return of[std::min_element(values.begin(), values.end()) - values.begin()]; }
 
+std::vector<int> Scores::all_greatest() const {
+  const double most = *std::max_element(values.begin(), values.end());
+  std::vector<int> all;
+  for (std::size_t i = 0; i < of.size(); ++i)
+    if (values[i] == most) all.push_back(of[i]);
+  return all;
+}
+
 double Scores::lead() const {
   if (values.size() < 2) return std::numeric_limits<double>::infinity();
   std::vector<double> sorted = values;

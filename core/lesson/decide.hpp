@@ -22,6 +22,8 @@ struct Scores {
   void add(int one, double value) { of.push_back(one), values.push_back(value); }
   [[nodiscard]] int greatest() const;
   [[nodiscard]] int least() const;
+  /// All that are tied for the greatest.
+  [[nodiscard]] std::vector<int> all_greatest() const;
   /// How far the greatest is ahead of the next; infinity if there is no other.
   [[nodiscard]] double lead() const;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lesson/names.hpp"
+#include "lesson/packed_rows.hpp"
 #include "lesson/read_lesson.hpp"
 #include "lesson/stand.hpp"
 #include "lesson/toml_file.hpp"
@@ -95,7 +96,16 @@ DemoState read_state(const toml::table& toml, Complaints& complaints) {
   state.from = table.text_or("from", "");
   if (const Rows places = read_rows(table, "sliders"); places.size() == 1) state.sliders = places.front();
   else if (!places.empty()) table.wrong("sliders", "must be a number for each slider: \"0.5,2\"");
+  if (const Rows camera = read_rows(table, "camera"); !camera.empty()) {
+    state.camera = camera.front();
+    if (camera.size() > 1 || (state.camera.size() != 3 && state.camera.size() != 6))
+      table.wrong("camera", "must be \"height,x,y\" in the plane, and \"yaw,pitch,height,x,y,z\" in space");
+  }
   state.rows = read_rows(table, "rows");
+  if (const std::string packed = table.text_or("packed", ""); !packed.empty()) {
+    if (auto rows = unpacked_rows(packed)) state.rows = *std::move(rows);
+    else table.wrong("packed", "is not as an address has it");
+  }
   state.moved = read_rows(table, "moved");
   state.step = read_step(table);
   read_shown(table, state);
@@ -178,6 +188,7 @@ DemoDraft read_demo(std::string_view text, std::string_view name) {
 
 tl::expected<void, DemoFault> take_state(const DemoState& state, Session& session, const MeshOf& mesh) {
   std::optional<DemoFault> fault;
+  const AtOnce at_once(session);  // each part is taken on what the last one left
   const auto take = [&](bool asked, std::string_view key, const auto& deed) {
     if (fault || !asked) return;
     if (const Done done = deed(); !done) fault = DemoFault{std::string(key), done.error()};
@@ -194,6 +205,31 @@ tl::expected<void, DemoFault> take_state(const DemoState& state, Session& sessio
   take(true, "step", [&] { return stand_at(session, {.step = state.step}); });
   if (fault) return tl::unexpected(*std::move(fault));
   return {};
+}
+
+std::string_view revealed_text(std::string_view reveal) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTexts{{{"caption", "the sentence"},
+                                                                                 {"prose", "the lesson’s text"},
+                                                                                 {"numbers", "the numbers"},
+                                                                                 {"code", "the code"},
+                                                                                 {kRevealSteps, "the steps, played"},
+                                                                                 {kRevealAnswer, "the answer"}}};
+  for (const auto& [name, text] : kTexts)
+    if (name == reveal) return text;
+  return reveal;
+}
+
+void pass_questions(Session& session) {
+  const int step = session.step();
+  for (std::size_t left = 3 * session.questions().size() + 3; left > 0; --left) {
+    if (session.asked() != nullptr) session.skip();
+    else if (session.deciding() != nullptr) session.decide();
+    else if (session.outcome() != nullptr) session.acknowledge();
+    else if (session.step() < session.steps()) session.go(session.steps());
+    else break;
+  }
+  session.close_summary();
+  session.jump(step);
 }
 
 std::string with_hashes(std::string_view toml, const Demo& demo, const std::vector<std::uint64_t>& hashes) {

@@ -20,6 +20,9 @@ inline constexpr std::array<std::string_view, 4> kDemoParts{"caption", "prose", 
 /// What a press may reveal besides: the steps to the end, played; the answer to the question that stands open.
 inline constexpr std::string_view kRevealSteps = "steps", kRevealAnswer = "answer";
 
+/// The words for a reveal: "the numbers".
+[[nodiscard]] std::string_view revealed_text(std::string_view reveal);
+
 /// A state, in the words of the page's address.
 struct DemoState {
   std::string lesson;                 // its id
@@ -30,8 +33,9 @@ struct DemoState {
   std::optional<std::uint64_t> seed;
   std::string from;  // "bunny", "clusters:200", "task:2"; empty: the situation's own points
   std::vector<double> sliders;
-  Rows rows, moved;  // all rows; some, each after its index
-  int step = 0;      // or Standpoint::kLastStep
+  std::vector<double> camera;  // as app::App::hand_view has it; empty: as the lesson has it
+  Rows rows, moved;            // all rows, which many have packed (packed_rows.hpp); some, each after its index
+  int step = 0;                // or Standpoint::kLastStep
   std::vector<std::string> shows, reveal;
   std::string slide, notes;           // of the lecture; what is said
   std::optional<std::uint64_t> hash;  // none: not written yet
@@ -61,6 +65,9 @@ struct DemoFault {
 using MeshOf = std::function<tl::expected<io::PointFile, InputError>(const std::string&)>;
 /// Brings a session of the state's lesson, just opened, to that state, as the page does with an address.
 [[nodiscard]] tl::expected<void, DemoFault> take_state(const DemoState& state, Session& session, const MeshOf& mesh);
+
+/// Passes all questions of this run that are still open, and comes back: what plays then stops nowhere.
+void pass_questions(Session& session);
 
 /// The file with each state's hash written, the others' lines as they are. hashes: one for each state.
 [[nodiscard]] std::string with_hashes(std::string_view toml, const Demo& demo,

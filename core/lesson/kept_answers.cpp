@@ -1,10 +1,12 @@
 #include "lesson/kept_answers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <limits>
 
 #include "lesson/lesson.hpp"
+#include "lesson/packed_rows.hpp"
 #include "lesson/toml_file.hpp"
 
 namespace snug::lesson {
@@ -40,6 +42,15 @@ void add_list(std::string& out, std::string_view key, const std::vector<int>& li
   (out += key) += " = [";
   for (const int entry : list) (out += std::to_string(entry)) += ", ";
   out += "]\n";
+}
+
+void add_tasks(std::string& out, const std::vector<Session::DoneTask>& tasks) {
+  if (tasks.empty()) return;
+  std::vector<int> numbers;
+  std::string words;
+  for (const auto& [task, by] : tasks) numbers.push_back(task), (words += toml_string(by)) += ", ";
+  add_list(out, "tasks", numbers);
+  out += "solved = [" + words + "]\n";
 }
 
 /// All digits that tell a number from every other, as TOML writes it.
@@ -93,7 +104,7 @@ void take_up(Session& session, const KeptAnswers& answers) {
 
 std::string kept_text(const KeptAnswers& answers) {
   std::string out;
-  add_list(out, "tasks", answers.tasks);
+  add_tasks(out, answers.tasks);
   if (!answers.moved.empty()) {
     out += "moved = [";
     for (const std::string& drives : answers.moved) (out += toml_string(drives)) += ", ";
@@ -131,7 +142,12 @@ KeptAnswers kept_answers_of(std::string_view kept) {
   KeptAnswers answers;
   if (table.has("tasks"))
     for (const double task : table.numbers("tasks"))
-      if (task >= 0 && task <= kMost) answers.tasks.push_back(static_cast<int>(task));
+      if (task >= 0 && task <= kMost) answers.tasks.push_back({static_cast<int>(task)});
+  if (table.has("solved")) {
+    const std::vector<std::string> solved = table.texts("solved", 0);
+    for (std::size_t i = 0; i < std::min(solved.size(), answers.tasks.size()); ++i)
+      if (unpacked_rows(solved[i])) answers.tasks[i].by = solved[i];
+  }
   if (table.has("moved")) answers.moved = table.texts("moved", 0);
   for (const toml::table* answer : table.tables("answer"))
     answers.outcomes.push_back(read_outcome(*answer, complaints));

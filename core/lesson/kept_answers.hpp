@@ -9,10 +9,10 @@
 
 namespace snug::lesson {
 
-/// What was answered in a lesson, and which of its tasks were done, by their numbers.
+/// What was answered in a lesson, and which of its tasks were done, by what.
 struct KeptAnswers {
   std::vector<Outcome> outcomes;
-  std::vector<int> tasks;
+  std::vector<Session::DoneTask> tasks;
   std::vector<std::string> moved = {};  // the sliders that the lesson is about which were moved, by what they drive
 };
 

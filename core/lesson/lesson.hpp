@@ -240,10 +240,6 @@ struct Lesson {
 /// one, must not overflow the parser's stack.
 inline constexpr std::size_t kMostLessonBytes = 1 << 18;
 
-/// How far a lesson is checked: only as its file is written, or also by running it, which may take
-/// seconds.
-enum class Checked : std::uint8_t { kAsWritten, kAsRun };
-
 /// A lesson that a file links to, or an idea that it covers: other files say whether it exists.
 struct NameBeside {
   std::string name;
@@ -259,15 +255,12 @@ struct Draft {
   std::vector<NameBeside> names_beside = {};
 };
 
-/// Reads a lesson file. name: for errors and for the id. Mistakes, each with its line and column: of TOML, after which
-/// nothing more is read; an unknown or missing key; an algorithm, fact, generator, mesh or answer that does not exist.
-/// If the lesson is run: a question whose step the algorithm does not take on the lesson's own points, or a model
-/// solution that the task does not accept. mesh: that of a lesson on a mesh, which is not run without it.
-[[nodiscard]] Draft read_draft(std::string_view toml, std::string_view name, Checked checked = Checked::kAsRun,
-                               const io::PointFile* mesh = nullptr);
+/// Reads a lesson file as it is written, without running it (core/check does). name: for errors and for the id.
+/// Mistakes, each with its line and column: of TOML, after which nothing more is read; an unknown or missing key; an
+/// algorithm, fact, generator, mesh or answer that does not exist.
+[[nodiscard]] Draft read_draft(std::string_view toml, std::string_view name);
 
 /// The lesson of a file without mistakes. Errors: the first mistake.
-[[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name,
-                                                           Checked checked = Checked::kAsRun);
+[[nodiscard]] tl::expected<Lesson, InputError> read_lesson(std::string_view toml, std::string_view name);
 
 }  // namespace snug::lesson

@@ -76,6 +76,7 @@ Place::Place(const Session& session)
 
 void Place::take(Session& session) const {
   if (session.lesson().id != lesson_) return;
+  const AtOnce at_once(session);  // each part is taken on what the last one left
   take_stage(session);
   take_methods(session);
   take_answers(session);

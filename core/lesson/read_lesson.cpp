@@ -1,10 +1,8 @@
-// Reads a lesson's TOML into a Lesson. check_lesson.cpp checks it as a whole.
+// Reads a lesson's TOML into a Lesson. core/check checks it as a whole.
 #include <algorithm>
 #include <map>
 
 #include "geometry/generate.hpp"
-#include "lesson/check_lesson.hpp"
-#include "lesson/check_texts.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
@@ -13,8 +11,10 @@
 #include "lesson/read_view.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/text_place.hpp"
+#include "lesson/texts.hpp"
 #include "lesson/toml_file.hpp"
 #include "lesson/version.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -155,7 +155,7 @@ Section read_section(const toml::table& toml, const Lesson& lesson, Complaints& 
   return section;
 }
 
-/// Reads which step a question is about. Whether there are such steps is checked on the run (check_lesson.cpp).
+/// Reads which step a question is about. Whether there are such steps is checked on the run (core/check).
 Gate read_gate(TomlTable& table, const Lesson& lesson) {
   Gate gate;
   gate.algorithm = read_algorithm(table, "algorithm", lesson);
@@ -409,42 +409,82 @@ void add_case_words(Lesson& lesson) {
 
 }  // namespace
 
+std::uint64_t hash_of_text(std::string_view text) {
+  Fnv1a hash;
+  for (const char c : text) hash.add_bits(static_cast<unsigned char>(c));
+  return hash.value();
+}
+
 std::string id_of(std::string_view name) {
   name.remove_prefix(std::min(name.find_last_of("/\\") + 1, name.size()));
   if (name.size() > 5 && name.substr(name.size() - 5) == ".toml") name.remove_suffix(5);
   return std::string(name);
 }
 
+Reading read_file(std::string_view text, std::string_view name, Complaints& complaints) {
+  Reading reading;
+  reading.toml = parse_file(text, "a lesson", complaints);
+  if (!reading.toml) return reading;
+  reading.lesson.id = id_of(name);
+  reading.stages = read(*reading.toml, reading.lesson, complaints);
+  reading.names_beside = names_beside(*reading.toml, reading.lesson);
+  return reading;
+}
+
+bool check_gate(const Gate& gate, const SubjectRow& subject, const std::vector<std::string_view>& fits,
+                Complaints& complaints) {
+  const std::size_t before = complaints.count();
+  const auto check = [&](std::string_view key, const std::string& fact, FilePlace place) {
+    const std::string of = gate.algorithm.empty() ? "" : " of " + gate.algorithm;
+    if (!fact.empty() && !is_among(subject.facts(), fact))
+      complaints.add(place, '"' + std::string(key) + '"' + of + " " + none_of_text(fact, fits));
+  };
+  check("before", gate.fact, gate.fact_place);
+  if (!gate.after.empty() && gate.after != Gate::kStart) check("after", gate.after, gate.after_place);
+  return complaints.count() == before;
+}
+
+void check_gates(Lesson& lesson, Complaints& complaints) {
+  if (!lesson.subject->asks_of_steps) return;
+  std::erase_if(lesson.questions, [&](const Question& question) {
+    return !check_gate(question.gate, *lesson.subject, lesson.subject->facts(), complaints);
+  });
+}
+
+void keep_sound(Lesson& lesson) {
+  const auto is_unsound = [](const auto& one) { return !one.sound; };
+  std::erase_if(lesson.sliders, is_unsound);
+  std::erase_if(lesson.tasks, is_unsound);
+  std::erase_if(lesson.questions, is_unsound);
+}
+
 std::optional<Lesson> read_as_written(const toml::table& toml, std::string_view name, Complaints& complaints) {
   Lesson lesson;
   lesson.id = id_of(name);
   const auto stages = read(toml, lesson, complaints);
-  if (!stages || !check_lesson(lesson, toml, {Checked::kAsWritten, nullptr, *stages}, complaints)) return std::nullopt;
+  if (!stages) return std::nullopt;
+  check_gates(lesson, complaints);
+  keep_sound(lesson);
+  if (!stages->sound) return std::nullopt;
   return lesson;
 }
 
-Draft read_draft(std::string_view text, std::string_view name, Checked checked, const io::PointFile* mesh) {
-  Complaints complaints(name);
-  Draft draft;
-  const auto finished = [&] {
-    draft.mistakes = complaints.mistakes(), draft.warnings = complaints.warnings();
-    return std::move(draft);
-  };
-  const auto toml = parse_file(text, "a lesson", complaints);
-  if (!toml) return finished();
-  Lesson lesson;
-  lesson.id = id_of(name);
-  const auto stages = read(*toml, lesson, complaints);
-  draft.names_beside = names_beside(*toml, lesson);
-  if (stages && check_lesson(lesson, *toml, {checked, mesh, *stages}, complaints)) {
-    add_case_words(lesson);
-    draft.lesson = std::move(lesson);
-  }
-  return finished();
+Draft finished(Reading reading, bool draws, const Complaints& complaints) {
+  Draft draft{{}, complaints.mistakes(), complaints.warnings(), std::move(reading.names_beside)};
+  if (draws) add_case_words(reading.lesson), draft.lesson = std::move(reading.lesson);
+  return draft;
 }
 
-tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name, Checked checked) {
-  Draft draft = read_draft(text, name, checked);
+Draft read_draft(std::string_view text, std::string_view name) {
+  Complaints complaints(name);
+  Reading reading = read_file(text, name, complaints);
+  const bool draws = reading.stages && reading.stages->sound;
+  if (reading.stages) check_gates(reading.lesson, complaints), keep_sound(reading.lesson);
+  return finished(std::move(reading), draws, complaints);
+}
+
+tl::expected<Lesson, InputError> read_lesson(std::string_view text, std::string_view name) {
+  Draft draft = read_draft(text, name);
   if (!draft.mistakes.empty()) return tl::unexpected(draft.mistakes.front().error());
   return *std::move(draft.lesson);
 }

@@ -89,23 +89,6 @@ Slider read_slider(const toml::table& toml, const Lesson& lesson, Complaints& co
   return slider;
 }
 
-/// Checks that what a slider drives can be drawn at both of its ends.
-bool check_ends(const Slider& slider, const Lesson& lesson, const Subject& subject, Complaints& complaints) {
-  const Method& first = *find_method(lesson, lesson.algorithms.front());
-  const Drive drive = *drive_of(slider, subject);
-  bool sound = true;
-  for (const double end : {slider.from, slider.to}) {
-    const auto there = subject.clone();
-    const Done driven = there->drive(slider.drives, drive.now.value_or(drive.rest), end);
-    const std::string refused = driven && subject.suits(first) ? there->refusal(first) : "";
-    if (driven && refused.empty()) continue;
-    sound = false;
-    complaints.add(slider.place, "at " + plain_number(end) +
-                                     " the slider cannot be drawn: " + (driven ? refused : driven.error().what));
-  }
-  return sound;
-}
-
 }  // namespace
 
 void read_situations(TomlTable& table, Lesson& lesson, std::vector<std::string>& unread, Complaints& complaints) {
@@ -132,21 +115,6 @@ std::string read_situation(TomlTable& table, const Lesson& lesson, std::string_v
   if (!table.has("situation")) return name;
   check_name(table, "situation", name, situation_names(lesson));
   return is_among(situation_names(lesson), name) ? name : std::string(otherwise);
-}
-
-void check_sliders(Lesson& lesson, const Subject& subject, Complaints& complaints) {
-  std::vector<std::string> names;
-  for (const Drive& drive : subject.drives()) names.push_back(drive.name);
-  for (Slider& slider : lesson.sliders) {
-    if (!is_there(slider, subject) || slider.drives.empty()) continue;
-    if (!is_among(names, slider.drives)) {
-      complaints.add(slider.drives_place, names.empty() ? "\"drives\": nothing here can be driven"
-                                                        : "\"drives\" " + none_of_text(slider.drives, names));
-      slider.drives = nearest(names, slider.drives);
-      slider.sound = slider.sound && !slider.drives.empty();
-    }
-    if (slider.sound) slider.sound = check_ends(slider, lesson, subject, complaints);
-  }
 }
 
 }  // namespace snug::lesson

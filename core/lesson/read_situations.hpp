@@ -16,14 +16,9 @@ struct Stages {
 /// Reads every [[situation]], whose tables are read by the lesson's subject as its own were. Adds those that cannot be
 /// opened to `unread`.
 void read_situations(TomlTable& table, Lesson& lesson, std::vector<std::string>& unread, Complaints& complaints);
-/// Reads every [[slider]]. What they drive is checked on the stage (check_sliders).
+/// Reads every [[slider]]. What they drive is checked on the stage (check/check_stage.hpp).
 void read_sliders(TomlTable& table, Lesson& lesson, Complaints& complaints);
 /// Reads the "situation" of a section, a question or a slider.
 [[nodiscard]] std::string read_situation(TomlTable& table, const Lesson& lesson, std::string_view otherwise);
-
-/// Checks that the sliders of a situation drive something, and can do so from one end to the other. A misspelt name is
-/// replaced by what is meant; sliders with other mistakes are no longer sound. subject: that situation's, before any
-/// slider has moved.
-void check_sliders(Lesson& lesson, const Subject& subject, Complaints& complaints);
 
 }  // namespace snug::lesson

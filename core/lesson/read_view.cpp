@@ -77,37 +77,6 @@ void read_names_of_points(TomlTable& table, const toml::table& toml, StageView& 
     if (const std::string fault = fault_of(view.names, i); !fault.empty()) table.wrong("names", fault);
 }
 
-void check_place(TomlTable& table, std::string_view key, const StagePlace& place, const Subject& own) {
-  if (place.is_gap()) {
-    if (!own.gap()) table.wrong(key, "is the gap between two volumes, and there are none");
-    return;
-  }
-  if (place.handle.empty()) {
-    if (place.numbers != static_cast<std::size_t>(own.dim()))
-      table.wrong(key, "must have " + std::to_string(own.dim()) + " coordinates");
-    return;
-  }
-  if (handle_named(own, place.handle)) return;
-  std::vector<std::string> names;
-  for (Index i = 0; i < own.size(); ++i) names.push_back(own.name_of(i));
-  const std::string_view meant = nearest(names, place.handle);
-  table.wrong(key,
-              "names no handle: " + place.handle +
-                  (meant.empty() ? "; the last one is " + names.back() : "; did you mean " + std::string(meant) + "?"));
-}
-
-void check_names_of_points(TomlTable& table, const StageView& view, const Subject& own) {
-  if (view.names.empty()) return;
-  if (own.points() == nullptr) return table.wrong("names", "are for points, and there are none");
-  if (view.names.size() > static_cast<std::size_t>(own.size()))
-    return table.wrong("names", "are " + std::to_string(view.names.size()) + ", and there are only " +
-                                    std::to_string(own.size()) + " points");
-  for (Index i = 0; i < own.size(); ++i)
-    for (Index j = 0; j < i; ++j)
-      if (plain_name(own.name_of(i)) == plain_name(own.name_of(j)))
-        return table.wrong("names", "has a name that another point has: " + own.name_of(j));
-}
-
 }  // namespace
 
 StageView read_view(TomlTable& lesson, Complaints& complaints) {
@@ -126,19 +95,6 @@ StageView read_view(TomlTable& lesson, Complaints& complaints) {
   for (const std::string_view key : {"camera", "zoom", "look_at", "names", "decimals", "point_size"}) table.allow(key);
   table.refuse_others();
   return view;
-}
-
-void check_view(const StageView& view, const toml::table& lesson, const Subject& own, Complaints& complaints) {
-  const toml::table* toml = lesson["view"].as_table();
-  if (toml == nullptr) return;
-  TomlTable table(*toml, "[view]", complaints);
-  if (view.camera && own.dim() == 2) table.wrong("camera", "is for lessons in space");
-  if (view.look_at) check_place(table, "look_at", *view.look_at, own);
-  if (view.outline && own.points() == nullptr) table.wrong("outline", "is for points, and there are none");
-  check_names_of_points(table, view, own);
-  if (!view.inset) return;
-  TomlTable inset(*toml->get_as<toml::table>("inset"), "\"inset\"", complaints);
-  check_place(inset, "at", view.inset->at, own);
 }
 
 }  // namespace snug::lesson

@@ -27,10 +27,10 @@ inline constexpr std::string_view kHandInWord = "Hand in", kAnotherInstanceWord 
                                   kYourMarkWord = "Your mark", kDecisionWord = "Your decision", kBuildWord = "Build it",
                                   kBreakWord = "Break it", kFinishWord = "Done", kStartAgainWord = "Start again",
                                   kBackToBestWord = "Back to my best", kShowModelWord = "Show a solution",
-                                  kHarderWord = "Harder instance", kPracticeWord = "Practice",
-                                  kPracticeSays = "no mark", kWithoutMarkWord = "Practise without a mark",
-                                  kForMarkWord = "Do it for a mark", kShowAnswerWord = "Show the answer",
-                                  kExercisesWord = "Exercises for a mark",
+                                  kBackToSolutionWord = "Back to my solution", kHarderWord = "Harder instance",
+                                  kPracticeWord = "Practice", kPracticeSays = "no mark",
+                                  kWithoutMarkWord = "Practise without a mark", kForMarkWord = "Do it for a mark",
+                                  kShowAnswerWord = "Show the answer", kExercisesWord = "Exercises for a mark",
                                   kExercisesSay =
                                       "Carry out an algorithm, work out a number, or build an example, on an instance "
                                       "of your own. Your work is marked, and you can begin a new instance at any time. "

@@ -3,12 +3,25 @@
 
 #include <algorithm>
 
+#include "lesson/packed_rows.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
+namespace {
+
+constexpr std::size_t kMostLetters = 8000;  // of what a task was done by, as a device keeps it
+
+/// What stands on the stage, packed; empty if that is too long to be kept.
+std::string word_of(const Subject& subject) {
+  std::string word = packed_rows(subject.rows());
+  return word.size() <= kMostLetters ? word : std::string();
+}
+
+}  // namespace
+
 tl::expected<Session, InputError> Session::open(Lesson lesson, std::optional<io::PointFile> mesh, Clock clock) {
   if (lesson.subject == nullptr) lesson.subject = find_subject(lesson.volume, "");
   if (lesson.algorithms.empty()) return tl::unexpected(InputError{.what = "the lesson offers no algorithm"});
@@ -86,31 +99,26 @@ const Method* Session::first_that_suits(const Subject& subject) const {
   return nullptr;
 }
 
-/// Replaces methods that cannot take these points: the main one by the first of the lesson's that can.
-Done Session::make_room_for(const Subject& next) {
-  if (!next.suits(*slots_[0].method)) {
-    const Method* fits = first_that_suits(next);
-    if (fits == nullptr) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
-    use(0, fits);
-  }
-  if (slots_[1].method != nullptr && !next.suits(*slots_[1].method)) use(1, nullptr);
-  return {};
+/// A method that cannot take the next points gives way: the main one to the first of the lesson's that can.
+const Method* Session::method_for(int slot, const Subject& next) const {
+  const Method* own = slots_[slot].method;
+  if (own == nullptr || next.suits(*own)) return own;
+  return slot == 0 ? first_that_suits(next) : nullptr;
 }
 
-/// Edits of a few points are not estimated again.
-Done Session::has_time_for(const Subject& next) const {
-  if (next.points() == nullptr || (next.size() <= size() + 1 && next.origin().source == now_->origin().source))
-    return {};
-  const auto chosen = [&](int slot) {
-    const Method* method = slots_[slot].method;
-    return method == nullptr || next.suits(*method) ? method : slot == 0 ? first_that_suits(next) : nullptr;
-  };
-  return chosen(0) == nullptr ? Done{} : check_patience(*lesson_, next, {chosen(0), chosen(1)}, clock_);
+Done Session::make_room_for(const Subject& next) {
+  const Method* main = method_for(0, next);
+  if (main == nullptr) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
+  if (main != slots_[0].method) use(0, main);
+  if (slots_[1].method != nullptr && method_for(1, next) == nullptr) use(1, nullptr);
+  return {};
 }
 
 void Session::run_again(int slot) {
   Used& own = slots_[slot];
-  if (own.method != nullptr) own.run = now_->run(*own.method, std::move(own.run));
+  if (own.method == nullptr) return;
+  const bool is_there = ready_ != nullptr && ready_->method(slot) == own.method && ready_->work.runs[slot] != nullptr;
+  own.run = is_there ? std::move(ready_->work.runs[slot]) : now_->run(*own.method, std::move(own.run));
 }
 
 void Session::subject_changed() {
@@ -151,7 +159,7 @@ Grade Session::grade(std::size_t task) const {
   if (!grades_[task]) grades_[task] = now_->grade(*lesson_, own, view());
   Grade now = *grades_[task];
   if (now.done && !own.only.empty() && !(task_started_ && task_ == task)) now.done = false, now.says = only_text(own);
-  if (now.done && !drag_.subject) done_[task] = true;  // a hand that only passes through a solution has not left one
+  if (now.done && !drag_.subject && !done_[task]) done_[task] = word_of(*now_);  // not what a hand only passes through
   // The grade comes from the run's result, which would give away the steps that are asked about.
   if (!now.done && predicting() && is_own()) now.says = kTaskWaits;
   else if (!now.done && !now_->moves_at(step_)) now.says += " " + std::string(now_->fixed_now());
@@ -165,20 +173,25 @@ std::optional<Grade> Session::grade() const {
 
 bool Session::was_done(std::size_t task) const {
   static_cast<void>(grade(task));
-  return done_[task];
+  return done_[task].has_value();
 }
 
-std::vector<int> Session::done_tasks() const {
-  std::vector<int> done;
+std::vector<Session::DoneTask> Session::done_tasks() const {
+  std::vector<DoneTask> done;
   for (std::size_t i = 0; i < lesson_->tasks.size(); ++i)
-    if (was_done(i)) done.push_back(static_cast<int>(i));
+    if (was_done(i)) done.push_back({static_cast<int>(i), *done_[i]});
   return done;
 }
 
-void Session::take_up_tasks(const std::vector<int>& done) {
-  for (const int task : done)
-    if (task >= 0 && task < std::ssize(done_)) done_[task] = true;
-  const auto open = std::find(done_.begin(), done_.end(), false);  // the student goes on with the first that is left
+bool Session::can_solve_again(std::size_t task) const {
+  return was_done(task) && !done_[task]->empty() && !grade(task).done;
+}
+
+void Session::take_up_tasks(const std::vector<DoneTask>& done) {
+  for (const auto& [task, by] : done)
+    if (task >= 0 && task < std::ssize(done_)) done_[task] = by;
+  // The student goes on with the first that is left.
+  const auto open = std::find(done_.begin(), done_.end(), std::nullopt);
   if (open != done_.end()) task_ = open - done_.begin();
 }
 

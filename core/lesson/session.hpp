@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "lesson/ask.hpp"
@@ -19,6 +20,8 @@
 #include "lesson/subject.hpp"
 
 namespace snug::lesson {
+
+class Preparation;
 
 /// An answer that was given: right or not, and at which try.
 struct Given {
@@ -114,14 +117,16 @@ class Session {
   Done become(std::unique_ptr<Subject> next);
   /// Starts a task of the lesson: sets its points or boxes, its algorithm in slot 0, and shows the result.
   void start_task(std::size_t task = 0);
-  /// Starts a task and places its model answer. Errors: those of the subject.
+  /// Starts a task and places its model answer, or what it was done by before. Errors: those of the subject.
   tl::expected<Grade, InputError> solve_task(std::size_t task);
+  tl::expected<Grade, InputError> solve_again(std::size_t task);
   /// Whether a handle may be moved: some tasks leave a few alone to be moved.
   [[nodiscard]] bool may_move(Index i) const;
   /// Whether only what the task in hand leaves to be moved was changed since it was started.
   [[nodiscard]] bool at_task() const { return task_started_; }
   void begin_drag();
-  void end_drag();
+  /// Errors: those of an edit that waited for the hand to rest.
+  Done end_drag();
   [[nodiscard]] bool dragging() const { return drag_.subject != nullptr; }
   [[nodiscard]] bool can_undo() const { return !past_.empty() || drag_moved_; }
   [[nodiscard]] bool can_redo() const { return !future_.empty(); }
@@ -129,6 +134,17 @@ class Session {
   void redo();
   /// Whether it is the lesson's own: then the lesson's words about its own run are true, unless an effect is off.
   [[nodiscard]] bool is_own() const;
+  /// Whether an edit that takes long goes in pieces, between which a door draws, or at once, as a script needs it.
+  /// Returns what it was before.
+  bool give_way(bool on) { return std::exchange(gives_way_, on); }
+  /// What is being computed for the stage, which shows what was there before until all of it is done; null for nothing.
+  /// An edit returns before it is done. A new edit replaces it.
+  [[nodiscard]] const Preparation* preparing() const { return waiting_.get(); }
+  /// Goes on with it for about so long, ns: one piece at least. Once all is there, it is put on the stage. Errors: it
+  /// would take too long, and is given up; those of the edit.
+  Done go_on(double ns);
+  /// Gives it up: what stands on the stage stays.
+  void give_up();
   /// Gives the subject information that changes no run, such as measurements, and decides pending answers again.
   template <class Type, class Tell>
   bool inform(Tell tell) {
@@ -315,8 +331,16 @@ class Session {
   [[nodiscard]] bool was_done(std::size_t task) const;
   /// Whether every task of the lesson was; false if it has none.
   [[nodiscard]] bool tasks_done() const;
-  /// The numbers of those that were.
-  [[nodiscard]] std::vector<int> done_tasks() const;
+  /// A task that was done, by its number, and what stood on the stage when it first was (packed_rows); empty if that is
+  /// not known, or too long to be kept.
+  struct DoneTask {
+    int task = 0;
+    std::string by = {};
+    bool operator==(const DoneTask&) const = default;
+  };
+  [[nodiscard]] std::vector<DoneTask> done_tasks() const;
+  /// Whether a task is not solved now, and it is known what it was done by.
+  [[nodiscard]] bool can_solve_again(std::size_t task) const;
   /// The sliders that the lesson is about (must_move) which nobody has moved yet; and those that were, by what they
   /// drive.
   [[nodiscard]] std::vector<const Slider*> sliders_to_move() const;
@@ -325,8 +349,8 @@ class Session {
   void forget_answers();
   /// Takes over the outcomes of an earlier session of this lesson, without those of unknown questions.
   void take_up_answers(std::vector<Outcome> outcomes);
-  /// The tasks that were done in it, by number; those that the lesson does not have are left out.
-  void take_up_tasks(const std::vector<int>& done);
+  /// The tasks that were done in it; those that the lesson does not have are left out.
+  void take_up_tasks(const std::vector<DoneTask>& done);
   /// The sliders that were moved in it, by what they drive.
   void take_up_moved(std::vector<std::string> drives);
 
@@ -378,21 +402,28 @@ class Session {
   Session(Lesson lesson, std::vector<Situated> places);
   [[nodiscard]] const Snapshot& opened() const { return places_[shown_].own; }
   [[nodiscard]] const Method* first_that_suits(const Subject& subject) const;
+  [[nodiscard]] const Method* method_for(int slot, const Subject& next) const;
   Done make_room_for(const Subject& next);
-  /// Refuses new points of which the lesson's runs would take too long.
-  [[nodiscard]] Done has_time_for(const Subject& next) const;
+  /// What an edit does that may wait: it is new, or comes from the undone ones, or from the redone ones.
+  enum class Way { kEdit, kUndo, kRedo };
+  Done prepare(Snapshot next, Way way);
+  void put_on_stage(std::unique_ptr<Preparation> ready);
   template <class Edit>
   Done edit(Edit edit);
   template <class Edit>
   Done edit_anew(Edit edit);
   Done become(Snapshot next);
+  tl::expected<Grade, InputError> place_answer(std::size_t task, const Rows& answer);
   /// Whether it differs from what stands on the stage only in what the task in hand leaves to be moved.
   [[nodiscard]] bool keeps_to_task(const Subject& next) const;
+  /// After an edit that keeps it whatever it changed.
+  void keep_task(bool started) { (waiting_ != nullptr ? waiting_keeps_ : task_started_) = started; }
   Snapshot exchange(Snapshot next);
   void leave_situation();
   void enter_situation();
   void remember(Snapshot before);
-  void restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to);
+  void restore(Way way);
+  void take_over(Way way, Snapshot next);
   void use(int slot, const Method* method);
   void run_again(int slot);
   void subject_changed();
@@ -425,8 +456,14 @@ class Session {
   std::vector<Snapshot> future_;
   Snapshot drag_;  // the subject when the drag began
   bool drag_moved_ = false;
-  bool typing_ = false;    // whether the last edit was typed, and
-  bool types_on_ = false;  // whether this one goes on with it
+  std::optional<Snapshot> at_rest_;  // what sliders lead to once the hand rests
+  bool gives_way_ = false;
+  std::unique_ptr<Preparation> waiting_;
+  Way waiting_way_ = Way::kEdit;
+  bool waiting_keeps_ = false;          // task_started_ after it
+  std::unique_ptr<Preparation> ready_;  // whose runs are taken over
+  bool typing_ = false;                 // whether the last edit was typed, and
+  bool types_on_ = false;               // whether this one goes on with it
   std::array<Used, 2> slots_;
   // Computed on demand, and forgotten with the next edit.
   mutable std::optional<std::vector<Rival>> rivals_;
@@ -443,11 +480,11 @@ class Session {
   std::vector<Outcome> outcomes_;
   Conduct conduct_;
   std::vector<Given> given_;
-  double opened_at_ = 0;            // by the clock, ns
-  std::size_t task_ = 0;            // the one in hand
-  bool task_started_ = false;       // and whether nothing but what it leaves to be moved was changed since
-  mutable std::vector<bool> done_;  // which tasks were done
-  std::optional<Answer> picked_;    // chosen and not given yet
+  double opened_at_ = 0;       // by the clock, ns
+  std::size_t task_ = 0;       // the one in hand
+  bool task_started_ = false;  // and whether nothing but what it leaves to be moved was changed since
+  mutable std::vector<std::optional<std::string>> done_;  // by the tasks: none, or DoneTask::by
+  std::optional<Answer> picked_;                          // chosen and not given yet
   std::string answer_says_;
   struct Tried {
     std::string question;  // its id
@@ -462,6 +499,19 @@ class Session {
   bool answer_shown_ = false;
   bool summary_closed_ = false;
   std::uint64_t revision_ = 1;
+};
+
+/// While it lives, edits are done at once.
+class AtOnce {
+ public:
+  explicit AtOnce(Session& session) : session_(session), before_(session.give_way(false)) {}
+  ~AtOnce() { session_.give_way(before_); }
+  AtOnce(const AtOnce&) = delete;
+  AtOnce& operator=(const AtOnce&) = delete;
+
+ private:
+  Session& session_;
+  bool before_;
 };
 
 }  // namespace snug::lesson

@@ -1,7 +1,10 @@
 // A session's edits, and undo.
 #include <algorithm>
+#include <limits>
 
 #include "lesson/names.hpp"
+#include "lesson/packed_rows.hpp"
+#include "lesson/patience.hpp"
 #include "lesson/say.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
@@ -39,15 +42,73 @@ Done Session::become(std::unique_ptr<Subject> next) {
 
 Done Session::become(Snapshot next) {
   if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
-  if (Done patient = has_time_for(*next.subject); !patient) return patient;
-  if (Done made = make_room_for(*next.subject); !made) return made;
-  end_drag();
+  if (method_for(0, *next.subject) == nullptr)
+    return tl::unexpected(InputError{.what = next.subject->refusal(*slots_[0].method)});
+  at_rest_.reset();
+  static_cast<void>(end_drag());
   const bool keeps = keeps_to_task(*next.subject);
   if (conduct_.builds && (next.subject->dim() != dim() || (!keeps && !lesson_->tasks[task_].only.empty())))
     return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
-  remember(exchange(std::move(next)));
-  task_started_ = keeps;
+  waiting_keeps_ = keeps;
+  return prepare(std::move(next), Way::kEdit);
+}
+
+/// Computes what the next stage needs: all of it, or, where edits give way, only what is soon done. Edits of a few
+/// points and what stood on the stage before are not estimated again.
+Done Session::prepare(Snapshot next, Way way) {
+  constexpr double kSoon = 100e6;  // ns
+  const Subject& subject = *next.subject;
+  const bool known = way != Way::kEdit || clock_ == nullptr ||
+                     (subject.size() <= size() + 1 && subject.origin().source == now_->origin().source);
+  if (!Preparation::may_take_long(subject) || (known && !gives_way_)) {
+    waiting_.reset();
+    take_over(way, std::move(next));
+    return {};
+  }
+  const Preparation::Methods methods{method_for(0, subject), method_for(1, subject)};
+  waiting_way_ = way;
+  waiting_ = std::make_unique<Preparation>(*lesson_, std::move(next), methods, !known, clock_);
+  return go_on(gives_way_ ? kSoon : std::numeric_limits<double>::infinity());
+}
+
+Done Session::go_on(double ns) {
+  if (waiting_ == nullptr) return {};
+  const double begin = clock_ != nullptr ? clock_() : 0;
+  const auto passed = [&] { return clock_ != nullptr ? clock_() - begin : 0; };
+  do waiting_->go_on();
+  while (!waiting_->done() && passed() + waiting_->next_takes() < ns);
+  if (!waiting_->done()) return {};
+  std::unique_ptr<Preparation> ready = std::move(waiting_);
+  if (ready->refused()) return tl::unexpected(*ready->refused());
+  put_on_stage(std::move(ready));
   return {};
+}
+
+void Session::give_up() {
+  waiting_.reset();
+  ++revision_;
+}
+
+void Session::put_on_stage(std::unique_ptr<Preparation> ready) {
+  ready_ = std::move(ready);
+  take_over(waiting_way_, std::move(ready_->next));
+  rivals_ = std::move(ready_->work.rivals);
+  results_ = std::move(ready_->work.results);
+  ready_.reset();
+}
+
+/// Puts the next thing on the stage, and what was there where undo or redo finds it.
+void Session::take_over(Way way, Snapshot next) {
+  static_cast<void>(make_room_for(*next.subject));  // there is a method that can take it
+  Snapshot before = exchange(std::move(next));
+  if (way == Way::kEdit) {
+    remember(std::move(before));
+    task_started_ = waiting_keeps_;
+    return;
+  }
+  typing_ = false;
+  (way == Way::kUndo ? past_ : future_).pop_back();
+  (way == Way::kUndo ? future_ : past_).push_back(std::move(before));
 }
 
 bool Session::keeps_to_task(const Subject& next) const {
@@ -81,7 +142,7 @@ Done Session::move(Index i, const Point3& to) {
   if (!drag_.subject) {
     const bool started = task_started_;
     Done moved = edit([&](Subject& next) { return next.move(i, to); });
-    task_started_ = started;
+    keep_task(started);
     return moved;
   }
   if (Done moved = now_->move(i, to); !moved) return moved;
@@ -133,7 +194,7 @@ Done Session::set_float(bool in_float) {
   if (Done set = next.subject->set_float(in_float); !set) return set;
   const bool started = task_started_;
   Done done = become(std::move(next));
-  task_started_ = started;
+  keep_task(started);
   return done;
 }
 
@@ -160,6 +221,7 @@ bool Session::push(Index i) {
 Done Session::set_file(std::string text) {
   if (const auto file = now_->file(); file && file->typed == text) return {};
   types_on_ = typing_;
+  const AtOnce at_once(*this);
   Done set = edit([&](Subject& next) { return next.set_file(std::move(text)); });
   types_on_ = false;
   if (set) typing_ = true;
@@ -184,6 +246,7 @@ void Session::settle() {
 void Session::start_task(std::size_t task) {
   if (task >= lesson_->tasks.size()) return;
   const Task& own = lesson_->tasks[task];
+  const AtOnce at_once(*this);
   static_cast<void>(show_situation(own.situation));
   static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, own, this->own()), Done(); }));
   slid_.values = slid_.base_values = opened().slid.values;
@@ -198,12 +261,21 @@ void Session::start_task(std::size_t task) {
   ++revision_;
 }
 
-tl::expected<Grade, InputError> Session::solve_task(std::size_t task) {
+tl::expected<Grade, InputError> Session::place_answer(std::size_t task, const Rows& answer) {
   start_task(task);
-  if (Done made = set_rows(lesson_->tasks[task].model); !made) return tl::unexpected(std::move(made.error()));
+  if (Done made = set_rows(answer); !made) return tl::unexpected(std::move(made.error()));
   task_started_ = true;
   grades_[task].reset();
   return grade(task);
+}
+
+tl::expected<Grade, InputError> Session::solve_task(std::size_t task) {
+  return place_answer(task, lesson_->tasks[task].model);
+}
+
+tl::expected<Grade, InputError> Session::solve_again(std::size_t task) {
+  const auto rows = can_solve_again(task) ? unpacked_rows(*done_[task]) : std::nullopt;
+  return rows ? place_answer(task, *rows) : grade(task);
 }
 
 bool Session::may_move(Index i) const {
@@ -224,11 +296,11 @@ void Session::remember(Snapshot before) {
 }
 
 void Session::begin_drag() {
-  end_drag();
+  static_cast<void>(end_drag());
   drag_ = snapshot();
 }
 
-void Session::end_drag() {
+Done Session::end_drag() {
   Snapshot before = std::move(drag_);
   if (before.subject && drag_moved_) {
     remember(std::move(before));
@@ -236,26 +308,19 @@ void Session::end_drag() {
     ++revision_;
   }
   drag_moved_ = false;
+  if (!at_rest_) return {};
+  Snapshot next = *std::exchange(at_rest_, std::nullopt);
+  return become(std::move(next));
 }
 
-void Session::restore(std::vector<Snapshot>& from, std::vector<Snapshot>& to) {
-  typing_ = false;
-  if (from.empty()) return;
+void Session::restore(Way way) {
+  static_cast<void>(end_drag());
+  std::vector<Snapshot>& from = way == Way::kUndo ? past_ : future_;
   // Every snapshot was accepted before, so the lesson's methods can take it.
-  static_cast<void>(make_room_for(*from.back().subject));
-  Snapshot next = std::move(from.back());
-  from.pop_back();
-  to.push_back(exchange(std::move(next)));
+  if (!from.empty()) static_cast<void>(prepare(from.back().clone(), way));
 }
 
-void Session::undo() {
-  end_drag();
-  restore(past_, future_);
-}
-
-void Session::redo() {
-  end_drag();
-  restore(future_, past_);
-}
+void Session::undo() { restore(Way::kUndo); }
+void Session::redo() { restore(Way::kRedo); }
 
 }  // namespace snug::lesson

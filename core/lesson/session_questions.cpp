@@ -42,6 +42,7 @@ bool Session::practise() {
   constexpr std::uint64_t kMostTried = 100;
   if (!can_practise()) return false;
   const std::uint64_t practised = practice_, from = seed();
+  const AtOnce at_once(*this);
   for (std::uint64_t next = from + 1; next <= from + kMostTried; ++next) {
     practice_ = next;
     scatter(next);
@@ -412,7 +413,7 @@ bool Session::review(std::string_view question) {
     const Asked* own = question_of(past);
     if (past.question != question || standing_of(&past) == Standing::kOpen || own == nullptr) continue;
     deciding_ = false;
-    stand(told_at(*own));
+    stand(conduct_.decides ? own->step : told_at(*own));  // in an exercise, what the student saw then
     shown_outcome_ = static_cast<int>(i);
     shown_at_ = step_;
     answer_shown_ = false;

@@ -10,6 +10,9 @@
 namespace snug::lesson {
 namespace {
 
+/// More points than this follow a slider once the hand rests.
+constexpr Index kMostInHand = 1000;
+
 /// Whether sliders have the same values, except for rounding.
 bool stand_alike(const std::vector<double>& a, const std::vector<double>& b) {
   constexpr double kRounding = 1e-9;  // in parts of the value
@@ -67,7 +70,7 @@ void Session::enter_situation() {
 std::vector<ShownSlider> Session::sliders() const {
   const bool by_hand =
       std::any_of(slots_.begin(), slots_.end(), [](const auto& slot) { return slot.method && slot.method->by_hand; });
-  return shown_sliders(*lesson_, slid_, *now_, by_hand);
+  return shown_sliders(*lesson_, at_rest_ ? at_rest_->slid : slid_, *now_, by_hand);
 }
 
 Done Session::slide(std::size_t slider, double value) {
@@ -83,7 +86,7 @@ Done Session::slide(std::size_t slider, double value) {
   values[slider] = value;
   const bool started = task_started_;
   Done done = set_sliders(std::move(values));
-  task_started_ = started;
+  keep_task(started);
   const std::string& drives = lesson_->sliders[slider].drives;
   if (done && lesson_->sliders[slider].must_move && !is_among(moved_, drives)) moved_.push_back(drives);
   return done;
@@ -101,7 +104,8 @@ void Session::take_up_moved(std::vector<std::string> drives) { moved_ = std::mov
 Done Session::slide_to_place(std::size_t slider, int place) {
   if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_)) return slide(slider, 0);
   const Slider& own = lesson_->sliders[slider];
-  return slide(slider, value_at(own, *drive_of(own, *now_), place));
+  const std::optional<Drive> drive = drive_of(own, *now_);
+  return drive ? slide(slider, value_at(own, *drive, place)) : Done{};
 }
 
 Done Session::set_sliders(std::vector<double> values) {
@@ -121,6 +125,9 @@ Done Session::set_sliders(std::vector<double> values) {
   if (!next->subject->suits(*slots_[0].method))
     return tl::unexpected(InputError{.what = next->subject->refusal(*slots_[0].method)});
   if (!drag_.subject) return become(*std::move(next));
+  at_rest_.reset();
+  if (gives_way_ && next->subject->points() != nullptr && next->subject->size() > kMostInHand)
+    return at_rest_ = *std::move(next), Done();
   static_cast<void>(make_room_for(*next->subject));
   static_cast<void>(exchange(*std::move(next)));
   drag_moved_ = true;

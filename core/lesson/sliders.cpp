@@ -102,7 +102,10 @@ double start_of(const Slider& slider, double resting) {
   return resting >= slider.from && resting <= slider.to ? resting : slider.from;
 }
 
-InputError no_drive(const Slider& slider) { return {.what = "there is no " + slider.drives + " to drive"}; }
+/// What a slider drives there; none if it is not there, or has nothing to drive: the check of the lesson says so.
+std::optional<Drive> drive_there(const Slider& slider, const Subject& subject) {
+  return is_there(slider, subject) ? drive_of(slider, subject) : std::nullopt;
+}
 
 }  // namespace
 
@@ -121,12 +124,10 @@ tl::expected<Snapshot, InputError> with_sliders(const Lesson& lesson, std::uniqu
   if (lesson.sliders.empty()) return fresh;
   std::vector<double> values;
   for (const Slider& slider : lesson.sliders) {
-    const bool there = is_there(slider, *fresh.subject);
-    const std::optional<Drive> drive = there ? drive_of(slider, *fresh.subject) : Drive{};
-    if (!drive) return tl::unexpected(no_drive(slider));
-    const double resting = there ? value_on(slider, *fresh.subject, drive->rest) : slider.from;
+    const std::optional<Drive> drive = drive_there(slider, *fresh.subject);
+    const double resting = drive ? value_on(slider, *fresh.subject, drive->rest) : slider.from;
     fresh.slid.base_values.push_back(resting);
-    values.push_back(own || !drive->now ? start_of(slider, resting) : resting);
+    values.push_back(own || !drive || !drive->now ? start_of(slider, resting) : resting);
   }
   fresh.slid.values = fresh.slid.base_values;
   fresh.slid.base = fresh.subject->clone();
@@ -149,7 +150,7 @@ tl::expected<Snapshot, InputError> slid_to(const Lesson& lesson, const Snapshot&
   if (next.slid.base == nullptr) next.slid.base = from.subject->clone();
   for (std::size_t i = 0; i < lesson.sliders.size(); ++i) {
     const Slider& slider = lesson.sliders[i];
-    if (values[i] == slid.base_values[i] || !is_there(slider, *next.subject)) continue;
+    if (values[i] == slid.base_values[i] || !drive_there(slider, *next.subject)) continue;
     if (Done driven = next.subject->drive(slider.drives, slid.base_values[i], values[i]); !driven)
       return tl::unexpected(std::move(driven.error()));
   }
@@ -161,12 +162,11 @@ std::vector<ShownSlider> shown_sliders(const Lesson& lesson, const Slid& slid, c
   std::vector<ShownSlider> shown;
   for (std::size_t i = 0; i < lesson.sliders.size(); ++i) {
     const Slider& slider = lesson.sliders[i];
-    if (!is_there(slider, subject)) continue;
-    const Drive drive = *drive_of(slider, subject);
-    if (drive.by_hand && !by_hand) continue;
+    const std::optional<Drive> drive = drive_there(slider, subject);
+    if (!drive || (drive->by_hand && !by_hand)) continue;
     const double value = slid.values[i];
     shown.push_back(
-        {&slider, i, value, knob_at(slider, drive, value), places_of(slider, drive), text_of(slider, drive, value)});
+        {&slider, i, value, knob_at(slider, *drive, value), places_of(slider, *drive), text_of(slider, *drive, value)});
   }
   return shown;
 }

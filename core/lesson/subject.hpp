@@ -216,6 +216,8 @@ class Subject {
 
   /// The volumes that its tests are given, in space: both of a pair, the body beside a frustum. None of points.
   [[nodiscard]] virtual std::vector<fit::Volume3> volumes() const { return {}; }
+  /// The volumes that are drawn on paper.
+  [[nodiscard]] virtual std::vector<fit::Volume3> on_paper() const { return volumes(); }
   /// The planes of a frustum on it, each a row: its normal, then d. None without one.
   [[nodiscard]] virtual Rows planes() const { return {}; }
 

@@ -1,6 +1,6 @@
 #include "lesson/trace_hash.hpp"
 
-#include "lesson/play.hpp"
+#include "lesson/playable.hpp"
 #include "lesson/situations.hpp"
 #include "number/fnv.hpp"
 

@@ -21,6 +21,8 @@ constexpr double kLeastRange = 4;
 /// Every algorithm reads every point. If the time seems to grow by less than this power, most of it is still constant.
 constexpr double kLeastTold = 0.5;
 
+constexpr std::string_view kOwnLimit = " points is stopped by its own limit";
+
 /// time: in ns.
 std::string why_stopped(Index points, double time) {
   const bool in_seconds = time >= 999.5e6;
@@ -51,13 +53,15 @@ std::optional<double> told_power(std::span<const SizedTime> tail) {
 
 }  // namespace
 
+bool ends_at_own_limit(const GrowthRow& row) { return row.stopped.ends_with(kOwnLimit); }
+
 Workload workload_of(const fit::Algorithm& algorithm, int dim, Index most, std::shared_ptr<PointStock> points,
                      const fit::Options& options) {
   Workload load{.volume = std::string(algorithm.volume),
                 .algorithm = std::string(algorithm.name),
                 .most = std::min(most, algorithm.most_finished)};
   if (load.most < std::min(most, algorithm.max_points))
-    load.ends = "a run on more than " + std::to_string(load.most) + " points is stopped by its own limit";
+    load.ends = "a run on more than " + std::to_string(load.most) + std::string(kOwnLimit);
   load.theory = fit::bound_of(algorithm.theory, dim);
   load.work = fit::work_of(algorithm.theory, dim);
   load.tight = algorithm.theory.tight;

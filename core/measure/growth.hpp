@@ -47,6 +47,9 @@ struct SizedTime {
 /// Shown instead of the power if none can be fitted: there are too few points, or the sizes are too close together.
 inline constexpr std::string_view kTooFewToTell = "too few points to tell";
 
+/// Whether a line ends there because a run on more points is stopped by its own limit.
+[[nodiscard]] bool ends_at_own_limit(const GrowthRow& row);
+
 /// Sizes down to this fraction of the largest count for the power; below that, constant parts of the time show.
 inline constexpr double kTail = 32;
 

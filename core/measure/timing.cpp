@@ -55,7 +55,7 @@ Timing timing_of(std::vector<double> times, int batch) {
   if (times.size() < 2) return timing;  // the spread is unknown
   const double between = quantile(times, 0.75) - quantile(times, 0.25);
   timing.spread = timing.median > 0 ? between / timing.median : 0;
-  timing.trusted = timing.median > 0 && *timing.spread <= kMostSpread;
+  timing.trusted = timing.median > 0 && *timing.spread <= kMostSpread && timing.median <= (1 + kMostAbove) * timing.min;
   return timing;
 }
 

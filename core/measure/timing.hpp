@@ -30,7 +30,7 @@ struct Timing {
   std::optional<double> spread;  // between the quartiles, over the median; none for a single batch
   int repeats = 0;               // the number of timed batches; 0: nothing was timed
   int batch = 0;                 // runs in each
-  bool trusted = false;          // whether there is a spread, of at most kMostSpread
+  bool trusted = false;          // whether the rounds agree: kMostSpread, kMostAbove
   /// Times that differ by no more cannot be told apart: the spread, but at least this share of the median. What was
   /// counted, not timed, is exact.
   [[nodiscard]] double doubt(double least) const {
@@ -42,8 +42,10 @@ struct Timing {
   }
 };
 
-/// Times whose spread is wider than this over their median are not trusted, and marked as unreliable.
-inline constexpr double kMostSpread = 1.0 / 3;
+/// Times are not trusted, and marked as unreliable, if their spread is wider than this over their median, or the median
+/// is farther above the shortest time than that share of it: on a busy machine all rounds but a few may be equally
+/// slow.
+inline constexpr double kMostSpread = 1.0 / 3, kMostAbove = 0.2;
 
 /// The least doubt of two times of one run, and of times of two runs: between these the machine itself changes.
 inline constexpr double kDoubtInRun = 0.05, kDoubtBetweenRuns = 0.25;

@@ -1,6 +1,7 @@
 #include "desktop/cli/cli.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,8 @@
 #include "desktop/cli/defaults.hpp"
 #include "desktop/cli/definitions.hpp"
 #include "desktop/cli/did_you_mean.hpp"
+#include "desktop/cli/human.hpp"
+#include "desktop/cli/terminal.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -27,6 +30,8 @@ constexpr const char* kFooter =
     "Data goes to standard output, messages to standard error; - as a file name is standard input or output. A file\n"
     "may have up to 512 MiB. Exit status: 0 done, 1 a check failed, 2 bad input or usage: one line on standard\n"
     "error, \"snug: FILE:LINE: what is wrong\", and nothing on standard output.\n"
+    "JSON Lines are printed as tables in a terminal, in colour unless NO_COLOR is set; in a pipe, and with --json, as\n"
+    "they are.\n"
     "`snug help COMMAND` describes a command in full.";
 
 /// Prints a message as one line.
@@ -35,12 +40,18 @@ void complain(std::string what) {
   std::fprintf(stderr, "snug: %s\n", what.c_str());
 }
 
-int print(const Printed& printed) {
+/// What is printed: JSON Lines as a table, where people read it.
+std::string for_reader(const std::string& text, bool json) {
+  return json || !is_terminal() || !text.starts_with('{') ? text : human_text(text, terminal_width(), has_color());
+}
+
+int print(const Printed& printed, bool json) {
   for (InputError warning : printed.warnings) {
     warning.what = kWarning + warning.what;
     complain(warning.message());
   }
-  const bool written = std::fwrite(printed.text.data(), 1, printed.text.size(), stdout) == printed.text.size();
+  const std::string text = for_reader(printed.text, json);
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (written && std::fflush(stdout) == 0) return printed.status;
   complain(std::string("standard output: ") + std::strerror(errno));
   return 2;
@@ -51,7 +62,7 @@ int run_chosen(const Commands& commands) {
       read_defaults().map_error([](InputError&& error) { return std::vector{std::move(error)}; }).and_then([&] {
         return commands.chosen();
       });
-  if (result) return print(*result);
+  if (result) return print(*result, commands.json || commands.app.get_subcommands().empty());
   for (const InputError& error : result.error()) complain(error.message());
   return 2;
 }
@@ -78,6 +89,23 @@ std::vector<std::string> joined_numbers(int argc, const char* const* argv) {
   }
   std::reverse(joined.begin(), joined.end());
   return joined;
+}
+
+/// Adds --json to the commands that print JSON Lines. Those that print text otherwise have one of their own.
+void add_json(CLI::App& above, bool& json) {
+  constexpr std::array<std::string_view, 14> kPrintJson{"fit",      "algorithms", "cases", "overlap", "update",
+                                                        "cull",     "scene",      "list",  "check",   "play",
+                                                        "coverage", "facts",      "make",  "print"};
+  for (CLI::App* const command : above.get_subcommands([](const CLI::App*) { return true; })) {
+    add_json(*command, json);
+    if (CLI::Option* const own = command->get_option_no_throw("--json"); own != nullptr) {
+      own->each([&json](const std::string&) { json = true; });
+      continue;
+    }
+    const bool prints = std::find(kPrintJson.begin(), kPrintJson.end(), command->get_name()) != kPrintJson.end() &&
+                        command->get_subcommands([](const CLI::App*) { return true; }).empty();
+    if (prints) command->add_flag("--json", json, "JSON Lines, in a terminal as well");
+  }
 }
 
 /// The subcommand read so far: "snug lesson check".
@@ -112,17 +140,18 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   return error.what() + meant(chosen, app.remaining(true)) + " (see `" + chosen.call + " --help`)";
 }
 
-int run(int argc, const char* const* argv, int (*open_window)(const WindowOptions&)) {
+int run(int argc, const char* const* argv, OpenWindow open_window) {
   CLI::App app(kDescription, "snug");
   app.footer(kFooter);
   app.set_version_flag("-V,--version", SNUG_VERSION);
   app.require_subcommand(0, 1);
   Commands commands{app, open_window, {}};
-  for (const auto add : {add_window,  add_fit,        add_algorithms, add_cases, add_update,
-                         add_overlap, add_cull,       add_cost,       add_which, add_chart,
-                         add_scene,   add_lesson,     add_exercise,   add_demo,  add_grade,
-                         add_package, add_trace_hash, add_render,     add_help,  add_made_of_definitions})
+  for (const auto add :
+       {add_window, add_fit,   add_algorithms, add_cases,      add_update, add_overlap,  add_cull,
+        add_cost,   add_which, add_chart,      add_scene,      add_lesson, add_exercise, add_demo,
+        add_grade,  add_lab,   add_package,    add_trace_hash, add_render, add_help,     add_made_of_definitions})
     add(commands);
+  add_json(app, commands.json);
   try {
     app.parse(joined_numbers(argc, argv));
   } catch (const CLI::Success& success) {  // --help and --version
@@ -139,7 +168,7 @@ int run(int argc, const char* const* argv, int (*open_window)(const WindowOption
 
 }  // namespace
 
-int run_command(int argc, const char* const* argv, int (*open_window)(const WindowOptions&)) {
+int run_command(int argc, const char* const* argv, OpenWindow open_window) {
   try {
     return run(argc, argv, open_window);
   } catch (const std::bad_alloc&) {

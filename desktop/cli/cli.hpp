@@ -7,6 +7,6 @@ namespace snug::desktop {
 
 /// Runs the command of the arguments. open_window: run_window. Returns the exit status: 0 done, 1 a check failed, 2
 /// bad input or usage, with one line on stderr for each error and nothing on stdout.
-int run_command(int argc, const char* const* argv, int (*open_window)(const WindowOptions&));
+int run_command(int argc, const char* const* argv, OpenWindow open_window);
 
 }  // namespace snug::desktop

@@ -36,8 +36,9 @@ using CommandResult = tl::expected<Printed, std::vector<InputError>>;
 /// The program under construction: each group of subcommands adds itself, and sets what to run when it is chosen.
 struct Commands {
   CLI::App& app;
-  int (*open_window)(const WindowOptions&);
+  OpenWindow open_window;
   std::function<CommandResult()> chosen;
+  bool json = false;  // whether results are printed as JSON in a terminal as well
 };
 
 /// Checks a whole number, because the parser's own reading wraps -1 around, takes 010 for 8 and accepts numbers that
@@ -55,10 +56,11 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
   return CLI::Validator(read, "");
 }
 
-/// The options of every command that reads points from a file.
+/// The options of every command that reads points from a file, and no faces.
 inline void add_reading(CLI::App& command, Reading& reading) {
+  reading.faces = false;
   command.add_flag("--strict", reading.strict, "Refuse a point file of which something would be passed over");
-  command.add_flag("--skip-nan", reading.skip_nan, "Pass over points with a coordinate that is not a number");
+  command.add_flag("--skip-nan", reading.skip_nan, "Pass over points with a coordinate that is not a finite number");
 }
 
 /// How commands that read a file take a named case in its place.
@@ -87,6 +89,7 @@ void add_lesson(Commands& commands);
 void add_exercise(Commands& commands);
 void add_demo(Commands& commands);
 void add_grade(Commands& commands);
+void add_lab(Commands& commands);
 void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
 void add_package(Commands& commands);

@@ -237,8 +237,9 @@ constexpr const char* kCostFooter =
                             processor's time of this thread. All algorithms are timed in rounds, a batch of each after
                             the other, so that a slow second falls on all alike; rounds that disagree are followed by
                             more, up to three times as many. spread is the distance between the quartiles over the
-                            median; above a third the time is not trusted: it could not be measured reliably. A single
-                            batch has no spread, null, and is not trusted
+                            median. Above a third, or if the median is more than a fifth above min, the time is not
+                            trusted: it could not be measured reliably. A single batch has no spread, null, and is
+                            not trusted
   operations, steps         counts of a second run, with an observer; exact_decisions are comparisons that rounded
                             arithmetic left open, each as expensive as hundreds of the others
   size, measure             a sphere's radius, otherwise the measure; 3-D volume or 2-D area

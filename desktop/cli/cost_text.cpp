@@ -23,7 +23,8 @@ std::string said(const char* format, Values... values) {
   return text.data();
 }
 
-/// A time with three digits and a suitable unit.
+}  // namespace
+
 std::string time_text(double ns) {
   constexpr double kDay = 24 * 3600 * 1e9, kYear = 365.25 * kDay;
   if (ns < 999.5) return said("%.3g ns", ns);
@@ -34,34 +35,43 @@ std::string time_text(double ns) {
   return said("%.2g years", ns / kYear);
 }
 
+namespace {
+
 /// A column's unit of time, for all of its rows.
 struct TimeUnit {
   const char* name;
   double ns;
   /// A time in this unit, with three digits; marked if this machine could not measure it well.
   [[nodiscard]] std::string text(const cost::Timing& timing) const {
-    if (timing.repeats == 0) return "-";
-    const double value = timing.median / ns;
-    return said(value < 999.5 ? "%.3g" : "%.0f", value) + (timing.trusted ? "" : " ?");
+    return timing.repeats == 0 ? "-" : text(timing.median) + (timing.trusted ? "" : " ?");
   }
+  [[nodiscard]] std::string text(double time) const { return said(time / ns < 999.5 ? "%.3g" : "%.0f", time / ns); }
 };
 
-/// The largest unit in which the shortest of these times is at least a tenth.
-template <class Row>
-TimeUnit unit_of(std::span<const Row> rows, cost::Timing Row::*timing) {
+/// The largest unit in which the shortest time is at least a tenth.
+TimeUnit unit_for(double shortest) {
   constexpr std::array<TimeUnit, 4> kUnits{{{"s", 1e9}, {"ms", 1e6}, {"us", 1e3}, {"ns", 1}}};
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Row& row : rows)
-    if ((row.*timing).repeats > 0) shortest = std::min(shortest, (row.*timing).median);
   const auto* const found =
       std::find_if(kUnits.begin(), kUnits.end(), [&](const TimeUnit& unit) { return shortest >= unit.ns / 10; });
   return shortest <= 0 || found == kUnits.end() || std::isinf(shortest) ? kUnits.back() : *found;
+}
+
+/// The unit for the shortest of these times.
+template <class Row>
+TimeUnit unit_of(std::span<const Row> rows, cost::Timing Row::*timing) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Row& row : rows)
+    if ((row.*timing).repeats > 0) shortest = std::min(shortest, (row.*timing).median);
+  return unit_for(shortest);
 }
 std::string header_of(const char* what, const TimeUnit& unit) { return std::string(what) + " " + unit.name; }
 
 std::string ratio_text(const std::optional<double>& ratio, const char* format) {
   return ratio ? said(format, *ratio) : "-";
 }
+
+/// "1 volume", "2 volumes"
+std::string many(double n, const char* noun) { return said(n == 1 ? "%.10g %s" : "%.10g %ss", n, noun); }
 
 constexpr std::size_t kWidest = 100;
 
@@ -139,8 +149,7 @@ std::string head_of(const cost::Provenance& p, const char* before = "") {
          "\n\n";
 }
 
-constexpr const char* kDoubt =
-    "? could not be measured reliably: its rounds disagree by more than a third, or there is only one\n";
+constexpr const char* kDoubt = "? could not be measured reliably: its rounds disagree, or there is only one\n";
 
 /// The marks of a row: on the front, tied there, and the letters of its notes.
 std::string marks_of(std::span<const cost::CostRow> rows, const cost::CostRow& row, Notes& notes) {
@@ -305,11 +314,12 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Wh
   constexpr std::array kTimes{&Row::test, &Row::build, &Row::update};
   std::array<TimeUnit, 3> units{};
   for (std::size_t i = 0; i < kTimes.size(); ++i) units[i] = unit_of(rows, kTimes[i]);
-  Columns columns({"volume", "algorithm", header_of("test", units[0]), "/hull", header_of("build", units[1]),
-                   header_of("update", units[2]), "bytes", "false pos.", "T", "f.p./T"});
   const auto least = std::min_element(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
     return a.total.value_or(HUGE_VAL) < b.total.value_or(HUGE_VAL);
   });
+  const TimeUnit whole = unit_for(rows.empty() ? 0 : least->total.value_or(0));
+  Columns columns({"volume", "algorithm", header_of("test", units[0]), "/hull", header_of("build", units[1]),
+                   header_of("update", units[2]), "bytes", "false pos.", header_of("T", whole), "f.p./T"});
   bool doubt = false;
   for (const Row& row : rows) {
     std::vector<std::string> line{row.volume,
@@ -320,7 +330,7 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Wh
                                   units[2].text(row.update),
                                   said("%lld", static_cast<long long>(row.bytes)),
                                   said("%.1f %%", 100 * row.false_positives)};
-    line.push_back(row.total ? time_text(*row.total) + (&row == &*least ? " *" : "  ") : "-");
+    line.push_back(row.total ? whole.text(*row.total) + (&row == &*least ? " *" : "  ") : "-");
     line.push_back(row.total && *row.total > 0 ? said("%.0f %%", 100 * *row.total_false_positives / *row.total) : "-");
     columns.add(std::move(line));
     for (const auto timing : kTimes) doubt = doubt || ((row.*timing).repeats > 0 && !(row.*timing).trusted);
@@ -332,9 +342,10 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Wh
       "\ntest: of one overlap test near contact; /hull: " + std::string(provenance.dim == 2 ? "area" : "volume") +
       " over the hull's\nfalse pos.: of pairs near each other that are apart, those it does not reject;\nf.p./T: their "
       "share of T\n" +
-      wrapped(said("T: what %.10g volumes, and in each of %.10g frames %.10g %s and %.10g tests, %.3g %% of them of "
-                   "bodies that overlap, cost in all; * the least",
-                   load.bodies, load.frames, load.updates, load.deforms ? "new fits" : "updates", load.pairs,
+      wrapped(said("T: what %s, and in each of %s %s and %s, %.3g %% of them of bodies that overlap, cost in all; "
+                   "* the least",
+                   many(load.bodies, "volume").c_str(), many(load.frames, "frame").c_str(),
+                   many(load.updates, load.deforms ? "new fit" : "update").c_str(), many(load.pairs, "test").c_str(),
                    100 * load.hit_rate)) +
       '\n';
   return doubt ? text + kDoubt : text;

@@ -9,6 +9,9 @@
 
 namespace snug::desktop {
 
+/// A time with three digits and a suitable unit.
+[[nodiscard]] std::string time_text(double ns);
+
 /// then: an earlier result to compare with; empty if there is none.
 [[nodiscard]] std::string text_of(const cost::Provenance& provenance, std::span<const cost::CostRow> rows,
                                   const cost::Table<cost::CostRow>* then);

@@ -56,13 +56,19 @@ tl::expected<Defaults, InputError> read_file_of_defaults(const fs::path& file) {
   const auto toml = lesson::parse_file(*text, "a file of defaults", complaints);
   if (!toml) return tl::unexpected(complaints.first()->error());
   lesson::TomlTable table(*toml, "the file", complaints);
-  Defaults found{file.string(), folder_in(table, "lessons", file), folder_in(table, "results", file),
-                 table.text_or("theme", ""), table.text_or("first_lesson", "")};
+  Defaults found{file.string(),
+                 folder_in(table, "lessons", file),
+                 folder_in(table, "results", file),
+                 table.text_or("theme", ""),
+                 table.text_or("first_lesson", ""),
+                 table.text_or("page", "")};
   std::error_code error;
   if (!found.lessons.empty() && !fs::is_directory(found.lessons, error))
     table.wrong("lessons", "is not a folder: " + found.lessons.string());
   if (!found.theme.empty() && std::find(kThemes.begin(), kThemes.end(), found.theme) == kThemes.end())
     table.wrong("theme", "is light, dark, contrast or projector");
+  if (!found.page.empty() && !found.page.starts_with("https://") && !found.page.starts_with("http://"))
+    table.wrong("page", "is the address of Snug's page: \"https://...\"");
   const fs::path lesson = (found.lessons.empty() ? data_folder() / "lessons" : found.lessons) / found.first_lesson;
   if (!found.first_lesson.empty() && !fs::exists(lesson.string() + ".toml", error))
     table.wrong("first_lesson", "is not a lesson: there is no " + lesson.string() + ".toml");

@@ -17,6 +17,7 @@ struct Defaults {
   std::filesystem::path results;  // where the window saves what students hand in, pictures and tables
   std::string theme;              // light, dark, contrast or projector
   std::string first_lesson;       // what a student sees who was not here before
+  std::string page;               // the address of the class's page, for codes that lead there
 };
 
 /// Reads the first snug.toml there is: in snug/ of the user's and of the system's configuration (XDG_CONFIG_HOME,

@@ -44,7 +44,7 @@ using LessonsRead = std::map<std::string, LessonFile>;
 tl::expected<std::uint64_t, InputError> played_hash(const DemoFile& file, const lesson::DemoState& state,
                                                     const std::string& folder, LessonsRead& lessons) {
   if (!lessons.contains(state.lesson)) {
-    auto found = find_lesson(folder, state.lesson, lesson::Checked::kAsWritten);
+    auto found = find_lesson(folder, state.lesson, Read::kAsWritten);
     if (!found) return tl::unexpected(at_key(file, state, "lesson", found.error()));
     lessons.emplace(state.lesson, *std::move(found));
   }
@@ -106,13 +106,14 @@ CommandResult check_demos(const DemoOptions& options) {
 struct ShownDemo : WindowOptions {
   std::string id;
 };
-CommandResult show_demo(ShownDemo options, int (*open_window)(const WindowOptions&)) {
+CommandResult show_demo(ShownDemo options, OpenWindow open_window) {
   const auto file = find_demo("", options.id);
   if (!file) return tl::unexpected(file.error());
   LessonsRead lessons;
   for (const lesson::DemoState& state : (*file)->demo.states)
     if (const auto hash = played_hash(**file, state, "", lessons); !hash) return bad_input(hash.error());
-  if (!options.pictures.empty() && !std::filesystem::is_directory(options.pictures))
+  if (!options.pictures.empty() && ending_of(options.pictures) != "pdf" &&
+      !std::filesystem::is_directory(options.pictures))
     return bad_input(InputError{.what = "there is no such folder", .file = options.pictures});
   options.demo = *file;
   return Printed{"", open_window(options)};
@@ -154,14 +155,18 @@ void add_demo(Commands& commands) {
   CLI::App& play = *group.add_subcommand("play", "Present a demo in the window");
   play.footer(
       "Page Down or Right: the next reveal or state. Page Up or Left: back, to what was shown then. Home or H: this\n"
-      "state as it was. B or the full stop: black. F: the picture stands. F11: the whole screen. Esc: leaves.");
+      "state as it was. B or the full stop: black. F: the picture stands. S: the notes in a second window. V or a\n"
+      "number: the class votes. L, W, R: spotlight, pen, ruler. Q: the state as a code. F11: the whole screen. Esc: "
+      "leaves.\n"
+      "The card of keys (F1) says more.");
   add_window_command(commands, play);
 
   CLI::App& pictures = *group.add_subcommand("pictures", "Draw each state of a demo as a picture");
-  pictures.footer("Writes 01-LESSON.png and so on, with all that is revealed. Drawing needs a display; xvfb-run "
-                  "provides one.");
+  pictures.footer(
+      "Writes 01-LESSON.png and so on, or the pages of one PDF, with all that is revealed. Drawing needs a\n"
+      "display; xvfb-run provides one.");
   WindowOptions& drawn = *add_window_command(commands, pictures);
-  pictures.add_option("-o,--output", drawn.pictures, "The folder to write to")->required();
+  pictures.add_option("-o,--output", drawn.pictures, "The folder to write to, or a file that ends in .pdf")->required();
   add_size(pictures, drawn);
 }
 

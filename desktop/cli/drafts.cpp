@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "check/check_lesson.hpp"
 #include "desktop/cli/files.hpp"
 
 namespace snug::desktop {
@@ -24,19 +25,19 @@ std::string stamp_of(const std::string& path) {
 lesson::Draft draft_of(const std::string& path, bool played) {
   const auto text = read_start(path, lesson::kMostLessonBytes);
   if (!text) return {{}, {{1, text.error().what, path}}, {}};
-  lesson::Draft draft = lesson::read_draft(*text, path);
+  lesson::Draft draft = check::checked_draft(*text, path);
   tl::expected<std::optional<io::PointFile>, InputError> mesh;
   if (played && draft.lesson) mesh = mesh_of(*draft.lesson);
-  if (mesh && *mesh) draft = lesson::read_draft(*text, path, lesson::Checked::kAsRun, &**mesh);
-  lesson::check_names_beside(draft, path, beside(path));
+  if (mesh && *mesh) draft = check::checked_draft(*text, path, &**mesh);
+  check::check_names_beside(draft, path, beside(path));
   if (!mesh) draft.mistakes.push_back({1, mesh.error().what, path});
-  else if (played) lesson::check_played(draft, path, *std::move(mesh));
+  else if (played) check::check_played(draft, path, *std::move(mesh));
   return draft;
 }
 
 void read_into(DraftFile& draft, bool played) {
   lesson::Draft read = draft_of(draft.file.path, played);
-  draft.says = lesson::text_of(read, fs::path(draft.file.path).filename().string());
+  draft.says = check::text_of(read, fs::path(draft.file.path).filename().string());
   draft.played = played;
   draft.draws = read.lesson.has_value();
   if (draft.draws) draft.file.lesson = *std::move(read.lesson), draft.drawn = true;
@@ -123,7 +124,7 @@ void Drafts::put_in_order() {
   if (!course_stamp_.empty()) {
     const auto course = read_course_of(folder_);
     if (!course) {
-      course_says_ = lesson::text_of(course.error(), kCourseFile);
+      course_says_ = check::text_of(course.error(), kCourseFile);
     } else {
       for (const lesson::Chapter& chapter : course->chapters)
         for (const std::string& id : chapter.lessons) ranks.emplace(id, std::pair(ranks.size(), chapter.title));

@@ -6,19 +6,19 @@
 #include <string_view>
 #include <vector>
 
+#include "check/draft_text.hpp"
 #include "desktop/cli/lesson_files.hpp"
-#include "lesson/draft_text.hpp"
 
 namespace snug::desktop {
 
 struct DraftFile {
-  LessonFile file;         // with the last lesson that could be drawn; before there is one, with an id and title alone
-  bool drawn = false;      // whether there was one
-  bool draws = false;      // whether the file as it reads now is one
-  int version = 0;         // how often the file was read
-  lesson::DraftText says;  // what is wrong with the file
-  std::string stamp;       // changes with the file, and with the names of those beside it
-  bool played = false;     // whether `says` has what playing shows
+  LessonFile file;        // with the last lesson that could be drawn; before there is one, with an id and title alone
+  bool drawn = false;     // whether there was one
+  bool draws = false;     // whether the file as it reads now is one
+  int version = 0;        // how often the file was read
+  check::DraftText says;  // what is wrong with the file
+  std::string stamp;      // changes with the file, and with the names of those beside it
+  bool played = false;    // whether `says` has what playing shows
 };
 
 class Drafts {
@@ -37,7 +37,7 @@ class Drafts {
   /// Null if there is none with that id.
   [[nodiscard]] const DraftFile* find(std::string_view id) const;
   /// What is wrong with the folder's course file.
-  [[nodiscard]] const lesson::DraftText& course_says() const { return course_says_; }
+  [[nodiscard]] const check::DraftText& course_says() const { return course_says_; }
 
  private:
   Drafts(std::string folder, std::string file) : folder_(std::move(folder)), file_(std::move(file)) {}
@@ -47,7 +47,7 @@ class Drafts {
   std::string folder_, file_;
   std::vector<DraftFile> files_;
   std::string course_stamp_;
-  lesson::DraftText course_says_;
+  check::DraftText course_says_;
 };
 
 }  // namespace snug::desktop

@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <numeric>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/exercise_files.hpp"
 #include "desktop/cli/exercise_sheet.hpp"
 #include "desktop/cli/progress.hpp"
 #include "desktop/cli/result_file.hpp"
+#include "desktop/cli/write_js.hpp"
+#include "desktop/cli/written_files.hpp"
 #include "geometry/random.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "number/fnv.hpp"
@@ -34,12 +37,15 @@ CommandResult run_list(const ExerciseOptions& options) {
   const auto sets = read_sets_of(options.folder);
   if (!sets) return bad_input(sets.error());
   Printed printed;
-  for (const ExerciseFile& file : *files) {
-    const lesson::Exercise& exercise = *file.exercise;
+  const auto sets_with = [&](const std::string& id) {
     Json in = Json::array();
     for (const lesson::ExerciseSet& set : *sets)
-      if (std::find(set.exercises.begin(), set.exercises.end(), exercise.id) != set.exercises.end())
-        in.push_back(set.id);
+      if (std::find(set.exercises.begin(), set.exercises.end(), id) != set.exercises.end()) in.push_back(set.id);
+    return in;
+  };
+  for (const ExerciseFile& file : *files) {
+    const lesson::Exercise& exercise = *file.exercise;
+    const Json in = sets_with(exercise.id);
     printed.text += line_of({{"exercise", exercise.id},
                              {"kind", exercise.kind()},
                              {"title", exercise.stage.title},
@@ -50,6 +56,9 @@ CommandResult run_list(const ExerciseOptions& options) {
                              {"file", file.path},
                              {"levels", exercise.harder.size() + 1}});
   }
+  const auto written = read_written(options.folder);
+  if (!written) return bad_input(written.error());
+  for (const WrittenExercise& exercise : *written) printed.text += line_of(listed(exercise, sets_with(exercise.id)));
   return printed;
 }
 
@@ -62,6 +71,11 @@ tl::expected<ExerciseFile, InputError> exercise_at_level(const ExerciseOptions& 
 }
 
 CommandResult run_make(const ExerciseOptions& options) {
+  if (is_written(options.id)) {
+    const auto written = find_written(options.folder, options.id);
+    if (!written) return bad_input(written.error());
+    return Printed{line_of(instance_of(*written, options.seed))};
+  }
   const auto file = exercise_at_level(options, options.id);
   if (!file) return bad_input(file.error());
   const auto instance = make_instance(*file->exercise, options.seed);
@@ -86,9 +100,23 @@ CommandResult run_make(const ExerciseOptions& options) {
                           {"of", sitting.of()}})};
 }
 
-CommandResult run_answer(const ExerciseOptions& options) {
+tl::expected<Json, InputError> written_attempt(const ExerciseOptions& options, int wrong) {
+  return find_written(options.folder, options.id).and_then([&](const WrittenExercise& exercise) {
+    return answered(exercise, options.seed, wrong);
+  });
+}
+
+tl::expected<Json, InputError> decided_attempt(const ExerciseOptions& options, int wrong, const std::string& rule) {
   const auto file = exercise_at_level(options, options.id);
-  if (!file) return bad_input(file.error());
+  if (!file) return tl::unexpected(file.error());
+  const auto attempt = model_attempt(*file->exercise, options.seed, wrong, rule);
+  if (!attempt) return tl::unexpected(attempt.error());
+  const auto graded = grade(file->exercise, *attempt);
+  if (!graded) return tl::unexpected(graded.error());
+  return json_of(*attempt, graded->mark, graded->of);
+}
+
+CommandResult run_answer(const ExerciseOptions& options) {
   const std::size_t equals = options.wrong.find('=');
   const std::string number = options.wrong.substr(0, equals);
   const std::string rule = equals == std::string::npos ? "" : options.wrong.substr(equals + 1);
@@ -97,18 +125,17 @@ CommandResult run_answer(const ExerciseOptions& options) {
   if (!options.wrong.empty() && (error != std::errc() || end != number.data() + number.size() || wrong < 1))
     return bad_input("--wrong takes the number of a decision, counted from 1, and perhaps =RULE: \"" + options.wrong +
                      '"');
-  const auto attempt = model_attempt(*file->exercise, options.seed, wrong, rule);
+  const auto attempt = is_written(options.id) ? written_attempt(options, wrong) : decided_attempt(options, wrong, rule);
   if (!attempt) return bad_input(attempt.error());
-  const auto graded = grade(file->exercise, *attempt);
-  if (!graded) return bad_input(graded.error());
-  const std::string result = result_text(options.student, {json_of(*attempt, graded->mark, graded->of)});
+  const std::string result = result_text(options.student, {*attempt});
   if (is_standard_output(options.output)) return Printed{result};
   if (const auto written = write_file(options.output, result); !written) return bad_input(written.error());
   return Printed{};
 }
 
-/// The exercises of a set, or the one of that id.
-tl::expected<std::vector<ExerciseFile>, InputError> exercises_of(const ExerciseOptions& options) {
+/// The exercises of a set, or the one of that id. In a set, those in which code is written are passed over with a
+/// warning.
+tl::expected<std::vector<ExerciseFile>, InputError> exercises_of(const ExerciseOptions& options, Printed& printed) {
   const auto sets = read_sets_of(options.folder);
   if (!sets) return tl::unexpected(sets.error());
   std::vector<std::string> ids{options.id};
@@ -116,6 +143,10 @@ tl::expected<std::vector<ExerciseFile>, InputError> exercises_of(const ExerciseO
     if (set.id == options.id) ids = set.exercises;
   std::vector<ExerciseFile> files;
   for (const std::string& id : ids) {
+    if (ids.size() > 1 && is_written(id)) {
+      printed.warnings.push_back({.what = id + " is left out: it is written on the page alone"});
+      continue;
+    }
     auto file = find_exercise(options.folder, id);
     if (!file) return tl::unexpected(std::move(file.error()));
     files.push_back(*std::move(file));
@@ -125,12 +156,12 @@ tl::expected<std::vector<ExerciseFile>, InputError> exercises_of(const ExerciseO
 
 /// One sheet a seed, and its solution. What paper cannot show is left out, with a warning.
 CommandResult run_print(const ExerciseOptions& options) {
-  const auto files = exercises_of(options);
+  Printed printed;
+  const auto files = exercises_of(options, printed);
   if (!files) return bad_input(files.error());
   std::error_code failed;
   std::filesystem::create_directories(options.output, failed);
   if (failed) return bad_input(InputError{.what = failed.message(), .file = options.output});
-  Printed printed;
   for (const ExerciseFile& file : *files)
     for (int seed = 1; seed <= options.seeds; ++seed) {
       const auto own = static_cast<std::uint64_t>(seed);
@@ -156,8 +187,8 @@ CommandResult run_print(const ExerciseOptions& options) {
 /// What many seeds of an exercise have in common.
 struct Checked {
   int seeds = 0, broken = 0;
-  std::int64_t passed_over = 0, decisions = 0;
-  int least = std::numeric_limits<int>::max(), most = 0;
+  std::int64_t passed_over = 0;
+  std::vector<int> decisions, hard;  // of each instance; hard: nearer to a tie than twice what is promised
   double nearest = std::numeric_limits<double>::infinity();  // to a tie
   std::vector<std::string> faults;
 };
@@ -192,10 +223,14 @@ void check_seed(const std::shared_ptr<const lesson::Exercise>& exercise, std::ui
   }
   checked.passed_over += instance->passed_over;
   const int decisions = exercise->build ? 1 : static_cast<int>(session->questions().size());
-  checked.decisions += decisions;
-  checked.least = std::min(checked.least, decisions), checked.most = std::max(checked.most, decisions);
-  for (const lesson::Asked& asked : session->questions())
-    checked.nearest = std::min(checked.nearest, asked.asking->margin(asked, session->run(0)));
+  checked.decisions.push_back(decisions);
+  checked.hard.push_back(0);
+  for (const lesson::Asked& asked : session->questions()) {
+    if (exercise->ties && has_tie(asked, session->run(0))) continue;
+    const double margin = asked.asking->margin(asked, session->run(0));
+    checked.nearest = std::min(checked.nearest, margin);
+    checked.hard.back() += margin < 2 * exercise->apart;
+  }
   if (checked.nearest < exercise->apart) ++checked.broken;
   if (seed <= kPlayed) play(exercise, seed, decisions, checked);
 }
@@ -213,17 +248,46 @@ void check_levels_above(const std::shared_ptr<const lesson::Exercise>& exercise,
   }
 }
 
+/// A seed is hundreds of cases: a thousandth of those of other exercises is enough.
+tl::expected<void, InputError> check_written(const std::vector<WrittenExercise>& all, int seeds, Printed& printed) {
+  for (const WrittenExercise& exercise : all) {
+    const auto told = checked(exercise, std::max(seeds / 1000, 1));
+    if (!told) return tl::unexpected(told.error());
+    if (!told->at("kept").get<bool>()) printed.status = 1;
+    printed.text += line_of(*told);
+  }
+  return {};
+}
+
+/// How even a count is over the instances.
+Json spread_of(std::vector<int>& counts) {
+  std::sort(counts.begin(), counts.end());
+  const double sum = std::accumulate(counts.begin(), counts.end(), 0.0), all = static_cast<double>(counts.size());
+  return {
+      {"least", counts.front()}, {"median", counts[counts.size() / 2]}, {"mean", sum / all}, {"most", counts.back()}};
+}
+
 CommandResult run_check(const ExerciseOptions& options) {
   std::vector<ExerciseFile> files;
+  std::vector<WrittenExercise> written;
   for (const std::string& id : options.ids) {
+    if (is_written(id)) {
+      auto one = find_written(options.folder, id);
+      if (!one) return bad_input(one.error());
+      written.push_back(*std::move(one));
+      continue;
+    }
     auto file = exercise_at_level(options, id);
     if (!file) return bad_input(file.error());
     files.push_back(*std::move(file));
   }
-  if (files.empty()) {
+  if (options.ids.empty()) {
     auto all = read_exercises(options.folder);
     if (!all) return bad_input(all.error());
     files = *std::move(all);
+    auto all_written = read_written(options.folder);
+    if (!all_written) return bad_input(all_written.error());
+    written = *std::move(all_written);
   }
   Printed printed;
   for (const ExerciseFile& file : files) {
@@ -238,14 +302,13 @@ CommandResult run_check(const ExerciseOptions& options) {
                              {"seeds", checked.seeds},
                              {"kept", kept},
                              {"passed_over", static_cast<double>(checked.passed_over) / checked.seeds},
-                             {"decisions",
-                              {{"least", checked.least},
-                               {"mean", static_cast<double>(checked.decisions) / checked.seeds},
-                               {"most", checked.most}}},
+                             {"decisions", spread_of(checked.decisions)},
+                             {"hard", spread_of(checked.hard)},
                              {"promised", file.exercise->apart},
                              {"nearest", checked.nearest},
                              {"faults", checked.faults}});
   }
+  if (const auto done = check_written(written, options.seeds, printed); !done) return bad_input(done.error());
   return printed;
 }
 
@@ -302,9 +365,11 @@ void add_exercise(Commands& commands) {
   add_lessons_folder(answer, answered->folder);
 
   CLI::App& print = *group.add_subcommand("print", "Print instances on paper");
-  print.footer("Writes an SVG of A4 for each exercise of the set and each seed from 1 on, with the instance drawn and "
-               "lines for\n"
-               "the answers, and a second one with the solution. What stands in space is left out, with a warning.");
+  print.footer("Writes an SVG of A4 for each exercise of the set and each seed from 1 on, with the instance drawn, its "
+               "coordinates and\n"
+               "lines for the answers, and a second one with the solution. Each question begins from the right state, "
+               "so that a later\n"
+               "one may tell an earlier one's answer.");
   const auto printed = add_command<ExerciseOptions>(commands, print, run_print);
   print.add_option("SET", printed->id, "The set's id, or an exercise's")->required();
   printed->seeds = 1;
@@ -316,10 +381,15 @@ void add_exercise(Commands& commands) {
   check.footer(
       "Makes the instances of many seeds, of harder levels of a tenth as many, and plays the first 100, right and "
       "wrong. A line for each exercise:\n"
-      "{\"exercise\",\"seeds\",\"kept\",\"passed_over\",\"decisions\":{\"least\",\"mean\",\"most\"},\"promised\",\n"
-      "\"nearest\",\"faults\"}: how many seeds were passed over for one, how many decisions an instance has, and how\n"
+      "{\"exercise\",\"seeds\",\"kept\",\"passed_over\",\"decisions\":{\"least\",\"median\",\"mean\",\"most\"},\n"
+      "\"hard\",\"promised\",\"nearest\",\"faults\"}: how many seeds were passed over for one, how many decisions an "
+      "instance\n"
+      "has, how many of these are hard (nearer to a tie than twice what is promised, counted likewise), and how\n"
       "near to a tie the nearest of all decisions is, as a share of the extent, or null. Exit status 1 if a promise is "
-      "broken.");
+      "broken. Of an exercise in which a function is written, its reference solution, its other methods and each of "
+      "its\n"
+      "usual mistakes are tried, which takes Node: "
+      "{\"exercise\",\"seeds\",\"kept\",\"methods\",\"mistakes\",\"faults\"}.");
   const auto checked = add_command<ExerciseOptions>(commands, check, run_check);
   check.add_option("ID", checked->ids, "Ids, or files that end in .toml; by default all exercises");
   check.add_option("--seeds", checked->seeds, "How many seeds")->transform(whole_number(1, 1'000'000));

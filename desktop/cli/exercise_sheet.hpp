@@ -9,8 +9,8 @@
 
 namespace snug::desktop {
 
-/// A page of A4. solved: with the right answers in place of the lines. Errors: the instance is in space, or has neither
-/// points nor volumes, so that it cannot be drawn flat.
+/// A page of A4. solved: with the right answers in place of the lines. In the plane the instance is drawn on squared
+/// paper, in space in projection, with a table of coordinates. Errors: what stands on the stage cannot be drawn.
 [[nodiscard]] tl::expected<std::string, InputError>
 sheet_of(const lesson::Exercise& exercise, const lesson::Session& session, std::uint64_t seed, bool solved);
 

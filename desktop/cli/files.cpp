@@ -75,8 +75,7 @@ tl::expected<std::string, InputError> read_start(const std::string& path, std::s
 }
 
 tl::expected<io::PointFile, InputError> read_point_file(const std::string& path, const Reading& reading) {
-  auto file = read_file(path).and_then(
-      [&](const std::string& bytes) { return io::read_points(bytes, path, reading.skip_nan); });
+  auto file = read_file(path).and_then([&](const std::string& bytes) { return io::read_points(bytes, path, reading); });
   if (!file) return file;
   const std::string passed = io::passed_text(file->passed);
   if (passed.empty()) return file;

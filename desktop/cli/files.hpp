@@ -32,9 +32,9 @@ inline constexpr std::size_t kMostFileBytes = std::size_t{512} << 20;
 /// How a warning begins.
 inline constexpr const char* kWarning = "warning: ";
 
-/// What becomes of the parts of a point file that are passed over.
-struct Reading {
-  bool strict = false, skip_nan = false;
+/// What is wanted of a point file, and what becomes of the parts that are passed over.
+struct Reading : io::Wanted {
+  bool strict = false;
 };
 
 /// The points of a file, as io::read_points reads them. What is passed over is a warning on stderr. Errors: those of

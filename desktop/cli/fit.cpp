@@ -130,6 +130,8 @@ Json result_of(const fit::Algorithm& algorithm, const FitPoints& points, const f
   json["points"] = fit::size_of(points.set);
   json["support"] = Json::array();
   for (const Index i : watched.result.support) json["support"].push_back(i);
+  if (const auto* hull = std::get_if<ConvexHull<double, 3>>(&watched.result.volume); hull != nullptr && dim == 3)
+    json["faces"] = hull->facets;
   json["measure"] = fit::measure_of(watched.result.volume, dim);
   json["max_outside"] = proof.max_outside;
   if (fit::are_float(points.set)) {
@@ -167,6 +169,8 @@ CommandResult run_fit(const FitOptions& given) {
 constexpr const char* kFitFooter = R"(Prints one JSON object:
   the volume                {"sphere":{"center":[x,y,z],"radius":r}}; in 2-D two numbers instead of three
   points, support           how many points there are, and the indices of the support set
+  faces                     of a hull in space: triangles, each three indices into its points, counter-clockwise as seen
+                            from outside
   measure                   its 3-D volume or 2-D area; null if that is too large for a double
   max_outside               the farthest any point lies outside; 0 if the volume contains all points
   certificate               {contains, on_boundary, optimal}; optimal is null if the algorithm does not guarantee it

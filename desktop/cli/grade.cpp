@@ -6,26 +6,34 @@
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/exercise_files.hpp"
+#include "desktop/cli/grade_written.hpp"
 #include "desktop/cli/lesson_files.hpp"
+#include "desktop/cli/machines.hpp"
 #include "desktop/cli/progress.hpp"
 #include "desktop/cli/result_file.hpp"
+#include "desktop/cli/terminal.hpp"
+#include "desktop/cli/words.hpp"
 #include "desktop/window.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/figures.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::desktop {
 namespace {
 
 namespace fs = std::filesystem;
 
+using Cells = std::vector<std::string>;
+
 struct GradeOptions {
   std::string folder;
   std::vector<std::string> paths;
-  bool csv = false, json = false, by_student = false, alike = false, watch = false;
-  int attempt = 1;  // the one to watch
+  bool csv = false, json = false, by_student = false, alike = false, watch = false, tables = false;
+  std::string output = "-";  // of the tables
+  int attempt = 1;           // the one to watch
 };
 
-/// A row of the report: an attempt, or a file of which none could be read.
+/// A row of the report: an attempt, a lab sheet, or a file of which none could be read.
 struct Row {
   std::string file, student, exercise;
   std::uint64_t seed = 0;
@@ -36,24 +44,23 @@ struct Row {
   std::string status = "ok", says;
   std::vector<std::string> decisions;  // without their times
   std::vector<std::string> timed;
+  bool is_sheet = false;
+  SheetWork work;                                            // of a lab sheet
+  std::vector<std::pair<std::string, std::string>> answers;  // its questions, and what was written
+  std::vector<std::string> built;                            // what is said of each example
 };
 
-/// Whether a version, numbers with dots between them, comes before another.
-bool is_before(const std::string& a, const std::string& b) {
-  const auto parts = [](const std::string& version) {
-    std::vector<int> numbers(1);
-    for (const char c : version) {
-      if (c == '.') numbers.push_back(0);
-      else if (c >= '0' && c <= '9' && numbers.back() < 100'000) numbers.back() = 10 * numbers.back() + (c - '0');
-    }
-    return numbers;
-  };
-  return parts(a) < parts(b);
-}
-
 using Exercises = std::map<std::string, std::shared_ptr<const lesson::Exercise>>;
+using Sheets = std::map<std::string, std::shared_ptr<const lesson::Sheet>>;
 
-void grade_row(Row& row, const Claimed& claimed, const std::string& version, const Exercises& exercises) {
+/// What a result can be graded by.
+struct Known {
+  Exercises exercises;
+  Sheets sheets;
+  bool tries_code = true;  // which takes a compiler, and seconds
+};
+
+void grade_row(Row& row, const Claimed& claimed, const std::string& version, const Known& known) {
   const auto be = [&](const char* status, std::string says) { row.status = status, row.says = std::move(says); };
   const lesson::Attempt& attempt = claimed.attempt;
   row.exercise = attempt.exercise, row.seed = attempt.seed, row.level = attempt.level, row.claimed = claimed.mark;
@@ -61,22 +68,49 @@ void grade_row(Row& row, const Claimed& claimed, const std::string& version, con
     row.timed.push_back(text_of(made));
     row.decisions.push_back(row.timed.back().substr(0, row.timed.back().find('@')));
   }
-  const auto known = exercises.find(attempt.exercise);
-  if (known == exercises.end()) return be("foreign", "there is no such exercise here");
-  if (known->second->hash != attempt.hash) {
-    const std::string was = "the exercise was another when this was done";
-    if (is_before(version, SNUG_VERSION)) return be("older", was);
-    if (is_before(SNUG_VERSION, version)) return be("newer", was);
-    return be("foreign", was);
+  if (claimed.code) {
+    if (!known.tries_code) return;
+    const GradedCode graded = grade_written(claimed, version);
+    row.mark = graded.mark, row.of = graded.of;
+    if (graded.status != "ok") return be(graded.status.c_str(), graded.says);
+  } else {
+    const auto exercise = known.exercises.find(attempt.exercise);
+    if (exercise == known.exercises.end()) return be("foreign", "there is no such exercise here");
+    if (exercise->second->hash != attempt.hash)
+      return be(status_of_another(version), "the exercise was another when this was done");
+    const auto graded = lesson::grade(exercise->second, attempt);
+    if (!graded) return be("damaged", graded.error().what);
+    row.mark = graded->mark, row.of = graded->of;
   }
-  const auto graded = lesson::grade(known->second, attempt);
-  if (!graded) return be("damaged", graded.error().what);
-  row.mark = graded->mark, row.of = graded->of;
   if (!claimed.mark) be("differs", "it claims no mark");
-  else if (*claimed.mark != graded->mark) be("differs", "it claims what it does not earn");
+  else if (*claimed.mark != row.mark) be("differs", "it claims what it does not earn");
 }
 
-std::vector<Row> grade_file(const std::string& path, const Exercises& exercises) {
+/// The examples earn a mark each, judged anew. What was written and measured is for people to read.
+void grade_sheet(Row& row, const ClaimedSheet& claimed, const std::string& version, const Sheets& sheets) {
+  row.is_sheet = true, row.exercise = claimed.sheet, row.work = claimed.work;
+  const auto known = sheets.find(claimed.sheet);
+  if (known == sheets.end()) return static_cast<void>(row.status = "foreign", row.says = "there is no such sheet here");
+  const lesson::Sheet& sheet = *known->second;
+  for (const lesson::Written& written : sheet.written) {
+    const auto answer = row.work.written.find(written.id);
+    row.answers.emplace_back(written.prompt, answer != row.work.written.end() ? answer->second : "");
+  }
+  if (hex_of(sheet.hash) != claimed.hash)
+    return static_cast<void>(row.status = status_of_another(version),
+                             row.says = "the sheet was another when this was done");
+  row.of = static_cast<int>(sheet.lesson.tasks.size());
+  for (const auto& [task, rows] : row.work.built) {
+    const auto judged = judge_built(sheet, task, rows);
+    if (!judged) return static_cast<void>(row.status = "damaged", row.says = judged.error().what);
+    row.mark += judged->met ? 1 : 0;
+    row.built.push_back("Example of " + std::to_string(rows.size()) + (rows.size() == 1 ? " point: " : " points: ") +
+                        judged->says);
+    if (!judged->met) row.status = "differs", row.says = "an example is not what it is handed in as";
+  }
+}
+
+std::vector<Row> grade_file(const std::string& path, const Known& known) {
   const auto bad = [&](const char* status, std::string says) {
     Row row{.file = path};
     row.status = status, row.says = std::move(says);
@@ -91,7 +125,13 @@ std::vector<Row> grade_file(const std::string& path, const Exercises& exercises)
   std::vector<Row> rows;
   for (const auto& claimed : file->attempts) {
     Row row{.file = path, .student = file->student};
-    if (claimed) grade_row(row, *claimed, file->version, exercises);
+    if (claimed) grade_row(row, *claimed, file->version, known);
+    else row.status = "damaged", row.says = claimed.error();
+    rows.push_back(std::move(row));
+  }
+  for (const auto& claimed : file->sheets) {
+    Row row{.file = path, .student = file->student};
+    if (claimed) grade_sheet(row, *claimed, file->version, known.sheets);
     else row.status = "damaged", row.says = claimed.error();
     rows.push_back(std::move(row));
   }
@@ -117,7 +157,32 @@ tl::expected<std::vector<std::string>, InputError> files_in(const std::vector<st
   return files;
 }
 
+/// What people read of a lab sheet, under the table.
+std::string sheet_text(const Row& row) {
+  std::string text = '\n' + (row.student.empty() ? "" : row.student + ", ") + row.file + ": " + row.exercise + '\n';
+  for (const auto& [part, measured] : row.work.measured) {
+    const Json& about = measured.table["provenance"];
+    text += "  Measured on " + measured.date + ": " + std::to_string(measured.table["rows"].size()) + " rows on " +
+            about["points"].get<std::string>() + ", " + about["processor"].get<std::string>() + ", " +
+            about["build"].get<std::string>() + '\n';
+  }
+  for (const std::string& says : row.built) text += "  " + says + '\n';
+  for (const auto& [prompt, answer] : row.answers)
+    text +=
+        "  " + prompt + "\n      " + (answer.empty() ? "(nothing written)" : replaced(answer, "\n", "\n      ")) + '\n';
+  return text;
+}
+
 Json json_of(const Row& row) {
+  if (row.is_sheet) {
+    Json json{{"file", row.file}, {"student", row.student}, {"sheet", row.exercise},
+              {"mark", row.mark}, {"of", row.of},           {"status", row.status}};
+    if (!row.says.empty()) json["says"] = row.says;
+    const Json work = json_of(row.exercise, 0, row.work);
+    for (const char* key : {"written", "measured", "built"}) json[key] = work[key];
+    json["examples"] = row.built;
+    return json;
+  }
   Json json{{"file", row.file},
             {"student", row.student},
             {"exercise", row.exercise},
@@ -131,15 +196,13 @@ Json json_of(const Row& row) {
   return json;
 }
 
-using Cells = std::vector<std::string>;
-
 std::string number(double value) { return lesson::plain_number(value); }
 
 Cells cells_of(const Row& row) {
   return {row.file,
           row.student,
           row.exercise,
-          row.exercise.empty() ? "" : std::to_string(row.seed),
+          row.exercise.empty() || row.is_sheet ? "" : std::to_string(row.seed),
           number(row.mark),
           std::to_string(row.of),
           row.claimed ? number(*row.claimed) : "",
@@ -243,7 +306,7 @@ CommandResult report_alike(const std::vector<Row>& rows, const GradeOptions& opt
 }
 
 /// Opens an attempt of a file in the window.
-CommandResult watch(const GradeOptions& options, int (*open_window)(const WindowOptions&)) {
+CommandResult watch(const GradeOptions& options, OpenWindow open_window) {
   const auto text = read_file(options.paths.front());
   if (!text) return bad_input(text.error());
   const auto file = read_result(*text);
@@ -268,20 +331,49 @@ CommandResult watch(const GradeOptions& options, int (*open_window)(const Window
   return Printed{"", open_window(window)};
 }
 
+tl::expected<Known, InputError> read_known(const std::string& folder) {
+  Known known;
+  const auto exercises = read_exercises(folder);
+  const auto sheets = read_sheets(folder);
+  if (!exercises) return tl::unexpected(exercises.error());
+  if (!sheets) return tl::unexpected(sheets.error());
+  for (const ExerciseFile& file : *exercises) known.exercises[file.exercise->id] = file.exercise;
+  for (const LessonFile& file : *sheets) known.sheets[file.lesson.id] = file.sheet;
+  return known;
+}
+
+/// The tables of all sheets side by side, as a chart or in the format that is asked for.
+CommandResult report_tables(const std::vector<Row>& rows, const GradeOptions& options) {
+  std::vector<MachineTime> times;
+  for (const Row& row : rows)
+    for (MachineTime& one : times_of(row.file, row.student, row.work)) times.push_back(std::move(one));
+  if (times.empty()) return bad_input("no file has a measured table: those of the lab sheets have");
+  const std::string ending = options.csv ? "csv" : options.json ? "json" : ending_of(options.output);
+  const bool file = !is_standard_output(options.output);
+  std::string text;
+  if (ending == "svg") text = machines_svg(times);
+  else if (ending == "csv") text = as_csv(machines_table(times));
+  else if (ending == "json" || (!file && !is_terminal())) text = machines_json(times);
+  else text = machines_text(times, !file && has_color());
+  if (!file) return Printed{text};
+  if (const auto written = write_file(options.output, text); !written) return bad_input(written.error());
+  return Printed{};
+}
+
 CommandResult run_grade(const GradeOptions& options) {
-  const auto known = read_exercises(options.folder);
+  auto known = read_known(options.folder);
   if (!known) return bad_input(known.error());
-  Exercises exercises;
-  for (const ExerciseFile& file : *known) exercises[file.exercise->id] = file.exercise;
+  known->tries_code = !options.tables && !options.alike;
   const auto files = files_in(options.paths);
   if (!files) return bad_input(files.error());
   std::vector<Row> rows;
   Progress progress("Grading", static_cast<int>(files->size()));
   for (const std::string& path : *files) {
-    for (Row& row : grade_file(path, exercises)) rows.push_back(std::move(row));
+    for (Row& row : grade_file(path, *known)) rows.push_back(std::move(row));
     progress.advance();
   }
   if (options.alike) return report_alike(rows, options);
+  if (options.tables) return report_tables(rows, options);
   Printed printed;
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "ok"; })) printed.status = 1;
   for (const Row& row : rows)
@@ -304,6 +396,9 @@ CommandResult run_grade(const GradeOptions& options) {
   else if (options.json)
     for (const Row& row : rows) printed.text += line_of(json_of(row));
   else printed.text = options.csv ? as_csv(table) : as_table(table);
+  if (!options.csv && !options.json && !options.by_student)
+    for (const Row& row : rows)
+      if (row.is_sheet) printed.text += sheet_text(row);
   return printed;
 }
 
@@ -316,7 +411,13 @@ void add_grade(Commands& commands) {
       "exercise, seed, mark, of, claimed and status. Status is ok; differs, if it claims what it does not earn;\n"
       "damaged; foreign, if it is no result file or of no exercise here; older or newer, if the exercise was another\n"
       "then. Every other file is graded all the same; exit status 1 if any is not ok, with the reason on standard\n"
-      "error. A result file is no signature: it proves that these decisions earn this mark on this instance.");
+      "error. Code that was written is tried again: JavaScript in the page's engine, which Node runs, C++ as snug lab\n"
+      "check does. A result file is no signature: it proves that these decisions earn this mark on this instance.\n\n"
+      "A lab sheet has a row as well: its examples are judged anew, and earn a mark each. What was written is printed\n"
+      "below the table, for people to read; with --json it is in \"written\", \"measured\" and \"built\".\n\n"
+      "--tables puts what all machines measured side by side: in a terminal as a chart with a line for each algorithm\n"
+      "and a mark for each machine; in a pipe and with --json as JSON Lines, with --csv as CSV, with a row for each\n"
+      "time; -o FILE.svg draws the chart.");
   const auto options =
       add_command<GradeOptions>(commands, command, [open_window = commands.open_window](const GradeOptions& given) {
         return given.watch ? watch(given, open_window) : run_grade(given);
@@ -331,6 +432,10 @@ void add_grade(Commands& commands) {
   command.add_option("--attempt", options->attempt, "Which of the file's, counted from 1")
       ->needs(watch)
       ->transform(whole_number(1, 100'000));
+  const auto tables = command.add_flag("--tables", options->tables,
+                                       "The times that the machines of all lab sheets measured, side by side");
+  command.add_option("-o", options->output, "With --tables: .svg, .csv, .json or .txt; by default standard output")
+      ->needs(tables);
   command.add_flag("--alike", options->alike, "List attempts that are alike: a hint for a teacher, never a verdict");
   add_lessons_folder(command, options->folder);
 }

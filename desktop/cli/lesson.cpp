@@ -3,14 +3,15 @@
 #include <filesystem>
 #include <iterator>
 
+#include "check/check_beside.hpp"
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/json.hpp"
 #include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
-#include "lesson/check_beside.hpp"
 #include "lesson/names.hpp"
-#include "lesson/play.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 
@@ -34,7 +35,7 @@ CommandResult run_list(const LessonOptions& options) {
   const auto lessons = read_lessons(options.folder);
   if (!lessons) return bad_input(lessons.error());
   Printed printed;
-  for (const auto& [path, lesson, chapter, slides, is_case, is_playground] : *lessons)
+  for (const auto& [path, lesson, chapter, slides, is_case, is_playground, sheet] : *lessons)
     printed.text += line_of({{"lesson", lesson.id},
                              {"group", chapter},
                              {"title", lesson.title},
@@ -50,8 +51,8 @@ CommandResult run_list(const LessonOptions& options) {
 
 // ---- check -----------------------------------------------------------------------------------------------------
 
-tl::expected<lesson::Played, InputError> play(const LessonFile& file) {
-  auto played = open_lesson(file).and_then([](lesson::Session&& session) { return lesson::play(session); });
+tl::expected<check::Played, InputError> play(const LessonFile& file) {
+  auto played = open_lesson(file).and_then([](lesson::Session&& session) { return check::play(session); });
   if (!played && played.error().file.empty()) played.error().file = file.path;
   return played;
 }
@@ -71,19 +72,38 @@ CheckedFile check_course(const std::filesystem::path& path) {
   return {{{"chapters", course->chapters.size()}, {"lessons", lessons}, {"file", path.string()}}};
 }
 
+/// Plays a lab sheet as a lesson, with its model answers and models.
+CheckedFile check_sheet(const std::string& path, const std::string& text) {
+  CheckedFile checked;
+  const lesson::SheetDraft draft = lesson::read_sheet(text, path);
+  for (const lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(mistake));
+  if (!checked.mistakes.empty()) return checked;
+  const lesson::Sheet& sheet = draft.sheet;
+  const auto played = play({path, sheet.lesson, {}});
+  if (!played) return {.mistakes = {played.error()}};
+  if (!played->sound()) return {.mistakes = {InputError{.what = "a model answer or a model is wrong", .file = path}}};
+  checked.json = {{"sheet", sheet.lesson.id},
+                  {"measured", sheet.measured.size()},
+                  {"written", sheet.written.size()},
+                  {"built", sheet.lesson.tasks.size()},
+                  {"file", path}};
+  return checked;
+}
+
 CheckedFile check_lesson(const std::string& path) {
   const auto text = read_start(path, lesson::kMostLessonBytes);
   if (!text) return {.mistakes = {text.error()}};
-  lesson::Draft draft = lesson::read_draft(*text, path);
+  if (lesson::is_sheet(*text)) return check_sheet(path, *text);
+  lesson::Draft draft = check::checked_draft(*text, path);
   std::optional<io::PointFile> mesh;
   if (draft.lesson) {
     auto read = mesh_of(*draft.lesson);
     if (!read) return {.mistakes = {read.error()}};
     mesh = *std::move(read);
   }
-  if (mesh) draft = lesson::read_draft(*text, path, lesson::Checked::kAsRun, &*mesh);
-  lesson::check_names_beside(draft, path, beside(path));
-  lesson::check_played(draft, path, std::move(mesh));
+  if (mesh) draft = check::checked_draft(*text, path, &*mesh);
+  check::check_names_beside(draft, path, beside(path));
+  check::check_played(draft, path, std::move(mesh));
   CheckedFile checked;
   for (const lesson::FileError& mistake : draft.mistakes) checked.mistakes.push_back(with_column(mistake));
   for (const lesson::FileError& warning : draft.warnings) checked.warnings.push_back(with_column(warning));
@@ -119,7 +139,7 @@ CommandResult run_check(const LessonOptions& options) {
 // ---- play ------------------------------------------------------------------------------------------------------
 
 /// situations: whether the lesson has several.
-Json json_of_played(const lesson::Played::Algorithm& algorithm, bool situations) {
+Json json_of_played(const check::Played::Algorithm& algorithm, bool situations) {
   Json questions = Json::array();
   for (const lesson::Outcome& outcome : algorithm.outcomes)
     questions.push_back({{"question", outcome.question},

@@ -7,7 +7,7 @@
 #include "desktop/cli/lesson_commands.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "lesson/ask.hpp"
-#include "lesson/play.hpp"
+#include "lesson/playable.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
@@ -100,7 +100,7 @@ tl::expected<std::string, InputError> facts_here(lesson::Session& session, const
 }
 
 CommandResult run_facts(const FactsOptions& options) {
-  const auto file = find_lesson(options.folder, options.id, lesson::Checked::kAsWritten);
+  const auto file = find_lesson(options.folder, options.id, Read::kAsWritten);
   if (!file) return bad_input(file.error());
   auto session = open_lesson(*file);
   if (!session) return bad_input(session.error());

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "check/check_lesson.hpp"
 #include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/defaults.hpp"
 #include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/sheet_files.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::desktop {
@@ -63,7 +65,16 @@ std::optional<std::string> path_of_case(const std::string& name) {
   return std::nullopt;
 }
 
-/// Sorts lessons into the course's order with their chapters; those without one (if there is no course) come last.
+/// The file of a lab sheet; none if there is none of that id.
+std::optional<std::string> path_of_sheet(const std::string& folder, const std::string& id) {
+  if (const auto paths = toml_files(folder_in_lessons(folder, "labs")))
+    for (const std::string& path : *paths)
+      if (id_of(path) == id) return path;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::Course& course) {
   std::vector<LessonFile> sorted;
   for (const lesson::Chapter& chapter : course.chapters)
@@ -79,8 +90,6 @@ std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::
   return sorted;
 }
 
-}  // namespace
-
 InputError no_lessons(const std::string& folder) {
   return {.what = "there is no lesson: no file here ends in .toml", .file = folder};
 }
@@ -93,9 +102,11 @@ tl::expected<std::vector<std::string>, InputError> lesson_paths(const std::strin
   return toml_files(folder_or_own(folder));
 }
 
-tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path, lesson::Checked checked) {
+tl::expected<LessonFile, InputError> read_lesson_file(const std::string& path, Read how) {
   return read_start(path, lesson::kMostLessonBytes)
-      .and_then([&](const std::string& text) { return lesson::read_lesson(text, path, checked); })
+      .and_then([&](const std::string& text) {
+        return how == Read::kChecked ? check::checked_lesson(text, path) : lesson::read_lesson(text, path);
+      })
       .map([&](lesson::Lesson&& lesson) {
         return LessonFile{path, std::move(lesson), {}};
       });
@@ -150,14 +161,14 @@ InputError no_lesson(const std::string& folder, const std::string& id) {
   return {.what = "there is no lesson \"" + id + "\"; " + list + " lists them" + did_you_mean(id, lesson_ids(folder))};
 }
 
-tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id,
-                                                 lesson::Checked checked) {
-  if (is_path(id)) return read_lesson_file(id, checked);
+tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id, Read how) {
+  if (is_path(id)) return read_lesson_file(id, how);
   const auto paths = toml_files(folder_or_own(folder));
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)
-    if (id_of(path) == id) return read_lesson_file(path, checked);
-  if (const auto path = folder.empty() ? path_of_case(id) : std::nullopt) return read_lesson_file(*path, checked);
+    if (id_of(path) == id) return read_lesson_file(path, how);
+  if (const auto path = folder.empty() ? path_of_case(id) : std::nullopt) return read_lesson_file(*path, how);
+  if (const auto path = path_of_sheet(folder, id)) return read_sheet_file(*path);
   return tl::unexpected(no_lesson(folder, id));
 }
 
@@ -169,14 +180,14 @@ tl::expected<std::vector<LessonFile>, InputError> read_cases() {
 }
 
 tl::expected<LessonFile, InputError> find_case(const std::string& name) {
-  if (const auto path = path_of_case(name)) return read_lesson_file(*path, lesson::Checked::kAsWritten);
+  if (const auto path = path_of_case(name)) return read_lesson_file(*path, Read::kAsWritten);
   return tl::unexpected(InputError{.what = "there is no case \"" + name + "\"; `snug cases` lists them" +
                                            did_you_mean(name, lesson_ids(folder_of_cases()))});
 }
 
-lesson::Beside beside(const std::string& path) {
+check::Beside beside(const std::string& path) {
   const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
-  lesson::Beside beside;
+  check::Beside beside;
   const auto add = [&](const fs::path& from) {
     if (const auto paths = toml_files(from))
       for (std::string& id : ids_of(*paths)) beside.lessons.push_back(std::move(id));

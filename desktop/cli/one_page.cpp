@@ -82,7 +82,8 @@ class OnePage {
                                    {"style-src 'self'", "style-src" + styles_},
                                    {"font-src 'self'", "font-src data:"},
                                    {"img-src 'self'", "img-src data:"},
-                                   {"connect-src 'self'", "connect-src 'none'"}})
+                                   {"connect-src 'self'", "connect-src 'none'"},
+                                   {"frame-src 'self'", "frame-src 'none'"}})
       put(what, by);
   }
 

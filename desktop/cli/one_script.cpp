@@ -83,6 +83,16 @@ class Linker {
       exported += std::string(declared.substr(0, end)) + ", ";
       return later(path, number, std::string(rest));
     }
+    constexpr std::string_view kPacked = "export{";  // libraries' files end in it
+    if (const std::size_t at = line.rfind(kPacked); at != std::string::npos && line.ends_with("};")) {
+      std::string_view names(line.data() + at + kPacked.size(), line.size() - at - kPacked.size() - 2);
+      while (!names.empty()) {
+        std::string_view by = take_until(names, ",");
+        const std::string own(take_until(by, " as "));
+        exported += by.empty() ? own + ", " : std::string(by) + ": " + own + ", ";
+      }
+      return later(path, number, line.substr(0, at));
+    }
     if (take(rest, "import ") || take(rest, "import{")) return wrong(path, number, "has an import that is not by name");
     return later(path, number, line);
   }

@@ -5,6 +5,7 @@
 #include "desktop/cli/data_folder.hpp"
 #include "desktop/cli/package_contents.hpp"
 #include "desktop/cli/words.hpp"
+#include "io/text.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -105,12 +106,20 @@ CommandResult run_package(const PackageOptions& options) {
   const PackageKind kind = !options.zip.empty()      ? PackageKind::kScorm
                            : !options.folder.empty() ? PackageKind::kFolder
                                                      : PackageKind::kOneFile;
-  const auto written = site_folder(options.site)
-                           .and_then(read_site)
-                           .and_then([&](SiteFiles&& site) { return package_of(options.what, std::move(site), kind); })
-                           .and_then([&](PackageContents&& made) { return write_package(options, std::move(made)); });
+  Printed printed;
+  const auto written =
+      site_folder(options.site)
+          .and_then(read_site)
+          .and_then([&](SiteFiles&& site) { return package_of(options.what, std::move(site), kind); })
+          .and_then([&](PackageContents&& made) {
+            if (made.left_out > 0)
+              printed.warnings.push_back({.what = "left out " +
+                                                  io::counted(static_cast<std::int64_t>(made.left_out), "exercise") +
+                                                  " in which code is written: a page in one file cannot run it"});
+            return write_package(options, std::move(made));
+          });
   if (!written) return bad_input(written.error());
-  return Printed{};
+  return printed;
 }
 
 }  // namespace
@@ -125,7 +134,9 @@ void add_package(Commands& commands) {
                  "that send them.\n"
                  "--single is one file that opens by double click, without a server. The lesson that teaches an "
                  "exercise is in its\n"
-                 "package. The same page makes the same bytes. `./run package` builds the page first.");
+                 "package. Functions that students write need a server: they are not in one file. The same page makes "
+                 "the same\n"
+                 "bytes. `./run package` builds the page first.");
   const auto options = add_command<PackageOptions>(commands, package, run_package);
   package.add_option("WHAT", options->what, "lesson:ID, exercise:ID, set:ID or course")->required();
   package.add_option("-o", options->zip, "The zip to write");

@@ -6,6 +6,7 @@
 
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/words.hpp"
+#include "desktop/cli/write_js.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -24,7 +25,11 @@ struct About {
   std::set<std::string> all_lessons;            // with those that teach the exercises
   Json sets = Json::array();
 
-  [[nodiscard]] std::string name() const { return id.empty() ? kind : kind + "." + id; }
+  /// A name in a manifest has no colon.
+  [[nodiscard]] std::string name() const { return id.empty() ? kind : kind + "." + replaced(id, ":", "."); }
+  [[nodiscard]] bool counts(const std::string& exercise) const {
+    return std::find(exercises.begin(), exercises.end(), exercise) != exercises.end();
+  }
 };
 
 const Json* find_id(const Json& list, const std::string& id) {
@@ -41,7 +46,7 @@ const Json* find_lesson_entry(const Json& course, const std::string& id) {
 
 void add_exercise_to(About& about, const Json& exercise) {
   const std::string id = exercise.at("id");
-  if (std::find(about.exercises.begin(), about.exercises.end(), id) != about.exercises.end()) return;
+  if (about.counts(id)) return;
   about.exercises.push_back(id);
   about.all_lessons.insert(exercise.at("lesson").get<std::string>());
 }
@@ -94,6 +99,15 @@ tl::expected<About, InputError> about_of(const std::string& what, const Json& co
       InputError{.what = "what is packaged is lesson:ID, exercise:ID, set:ID or course, not \"" + what + '"'});
 }
 
+/// Leaves out the exercises in which a function is written, and their set.
+void leave_out_written(Json& course) {
+  const auto list = [&](const char* key) -> Json::array_t& { return course.at(key).get_ref<Json::array_t&>(); };
+  const auto written = [](const Json& one) { return is_written(one.at("id").get<std::string>()); };
+  std::erase_if(list("exercises"), written);
+  std::erase_if(list("sets"), [](const Json& one) { return one.at("id") == "write"; });
+  for (Json& set : list("sets")) std::erase_if(set.at("exercises").get_ref<Json::array_t&>(), written);
+}
+
 /// The course with what is in the package alone.
 Json course_with(Json course, const About& about, PackageKind kind) {
   if (about.kind != "course") {
@@ -106,10 +120,9 @@ Json course_with(Json course, const About& about, PackageKind kind) {
       if (!lessons.empty()) chapters.push_back(std::move(chapter));
     }
     for (const Json& exercise : course.at("exercises"))
-      if (std::find(about.exercises.begin(), about.exercises.end(), exercise.at("id")) != about.exercises.end())
-        exercises.push_back(exercise);
+      if (about.counts(exercise.at("id"))) exercises.push_back(exercise);
     course["chapters"] = std::move(chapters), course["exercises"] = std::move(exercises), course["sets"] = about.sets;
-    course["playground"] = "";
+    course["playground"] = "", course["demos"] = Json::array();
   }
   course["package"] = {{"name", about.name()},
                        {"kind", about.kind},
@@ -129,13 +142,17 @@ std::string stem_in(const std::string& path, std::string_view folder) {
 }
 
 bool belongs(const std::string& path, const About& about, PackageKind kind) {
+  if (path.starts_with("write") && kind == PackageKind::kOneFile) return false;
   if (path == "preview.js" || path == "lessons/exercises/sets.toml") return false;
   if (path == "inside.js") return kind == PackageKind::kOneFile;
   if (path == "offline.js" || path == "sw.js") return kind == PackageKind::kFolder;
   if (about.kind == "course") return true;
+  if (path.starts_with("demos/")) return false;
   if (path == "cases.json" || path.starts_with("lessons/cases/")) return false;
-  if (const std::string id = stem_in(path, "lessons/exercises/"); !id.empty())
-    return std::find(about.exercises.begin(), about.exercises.end(), id) != about.exercises.end();
+  if (const std::string id = stem_in(path, "lessons/exercises/"); !id.empty()) return about.counts(id);
+  if (path.starts_with("write"))  // its scripts, its styles and its folder
+    return path.ends_with(".json") ? about.counts(std::string(kWritePrefix) + stem_in(path, "write/"))
+                                   : std::any_of(about.exercises.begin(), about.exercises.end(), is_written);
   for (const std::string_view folder : {"lessons/", "course/"})
     if (const std::string id = stem_in(path, folder); !id.empty()) return about.all_lessons.count(id) != 0;
   return true;
@@ -203,12 +220,20 @@ tl::expected<SiteFiles, InputError> read_site(const std::string& folder) {
 }
 
 tl::expected<PackageContents, InputError> package_of(const std::string& what, SiteFiles site, PackageKind kind) {
-  const Json course = Json::parse(site.at(std::string(kCourse)), nullptr, false);
+  Json course = Json::parse(site.at(std::string(kCourse)), nullptr, false);
   if (course.is_discarded() || !course.contains("exercises"))
     return tl::unexpected(InputError{.what = "is not the page's own", .file = std::string(kCourse)});
-  const auto about = about_of(what, course);
+  auto about = about_of(what, course);
   if (!about) return tl::unexpected(about.error());
-  PackageContents contents{about->name(), about->title, {}};
+  const std::size_t all = about->exercises.size();
+  if (kind == PackageKind::kOneFile) {
+    if (what == "set:write" || what.starts_with("exercise:" + std::string(kWritePrefix)))
+      return tl::unexpected(InputError{.what = "code that students write runs in a worker, which a page in one file "
+                                               "cannot start: take -o or --static"});
+    leave_out_written(course);
+    about = about_of(what, course);
+  }
+  PackageContents contents{about->name(), about->title, {}, all - about->exercises.size()};
   for (auto& [path, bytes] : site)
     if (belongs(path, *about, kind)) contents.files[path] = std::move(bytes);
   contents.files[std::string(kCourse)] = course_with(course, *about, kind).dump() + '\n';

@@ -17,6 +17,7 @@ struct PackageContents {
   std::string id;     // "set.collision", for a manifest
   std::string title;  // as people read it
   SiteFiles files;
+  std::size_t left_out = 0;  // exercises that one file cannot have
 };
 
 /// The files below a folder, without hidden ones. Errors: those of reading; it is not the page's folder.

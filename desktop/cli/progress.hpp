@@ -2,8 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <string>
+#include <string_view>
 
 namespace snug::desktop {
+
+/// "timing [####......] 4 of 10, 2 a second, 3 s left". seconds: since the work began.
+[[nodiscard]] std::string progress_text(std::string_view label, int done, int total, double seconds);
 
 /// It is shown only on a terminal, only if the work is long, and removed when done.
 class Progress {
@@ -23,7 +28,7 @@ class Progress {
   int done_ = 0;
   bool terminal_;
   bool shown_ = false;
-  Clock::time_point due_;
+  Clock::time_point begun_, due_;
 };
 
 }  // namespace snug::desktop

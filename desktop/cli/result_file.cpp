@@ -14,7 +14,24 @@ const Json* find(const Json& json, const char* key) {
   return found == json.end() ? nullptr : &*found;
 }
 
+/// Whether a version, numbers with dots between them, comes before another.
+bool is_before(const std::string& a, const std::string& b) {
+  const auto parts = [](const std::string& version) {
+    std::vector<int> numbers(1);
+    for (const char c : version) {
+      if (c == '.') numbers.push_back(0);
+      else if (c >= '0' && c <= '9' && numbers.back() < 100'000) numbers.back() = 10 * numbers.back() + (c - '0');
+    }
+    return numbers;
+  };
+  return parts(a) < parts(b);
+}
+
 }  // namespace
+
+const char* status_of_another(const std::string& version) {
+  return is_before(version, SNUG_VERSION) ? "older" : is_before(SNUG_VERSION, version) ? "newer" : "foreign";
+}
 
 tl::expected<Claimed, std::string> attempt_of(const Json& json) {
   Claimed claimed;
@@ -40,10 +57,19 @@ tl::expected<Claimed, std::string> attempt_of(const Json& json) {
   if (decisions == nullptr || !decisions->is_array()) return tl::unexpected<std::string>("\"decisions\" is no list");
   for (const Json& one : *decisions) {
     if (!one.is_string()) return tl::unexpected<std::string>("a decision is no text");
+    if (is_code(claimed.attempt.exercise)) {
+      std::string code = one.get<std::string>();
+      claimed.saw_solution = code.starts_with('?');
+      code.erase(0, claimed.saw_solution ? 1 : 0);
+      if (!code.starts_with(kCodeMark)) return tl::unexpected<std::string>("a decision is no code");
+      claimed.code = code.substr(1);
+      continue;
+    }
     auto made = lesson::made_of(one.get<std::string>());
     if (!made) return tl::unexpected(made.error().what);
     claimed.attempt.made.push_back(*std::move(made));
   }
+  if (is_code(claimed.attempt.exercise) && !claimed.code) return tl::unexpected<std::string>("it has no code");
   if (const Json* mark = find(json, "mark"); mark != nullptr && mark->is_number()) claimed.mark = mark->get<double>();
   return claimed;
 }
@@ -62,6 +88,8 @@ tl::expected<ResultFile, NoResult> read_result(std::string_view text) {
   const Json* attempts = find(json, "attempts");
   if (attempts == nullptr || !attempts->is_array()) return tl::unexpected(NoResult{false, "\"attempts\" is no list"});
   for (const Json& one : *attempts) file.attempts.push_back(attempt_of(one));
+  if (const Json* sheets = find(json, "sheets"); sheets != nullptr && sheets->is_array())
+    for (const Json& one : *sheets) file.sheets.push_back(sheet_of(one));
   return file;
 }
 
@@ -78,9 +106,11 @@ Json json_of(const lesson::Attempt& attempt, double mark, int of) {
   return json;
 }
 
-std::string result_text(const std::string& student, const std::vector<Json>& attempts) {
-  return line_of(
-      {{"snug_result", kResultFormat}, {"version", SNUG_VERSION}, {"student", student}, {"attempts", attempts}});
+std::string result_text(const std::string& student, const std::vector<Json>& attempts,
+                        const std::vector<Json>& sheets) {
+  Json json{{"snug_result", kResultFormat}, {"version", SNUG_VERSION}, {"student", student}, {"attempts", attempts}};
+  if (!sheets.empty()) json["sheets"] = sheets;
+  return line_of(json);
 }
 
 }  // namespace snug::desktop

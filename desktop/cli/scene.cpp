@@ -104,7 +104,7 @@ tl::expected<scene::Scene, InputError> open(const SceneOptions& options, const L
 
 CommandResult run_scene(const SceneOptions& options) {
   // Its questions and its task are not checked here: `snug lesson check` does that, and runs every method for it.
-  const auto file = find_lesson(options.folder, options.id, lesson::Checked::kAsWritten);
+  const auto file = find_lesson(options.folder, options.id, Read::kAsWritten);
   if (!file) return bad_input(file.error());
   const auto subject = subject_of(*file);
   if (!subject) return bad_input(subject.error());

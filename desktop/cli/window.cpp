@@ -17,11 +17,8 @@ tl::expected<void, InputError> check_place(const LessonFile& file, const WindowO
   auto session = open_lesson(file);
   if (!session) return tl::unexpected(session.error());
   if (options.seed) session->scatter(*options.seed);
-  if (!options.points_file.empty()) {
-    const auto points = read_point_file(options.points_file);
-    if (!points) return tl::unexpected(points.error());
-    if (const auto loaded = session->load(*points, options.points_file); !loaded) return loaded;
-  }
+  if (options.points != nullptr)
+    if (const auto loaded = session->load(*options.points, options.points_file); !loaded) return loaded;
   return lesson::stand_at(*session, options.at).map_error([&](InputError&& error) {
     error.file = file.path;
     return std::move(error);
@@ -40,27 +37,63 @@ tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
 /// The lesson that shows a point file that no lesson was named for: all volumes around it, side by side.
 constexpr const char* kPointsLesson = "which-volume";
 
-/// Reports what can be found wrong before there is a window, and then opens it.
-CommandResult open_on(const WindowOptions& options, int (*open_window)(const WindowOptions&)) {
-  if (!options.points_file.empty())
-    if (const auto points = read_point_file(options.points_file); !points) return bad_input(points.error());
+/// Reports what can be found wrong before there is a window, and then opens it. A program that only becomes the
+/// window's leaves that to it.
+CommandResult open_on(WindowOptions options, OpenWindow open_window) {
+  if (!open_window.checks_first) return Printed{"", open_window(options)};
+  if (!options.points_file.empty()) {
+    auto points = read_point_file(options.points_file);  // once, for it may be standard input
+    if (!points) return bad_input(points.error());
+    options.points = std::make_shared<const io::PointFile>(*std::move(points));
+  }
   if (options.screenshot.empty() && is_own(options)) {
     if (const auto checked = check_drafts(options); !checked) return bad_input(checked.error());
   } else if (!options.lesson.empty()) {
     const auto file = find_lesson(options.folder, options.lesson);
     if (!file) return bad_input(file.error());
-    if (!options.at.empty())
-      if (const auto checked = check_place(*file, options); !checked) return bad_input(checked.error());
+    WindowOptions place = options;
+    if (options.steps) place.at.step = (*options.steps)[1];
+    if (!place.at.empty())
+      if (const auto checked = check_place(*file, place); !checked) return bad_input(checked.error());
   }
   return Printed{"", open_window(options)};
 }
 
-/// The error if a picture cannot be written there; none if it can.
-std::optional<InputError> wrong_picture(const std::string& path) {
-  if (is_standard_output(path) || ending_of(path) == "png") return std::nullopt;
-  return InputError{.what = "pictures are written as PNG: the name must end in .png, or be - for standard output",
-                    .file = path};
+/// The error if a picture cannot be written so; none if it can.
+std::optional<InputError> wrong_picture(const WindowOptions& options) {
+  const std::string &path = options.screenshot, ending = is_standard_output(path) ? "png" : ending_of(path);
+  const auto wrong = [&](const char* what) { return InputError{.what = what, .file = path}; };
+  if (options.steps && ending != "gif") return wrong("steps are written as an animation: the name must end in .gif");
+  if (options.steps) return std::nullopt;
+  if (ending == "gif") return wrong("an animation is of several steps: --steps K-M says which");
+  if (ending == "svg" && !options.stage_alone) return wrong("an SVG is of the stage alone: add --stage");
+  if (ending == "png" || ending == "svg") return std::nullopt;
+  return wrong("pictures are written as PNG, SVG or GIF: the name must end in .png, .svg or .gif, or be - for a PNG on "
+               "standard output");
 }
+
+constexpr int kMostFrames = 500, kMostAnimationPixels = 1920 * 1080;
+
+/// The error if the animation would be too large; none if it can be drawn.
+std::optional<InputError> wrong_steps(const WindowOptions& options) {
+  if (!options.steps) return std::nullopt;
+  const auto [first, last] = *options.steps;
+  if (options.scale * options.scale * options.width * options.height > kMostAnimationPixels)
+    return InputError{.what = "--size: an animation has at most 1920x1080 pixels"};
+  if (last - first >= kMostFrames) return InputError{.what = "--steps: an animation has at most 500 steps"};
+  return std::nullopt;
+}
+
+/// Parses "3-12" as two steps.
+std::string parse_steps(const std::string& text, WindowOptions& options) {
+  int first = 0, last = 0;
+  char more = 0;
+  if (std::sscanf(text.c_str(), "%7d-%7d%c", &first, &last, &more) != 2 || first < 0 || last <= first)
+    return "\"" + text + "\" is no range of steps: K-M, such as 0-12";
+  options.steps = {first, last};
+  return {};
+}
+
 /// The same for a chart, which can be SVG as well.
 std::optional<InputError> wrong_chart(const std::string& path) {
   if (is_standard_output(path) || ending_of(path) == "png" || ending_of(path) == "svg") return std::nullopt;
@@ -127,7 +160,7 @@ void add_size(CLI::App& command, WindowOptions& options) {
 bool is_own(const WindowOptions& options) { return !options.folder.empty() || is_path(options.lesson); }
 
 std::optional<std::string> neither_command_nor_lesson(const CLI::App& snug, const std::string& word) {
-  if (is_path(word) || find_lesson("", word, lesson::Checked::kAsWritten)) return std::nullopt;
+  if (is_path(word) || find_lesson("", word, Read::kAsWritten)) return std::nullopt;
   std::vector<std::string> commands;
   for (const CLI::App* command : subcommands_of(snug)) commands.push_back(command->get_name());
   std::string meant = did_you_mean(word, commands);
@@ -158,21 +191,49 @@ void add_window(Commands& commands) {
 }
 
 void add_render(Commands& commands) {
-  CLI::App& command = *commands.app.add_subcommand("render", "Draw one step of a lesson as a picture");
+  CLI::App& command =
+      *commands.app.add_subcommand("render", "Draw a step of a lesson as a picture, or steps as an animation");
   command.footer(
-      "The picture is a PNG. With --question the question stands open in it; with --answered as well, its model "
+      "The picture is a PNG; with --stage also an SVG, in which words are text; with --steps an animated GIF. Each "
+      "carries\n"
+      "the address of what it shows, for the page. With --question the question stands open in it; with --answered as "
+      "well, its model "
       "answer\n"
       "was given, and the outcome is told. For another look set SNUG_THEME to dark, contrast or projector. Drawing\n"
       "needs a display; xvfb-run provides one.");
   const auto options = add_command<WindowOptions>(
       commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
-        if (auto wrong = wrong_picture(chosen.screenshot)) return bad_input(std::move(*wrong));
+        if (auto wrong = wrong_picture(chosen)) return bad_input(std::move(*wrong));
+        if (auto wrong = wrong_steps(chosen)) return bad_input(std::move(*wrong));
         return open_on(chosen, open_window);
       });
   command.add_option("LESSON", options->lesson, "The lesson's id, or its file, which ends in .toml")->required();
   add_common(command, *options);
   command.add_flag("--stage", options->stage_alone, "The stage alone, without panels, buttons and sentence");
-  command.add_option("-o,--output", options->screenshot, "PNG file to write; - is standard output")->required();
+  CLI::Option* const transparent =
+      command.add_flag("--transparent", options->transparent, "Without a ground; with --stage");
+  transparent->needs("--stage");
+  command.add_flag_callback(
+      "--no-labels", [options] { options->labels = false; }, "Without names and measures on the stage");
+  command.add_option("--theme", options->theme, "light, dark, contrast or projector; by default as SNUG_THEME says")
+      ->check(CLI::IsMember({"light", "dark", "contrast", "projector"}));
+  command.add_option("--scale", options->scale, "1, 2 or 4 device pixels for each pixel of the size; 1 by default")
+      ->check(CLI::IsMember({1, 2, 4}));
+  command
+      .add_option_function<std::string>(
+          "--steps",
+          [&chosen = *options](const std::string& text) {
+            if (const std::string wrong = parse_steps(text, chosen); !wrong.empty())
+              throw CLI::ValidationError("--steps", wrong);
+          },
+          "K-M: an animation from step K to step M")
+      ->excludes("--step")
+      ->excludes("--question");
+  command.add_option("--pause", options->pause, "Seconds from step to step in an animation; 0.8 by default")
+      ->check(CLI::Range(0.05, 10.0));
+  command
+      .add_option("-o,--output", options->screenshot, "PNG, SVG or GIF file to write; - is a PNG on standard output")
+      ->required();
 }
 
 void add_chart(Commands& commands) {

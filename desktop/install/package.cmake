@@ -20,10 +20,12 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME snug)
 set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS snug-window)
+set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "libsnug-dev, g++, cmake, make, doctest-dev, nodejs") # what students' code needs
 set(CPACK_COMPONENT_CLI_DESCRIPTION
   "The command fits bounding volumes to point files, tests and measures them,\nand has the lessons. Its window is in snug-window.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME snug-window)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "snug (= ${PROJECT_VERSION}), libgl1") # libepoxy opens it without naming it
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "libportal1, xdg-desktop-portal, xclip | wl-clipboard") # it runs without them
 set(CPACK_COMPONENT_WINDOW_DESCRIPTION "Lessons in which points are dragged and each algorithm's steps are watched.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsnug-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

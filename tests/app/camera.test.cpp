@@ -32,6 +32,28 @@ TEST_CASE("a framed ball stands within the free room and fills it") {
     }
 }
 
+TEST_CASE("a view that a hand has made is looked from again; one of another dimension is none") {
+  for (const int dim : {2, 3}) {
+    Camera camera = framed(dim, {V3::Zero(), 2});
+    CHECK(camera.hand_view().empty());
+    camera.zoom(1.7, 300, 200);
+    camera.pan(31, -12);
+    if (dim == 3) camera.orbit(90, -20);
+    const auto view = camera.hand_view();
+    REQUIRE(view.size() == (dim == 3 ? 6 : 3));
+    Camera other = framed(dim, {V3(5, 5, 0), 9});
+    REQUIRE(other.look_from(view));
+    CHECK_FALSE(other.framed());
+    for (const V3& p : {V3(1, 0, 0), V3(0, 1, 0), V3(-1, 1, dim == 3 ? 1 : 0)}) {
+      CHECK(std::abs(other.project(p).x - camera.project(p).x) < 1);
+      CHECK(std::abs(other.project(p).y - camera.project(p).y) < 1);
+    }
+    CHECK(other.hand_view() == view);
+    CHECK_FALSE(framed(5 - dim, {V3::Zero(), 2}).look_from(view));
+    CHECK_FALSE(other.look_from({0, 0, 0}));
+  }
+}
+
 TEST_CASE("an outline fills the free room by its width or by its height, clear of what is beside it") {
   for (const auto& [half_width, half_height] : {std::pair{4.0, 1.0}, {1.0, 4.0}}) {
     Camera camera = framed(2, {V3::Zero(), 1});

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/subjects/cost/captions.hpp"
 #include "app/subjects/cost/charts.hpp"
 #include "geometry/random.hpp"
 
@@ -43,6 +44,8 @@ TEST_CASE("ticks are whole powers of ten, or what is between where there is room
   CHECK(labels(time, 37e3, 44e6, 4) == std::vector<std::string>{"100 µs", "1 ms", "10 ms"});
   CHECK(labels(time, 90, 240e6, 2) == std::vector<std::string>{"10 µs", "10 ms"});  // and not "200 ms" alone
   CHECK(labels(count, 9, 1100, 9) == std::vector<std::string>{"10", "100", "1,000"});
+  CHECK(labels(ratio, 0.9, 4.7, 8) == std::vector<std::string>{"1", "1.5", "2", "3", "4"});
+  CHECK(labels(ratio, 1.1, 9.9, 4) == std::vector<std::string>{"2", "5"});  // no room for more
   CHECK(labels(ratio, 0.9, 12, 9) == std::vector<std::string>{"1", "2", "5", "10"});
   CHECK(labels(ratio, 0.98, 1.31, 4) == std::vector<std::string>{"1", "1.1", "1.2", "1.3"});
   CHECK(labels({"", ChartUnit::kDegrees}, -5, 365, 5) == std::vector<std::string>{"0°", "90°", "180°", "270°", "360°"});
@@ -157,6 +160,30 @@ TEST_CASE(
   CHECK(both.series[0].shape == both.series[2 + 9].shape);
   CHECK(both.series[0].rim == both.series[2 + 9].rim);
   CHECK(both.looks > kChartLooks);  // what is gone would look like another
+}
+
+TEST_CASE("a line that ends at its own limit is named, with its number of points") {
+  const auto table_of = [](const char* why) {
+    cost::Table<cost::GrowthRow> table{{.platform = "here"}, {}};
+    for (const Index points : {1000, 1023})
+      table.rows.push_back({.volume = "sphere", .algorithm = "welzl_recursive", .points = points, .stopped = why});
+    table.rows.push_back({.volume = "sphere", .algorithm = "ritter", .points = 2000});
+    return table;
+  };
+  const auto own = table_of("a run on more than 1023 points is stopped by its own limit");
+  const std::string says = algorithm_title("sphere", "welzl_recursive") + " ends at 1,023 points, its own limit.";
+  CHECK(growth_chart(own).note.ends_with(". " + says));
+  CHECK(growth_caption(own, 1e9) == "1 of 2 is measured to the end. " + says);
+  const auto slow = table_of("one run of 2000 points would take about 2 s");
+  CHECK_FALSE(growth_chart(slow).note.ends_with("limit."));
+  CHECK(growth_caption(slow, 1e9).find("would take over") != std::string::npos);
+}
+
+TEST_CASE("words of a picture grow and shrink with it, and stay readable") {
+  CHECK(picture_scale(2560, 1600) == 2);
+  CHECK(picture_scale(1280, 800) == 1);
+  CHECK(picture_scale(1152, 720) == doctest::Approx(0.9));
+  CHECK(picture_scale(640, 400) == 0.75);
 }
 
 TEST_CASE("before anything is measured a chart is its axes") {

@@ -56,14 +56,14 @@ std::vector<DrawnWords> drawn_on_screen(Bench& bench, const Chart& chart, const 
 
 std::vector<std::string> words_on_screen(Bench& bench, const Chart& chart) {
   std::vector<std::string> words;
-  for (const DrawnWords& one : drawn_on_screen(bench, chart, {0, 0, 960, 600})) words.push_back(one.words);
+  for (const DrawnWords& one : drawn_on_screen(bench, chart, {0, 0, 1280, 800})) words.push_back(one.words);
   return words;
 }
 
 std::string svg_in_frame(Bench& bench, const Look& look, const Chart& chart) {
   static_cast<void>(bench);
   ImGui::NewFrame();
-  std::string svg = chart_svg(look, 960, 600, chart);
+  std::string svg = chart_svg(look, 1280, 800, chart);
   ImGui::EndFrame();
   return svg;
 }
@@ -94,6 +94,33 @@ TEST_CASE("words and marks grow with a picture larger than the screen's") {
   ImGui::EndFrame();
   CHECK(large.find("width=\"2560\" height=\"1600\" viewBox=\"0 0 1280 800\"") != std::string::npos);
   CHECK(large.substr(large.find("<title")) == usual.substr(usual.find("<title")));
+}
+
+TEST_CASE("a small picture has smaller words, and names those on the front rather than a legend") {
+  Bench bench(test::flat_kdop());
+  cost::Table<cost::CostRow> table{{.platform = "native"}, {}};
+  for (const fit::Algorithm& one : fit::algorithms()) {
+    const auto i = static_cast<double>(table.rows.size());
+    cost::CostRow row{.volume = std::string(one.volume),
+                      .algorithm = std::string(one.name),
+                      .points = 9,
+                      .of = 9,
+                      .tightness = 1.0,
+                      .over_hull = 3 - 0.04 * i,
+                      .on_front = i == 0};
+    row.time = {.median = 1000 + 10 * i, .min = 1000, .spread = 0.1, .repeats = 9, .batch = 1, .trusted = true};
+    table.rows.push_back(row);
+  }
+  const Chart chart = cost_chart(table);
+  ImGui::NewFrame();
+  const std::string small = chart_svg(bench.app.look(), 640, 400, chart);
+  ImGui::EndFrame();
+  CHECK(small.find("viewBox=\"0 0 853.33 533.33\"") != std::string::npos);
+  const auto named = [&](const ChartSeries& one) {
+    return small.find('>' + escaped_words(one.name) + "</text>") != std::string::npos;
+  };
+  CHECK(named(chart.series[0]));
+  CHECK_FALSE(std::all_of(chart.series.begin(), chart.series.end(), named));
 }
 
 TEST_CASE("an SVG has every word of the screen's chart, as text") {

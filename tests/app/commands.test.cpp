@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace snug::app {
 
 TEST_CASE("arrow keys step, and move the selected point where there is one") {
@@ -30,6 +33,18 @@ TEST_CASE("undo and redo, with Caps Lock on as well; unknown keys mean nothing")
   CHECK(command_for("F5", false, false, false).empty());
   CHECK(command_for("Delete", false, false, true) == "delete_point");
   CHECK(command_for("Escape", false, false, true) == "select_none");
+}
+
+TEST_CASE("The card of keys has every command that a key runs, and a menu finds its key") {
+  for (const std::string_view command : commands_with_keys()) {
+    CAPTURE(command);
+    CHECK(std::any_of(std::begin(kKeyHelp), std::end(kKeyHelp), [&](const KeyHelp& row) {
+      return (' ' + std::string(row.commands) + ' ').find(' ' + std::string(command) + ' ') != std::string::npos;
+    }));
+  }
+  CHECK(key_of("undo") == "Ctrl z");
+  CHECK(key_of("play") == " ");
+  CHECK(key_of("reset_points").empty());
 }
 
 }  // namespace snug::app

@@ -12,9 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -22,6 +19,7 @@
 
 #include "app/bench.hpp"
 #include "app/cover.hpp"
+#include "bench/lesson_files.hpp"
 #include "bench/ratio.hpp"
 #include "fit/catalogue.hpp"
 #include "io/point_file.hpp"
@@ -154,31 +152,15 @@ bool clouds(double limit) {
   return fine;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::vector<std::filesystem::path> lesson_paths(const std::vector<std::string>& wanted) {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(SNUG_LESSONS_DIR)) {
-    const std::string id = entry.path().stem().string();
-    const bool is_wanted = wanted.empty() || std::find(wanted.begin(), wanted.end(), id) != wanted.end();
-    if (entry.path().extension() == ".toml" && id != "course" && is_wanted) paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 bool every_lesson(const std::vector<std::string>& wanted, double limit) {
   print_head("lesson, algorithm");
   bool fine = true;
-  for (const auto& path : lesson_paths(wanted)) {
-    const auto lesson = lesson::read_lesson(text_of(path), path.filename().string(), lesson::Checked::kAsWritten);
+  for (const auto& path : bench::lesson_paths(wanted)) {
+    const auto lesson = lesson::read_lesson(bench::text_of(path), path.filename().string());
     if (!lesson) std::abort();
     std::optional<io::PointFile> mesh;
     if (const std::string& name = lesson->points.mesh; !name.empty())
-      mesh = *io::read_points(text_of(SNUG_ASSETS_DIR "/meshes/" + name + ".ply"), name);
+      mesh = *io::read_points(bench::text_of(SNUG_ASSETS_DIR "/meshes/" + name + ".ply"), name);
     for (const std::string& algorithm : lesson->algorithms) {
       app::Bench bench(*lesson, page(), mesh);
       if (!bench.session().choose(0, algorithm)) continue;

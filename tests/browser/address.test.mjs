@@ -1,7 +1,7 @@
 // The address is the state: copied or loaded again it leads to the same place, and a wrong one harms nothing.
 import { after, before, test } from "node:test";
 import {
-  assert, kFirst, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit,
+  assert, kFirst, kWide, handles, lesson_with, lessons, load, ready, start, state, stop, until, visit,
 } from "./support.mjs";
 
 before(start);
@@ -49,6 +49,25 @@ test("the address follows steps, algorithms and dragged points", async (t) => {
   const [before, after] = await again(page);
   assert.deepEqual(after, before);
   assert.match(new URL(page.url()).search, /moved=|rows=/);
+});
+
+test("the address has the view that a hand has made, until everything is shown again", async (t) => {
+  const page = await load(t, "?lesson=obb-axes&step=3", { reducedMotion: "reduce" });
+  assert.doesNotMatch(page.url(), /camera/);
+  for (let press = 0; press < 3; ++press) await page.keyboard.press("Control+ArrowLeft");
+  await page.mouse.move(700, 300);
+  await page.mouse.wheel(0, 200);
+  await page.keyboard.press("ArrowRight");
+  await page.waitForURL(/camera=-?[\d.]+,/);
+  const before = await handles(page);
+  await again(page);
+  for (const [i, { id, x, y }] of (await handles(page)).entries()) {
+    assert.equal(id, before[i].id);
+    assert.ok(Math.hypot(x - before[i].x, y - before[i].y) < 2, `${id} is where it was`);
+  }
+  await page.keyboard.press("0");
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForURL((url) => !url.search.includes("camera"));
 });
 
 test("a handful of points of one's own is in the address", async (t) => {
@@ -112,6 +131,8 @@ test("embed leaves out everything but the lesson, and stays", async (t) => {
   await page.keyboard.press("Home");
   await page.waitForTimeout(400);
   assert.match(page.url(), /embed=1/);
+  const other = await load(t, "?lesson=obb-axes&embed=1"); // which has situations to choose
+  assert.equal((await other.locator("#stage").boundingBox()).width, kWide.viewport.width);
 });
 
 test("a link to the second task opens the second task", async (t) => {

@@ -31,9 +31,9 @@ async function violations(page, parts = null) {
 /** Where questions, what comes of them and the step's words stand. */
 const kSpoken = ["#ask", "#told", "#caption", "#figures"];
 
-/** What axe finds wrong with those parts. Other words in elements that it has seen there make no difference to it: it
- *  looks once there is an element of another kind. seen: receives the kinds of elements. */
-async function violations_of_new(page, seen) {
+/** What axe finds wrong with those parts, or with the whole page. Other words in elements that it has seen there make
+ *  no difference to it: it looks once there is an element of another kind. seen: receives the kinds of elements. */
+async function violations_of_new(page, seen, parts = kSpoken) {
   const elements = await page.evaluate(
     (parts) =>
       [...document.querySelectorAll(parts.map((part) => `${part}, ${part} *`).join())].map((node) => {
@@ -48,11 +48,11 @@ async function violations_of_new(page, seen) {
           node.textContent.trim() !== "",
         ].join(" ");
       }),
-    kSpoken,
+    parts,
   );
   if (elements.every((element) => seen.has(element))) return [];
   for (const element of elements) seen.add(element);
-  return violations(page, kSpoken);
+  return violations(page, parts);
 }
 
 /** Answers what is asked by its number-th choice, as far as digits reach, or by the name of the number-th handle that
@@ -113,9 +113,11 @@ async function play(page, name, seen, look) {
 for (const [name, size] of Object.entries({ laptop: kWide, phone: { ...kPhone, deviceScaleFactor: 1 } })) {
   test(`on a ${name} lessons are clean at rest, at each question, beside each outcome and at their end`, async (t) => {
     const seen = new Set();
-    const whole = new Set((await kinds()).map(({ id }) => id)), elements = new Set();
+    const whole = new Set((await kinds()).map(({ id }) => id)), elements = new Set(), anywhere = new Set();
     for (const { id } of name === "phone" ? await kinds() : await lessons()) {
-      const look = name === "laptop" && whole.has(id) ? violations : (page) => violations_of_new(page, elements);
+      const look = name === "laptop" && whole.has(id)
+        ? (page) => violations_of_new(page, anywhere, ["body"])
+        : (page) => violations_of_new(page, elements);
       const page = await visit(t, `?lesson=${id}&step=0`, size);
       const rest = whole.has(id) ? null : ["#read", ...kSpoken];
       assert.deepEqual(await violations(page, rest), [], `${id}, at rest`);
@@ -144,9 +146,10 @@ for (const [name, size] of Object.entries({ laptop: kWide, phone: { ...kPhone, d
 }
 
 test("an exercise of each kind is clean as it is asked, hinted, tried, told and over", async (t) => {
-  const look = async (page, what) => assert.deepEqual(await violations(page, kSpoken), [], what);
   const press = (page, name) => page.getByRole("button", { name }).first().press("Enter");
   for (const size of [kWide, { ...kPhone, deviceScaleFactor: 1 }]) {
+    const elements = new Set();
+    const look = async (page, what) => assert.deepEqual(await violations_of_new(page, elements), [], what);
     for (const id of ["be-aabb-centre", "radii-of-boxes", "order-of-a-sat-test"]) {
       const page = await visit(t, `?exercise=${id}&seed=3`, size);
       await look(page, `${id}, asked`);
@@ -179,7 +182,7 @@ test("an exercise of each kind is clean as it is asked, hinted, tried, told and 
 test("a task is clean as it is set, and as it is done", async (t) => {
   // As it begins, the test that the task is about is right; across the frustum lies a box that it loses.
   const page = await visit(t, "?lesson=frustum-2d");
-  await page.locator("#task .button").click();
+  await page.getByRole("button", { name: "Start", exact: true }).click();
   assert.equal((await until(page, (now) => now.grade.says)).grade.done, false);
   assert.deepEqual(await violations(page), [], "set");
   await visit(t, "?lesson=frustum-2d&a=corners_outside&boxes=0.6,0,0.2,1.7,1,0;0.55,0,1.05,1.15,1,0&step=99");

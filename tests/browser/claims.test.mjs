@@ -14,6 +14,7 @@ const kQuestions = 10;
 const button = (page, name) => page.getByRole("button", { name, exact: true });
 
 async function skip_all(page) {
+  await button(page, "Measure").click(); // it asks first
   for (let i = 0; i < kQuestions; ++i) {
     await button(page, "Skip").click();
     await until(page, (now, before) => now.outcomes.length > before, i);
@@ -46,6 +47,10 @@ async function saved(page, name) {
 
 test("each claim is answered before it is tried, and decided by its clouds", async (t) => {
   const page = await visit(t, kLesson);
+  const opened = await state(page);
+  assert.equal(opened.asked, null, "nothing is asked before Measure is pressed");
+  assert.match(opened.caption, /^Press Measure: first you predict/);
+  await button(page, "Measure").click();
   const { asked, cover } = await until(page, (now) => now.asked);
   assert.equal(asked.choices.length, 3);
   assert.equal(cover.choices.length, 10);

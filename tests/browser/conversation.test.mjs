@@ -161,11 +161,12 @@ test("while a question stands, what the run comes to is told nowhere", async (t)
 });
 
 test("in a lecture the question stands beside the stage, its choices and its answer in sight", async (t) => {
-  for (const [lesson, question] of [["epsilons", "unit-size"], ["cost-volumes", "front"], ["obb-axes", "nearest"]]) {
+  const asked_by = [["epsilons", "unit-size", "End"], ["cost-volumes", "front", "m"], ["obb-axes", "nearest", "End"]];
+  for (const [lesson, question, key] of asked_by) {
     const page = await load(t, `?lesson=${lesson}&step=0`, { viewport: { width: 1280, height: 720 } });
     await page.locator("#present").click();
     await page.locator(".presenting").waitFor();
-    await page.keyboard.press("End");
+    await page.keyboard.press(key);
     await until(page, (now, id) => now.asked?.id === id, question);
     await still(page);
     const [stage, card, answer] = await Promise.all(

@@ -15,6 +15,7 @@ const decided = (now) => now.cover.decided && !now.cover.running;
 const kAll = 6;
 
 async function skip_all(page) {
+  await button(page, "Measure").click(); // it asks first
   for (let i = 0; i < 3; ++i) {
     await button(page, "Skip").click();
     await until(page, (now, before) => now.outcomes.length > before, i);
@@ -48,6 +49,10 @@ async function measure(page) {
 
 test("predictions come first; then six algorithms are measured, and what happened stands beside them", async (t) => {
   const page = await visit(t, kLesson);
+  const opened = await state(page);
+  assert.equal(opened.asked, null, "nothing is asked before Measure is pressed");
+  assert.equal(opened.caption, "Press Measure: first you predict, then it is measured.");
+  await button(page, "Measure").click();
   const { asked, cover } = await until(page, (now) => now.asked);
   assert.ok(asked.many);
   assert.equal(asked.choices.length, kAll);
@@ -224,7 +229,7 @@ test("the other charts wait for the predictions; then the keyboard chooses them"
   const page = await visit(t, kLesson);
   for (const name of ["Growth", "Looseness in a turn"]) assert.ok(await choice(page, name).isDisabled());
   assert.ok(await choice(page, "Accuracy").isChecked());
-  await page.getByText("Answer the questions first: the other charts would give the answers away.").waitFor();
+  await page.locator(".cover-says", { hasText: "Press Measure: first you predict, then it is measured." }).waitFor();
   await page.locator("#canvas").focus();
   await page.keyboard.press("v");
   assert.equal(chosen_of(await state(page)), "Accuracy");

@@ -40,9 +40,14 @@ async function drag_wildly(page) {
   await page.keyboard.press(" ");
 }
 
-test("a demo is walked through by clicker alone, and each state is as the file says, after any drag", async (t) => {
-  const { states } = await demo_of("collision");
-  const page = await load(t, "?demo=collision&state=1", kHall);
+const kWalks = { collision: kHall, geometry: { ...kHall, viewport: { width: 1920, height: 1080 } } };
+for (const [id, size] of Object.entries(kWalks))
+  test(`${id} is walked through by clicker alone, and each state is as the file says, after any drag`, (t) =>
+    walk(t, id, size));
+
+async function walk(t, id, size) {
+  const { states } = await demo_of(id);
+  const page = await load(t, `?demo=${id}&state=1`, size);
   let changed = 0;
   for (const [i, { hash, reveal }] of states.entries()) {
     const says = `${i + 1} of ${states.length}`;
@@ -60,7 +65,7 @@ test("a demo is walked through by clicker alone, and each state is as the file s
   }
   assert.equal(await place(page), `${states.length} of ${states.length}`, "after the last there is none");
   assert.ok(changed >= 4, "the drags change what they are told to");
-});
+}
 
 test("back leads to what was shown before, reveal by reveal; black, the address, and Escape", async (t) => {
   const { states } = await demo_of("collision");
@@ -133,6 +138,17 @@ test("an address of no demo, or of no state of it, says so", async (t) => {
   assert.equal(await place(page), "20 of 20");
 });
 
+test("notes that the browser blocks are a link away", async (t) => {
+  const page = await load(t, "?demo=geometry&state=2", { ...kHall, init: () => (window.open = () => null) });
+  await page.waitForFunction(() => document.querySelector(".demo-place"));
+  await page.keyboard.press("s");
+  const [notes] = await Promise.all([
+    page.context().waitForEvent("page"), page.getByRole("link", { name: "Open them in another tab" }).click(),
+  ]);
+  const { states } = await demo_of("geometry");
+  await notes.getByRole("heading", { name: states[1].slide }).waitFor();
+});
+
 test("a key adds what stands there to a demo's file, which grows by a state with each press", async (t) => {
   const page = await load(t, "?lesson=sphere-ritter&step=3&seed=7");
   const { trace } = await state(page);
@@ -146,4 +162,90 @@ test("a key adds what stands there to a demo's file, which grows by a state with
   assert.ok(texts[0].includes(`[[state]]\nhash = "${trace}"\n`), texts[0]);
   assert.match(texts[0], /lesson = "sphere-ritter"\nseed = 7\nstep = 3\n/);
   assert.ok(texts[1].startsWith(texts[0]) && texts[1].match(/\[\[state\]\]/g).length === 2, texts[1]);
+});
+
+/** The words of the page's HTML that are lower than a fortieth of the screen's height. */
+const low_words = (page) => page.evaluate(() => {
+  const low = [], all = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let node = all.nextNode(); node; node = all.nextNode()) {
+    const parent = node.parentElement, range = document.createRange();
+    range.selectNodeContents(node);
+    const { width, height, top } = range.getBoundingClientRect();
+    const seen = parent.checkVisibility({ visibilityProperty: true }) && width > 2 && height > 2 && top < innerHeight;
+    const size = Number.parseFloat(getComputedStyle(parent).fontSize);
+    if (node.textContent.trim() && seen && size < innerHeight / 40 - 0.01) low.push(`${node.textContent}: ${size}`);
+  }
+  return low;
+});
+
+test("no word beside the stage is lower than a fortieth of the screen's height", async (t) => {
+  for (const viewport of [{ width: 1280, height: 720 }, { width: 1920, height: 1080 }]) {
+    const page = await load(t, "?demo=collision&state=2", { ...kHall, viewport });
+    await until(page, (now) => now.lesson === "aabb");
+    await still(page);
+    for (let press = 0; press < 3; ++press, await still(page)) {
+      assert.deepEqual(await low_words(page), []);
+      await page.keyboard.press("PageDown"); // the sentence, the numbers, a question
+    }
+    assert.deepEqual(await low_words(page), []);
+    await page.close();
+  }
+});
+
+test("a class votes twice, and no number is on the page before the answer is revealed", async (t) => {
+  const { states } = await demo_of("collision");
+  const page = await load(t, "?demo=collision&state=3", kHall);
+  await opened(page, `3 of ${states.length}`, states[2].hash);
+  const notes = await page.context().newPage();
+  await notes.goto(`${site.url}?demo=collision&notes=1`);
+  await notes.getByRole("heading", { name: states[2].slide }).waitFor();
+  const vote = page.locator(".demo-vote");
+  await page.waitForFunction(() => document.querySelector(".demo-vote")); // its program has arrived
+  for (const key of ["1", "2", "Enter", "3", "1", "Enter", "Enter", "v", "4", "Enter", "3", "9", "Enter", "Enter"])
+    await page.keyboard.press(key);
+  assert.match(await vote.textContent(), /^Second vote: .* counted$/);
+  assert.doesNotMatch((await vote.textContent()).replace(/P\d+/g, ""), /\d/, "nothing leaks");
+  await notes.waitForFunction(() => document.querySelector(".vote").textContent.startsWith("First vote"));
+  assert.match(await notes.locator(".vote").textContent(), / 12, .* 31\. Second vote: .* 4, .* 39$/);
+  await page.keyboard.press("PageDown");
+  await until(page, (now) => now.asked === null);
+  assert.match(await vote.textContent(), /12 \(28 %\), then 4 \(9 %\)/);
+  await page.keyboard.press("PageUp");
+  await until(page, (now) => now.asked !== null);
+  assert.doesNotMatch((await vote.textContent()).replace(/P\d+/g, ""), /\d/, "and is hidden again");
+});
+
+test("a state is taken along as a code; the phone says whether it shows the same", async (t) => {
+  const page = await load(t, "?lesson=sphere-ritter&step=3&seed=7", kHall);
+  await page.keyboard.press("q");
+  await page.locator(".qr svg").waitFor();
+  const { width, height } = await page.locator(".qr path").boundingBox();
+  assert.ok(Math.min(width, height) > 0.6 * 720, "large enough for the last row");
+  const letters = await page.locator(".qr .letters").textContent();
+  assert.match(letters, /^[B-DF-HJKMNP-TV-Z]{4}$/);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".qr").count(), 0);
+  await page.goto(`${site.url}?lesson=sphere-ritter&step=3&seed=7&mark=${letters}`);
+  await ready(page);
+  await page.getByText(`This is the state on the screen: ${letters}.`).waitFor();
+  await page.goto(`${site.url}?lesson=sphere-ritter&step=3&seed=8&mark=${letters}`);
+  await ready(page);
+  await page.getByText(/^This is not the state on the screen: here [A-Z]{4}, there /).waitFor();
+});
+
+test("800 points of one's own survive in an address", async (t) => {
+  const page = await load(t, "?lesson=sphere-ritter&from=cube:800&step=0&seed=3");
+  const points = Array.from({ length: 800 }, (_, i) => [Math.cos(i) * (1 + i / 800), Math.sin(3 * i) / 3]);
+  await page.setInputFiles('input[type="file"]', {
+    name: "own.xyz", mimeType: "text/plain", buffer: Buffer.from(points.map((point) => point.join(" ")).join("\n")),
+  });
+  await page.waitForFunction(() => location.hash.startsWith("#packed="));
+  await still(page);
+  const { trace } = await state(page);
+  const address = page.url();
+  assert.ok(address.length < 20_000, `${address.length} letters`);
+  await page.goto("about:blank");
+  await page.goto(address);
+  await ready(page);
+  assert.equal((await state(page)).trace, trace);
 });

@@ -1,6 +1,10 @@
 // Exercises on the page: decided by mouse, finger and keyboard; hints, mistakes, marks; kept over a reload; handed in.
+import { spawnSync } from "node:child_process";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { assert, handles, kPhone, load, ready, start, state, still, stop, tap, until, visit } from "./support.mjs";
+
+const kSnug = fileURLToPath(new URL("../../build/release/snug", import.meta.url));
 
 before(start);
 after(stop);
@@ -23,12 +27,12 @@ async function answers_of(t, id, seed) {
   const { decisions } = await exercise(page);
   for (let i = 0; i < decisions; ++i) {
     await at(page, i);
-    for (let hint = ""; !/^Hint: The answer: /.test(hint); hint = await hint_of(page)) {
+    for (let hint = ""; !/^Hint: The (answer|order): /.test(hint); hint = await hint_of(page)) {
       const { hints } = await exercise(page);
       await page.getByRole("button", { name: /^(Hint|Show the answer)/ }).press("Enter");
       await until(page, (now, before) => now.exercise.hints.length > before, hints);
     }
-    names.push(/The answer: (.*)\.$/.exec(await hint_of(page))[1]);
+    names.push(/The (?:answer|order): (.*)\.$/.exec(await hint_of(page))[1]);
     await decide(page, names[i]);
   }
   return names;
@@ -37,6 +41,12 @@ async function answers_of(t, id, seed) {
 /** Decides by keyboard alone: the name is typed, or the choice's button is pressed. */
 async function decide(page, name) {
   const { choices } = await exercise(page);
+  if (name.startsWith("1. ")) { // its lines by their digits, from wherever the focus is; Enter then gives all of it
+    await page.locator(".ask .choices .button").first().focus();
+    for (const line of name.split("; "))
+      await page.keyboard.press(String(choices.indexOf(line.replace(/^\d+\. /, "")) + 1));
+    return page.keyboard.press("Enter");
+  }
   // Any of several right choices will do.
   const choice = choices.find((one) => one === name || name.split(/, | or /).includes(one));
   if (choice) {
@@ -70,8 +80,8 @@ test("a tap decides, the step is played at once, and what happened is told besid
   assert.match(await page.locator(".ask .before").textContent(), new RegExp(`^✓ ${names[0]} is farthest from`));
 });
 
-test("each exercise is done by keyboard alone, for every mark", async (t) => {
-  for (const id of ["be-ritter", "sat-plane", "p-and-n-vertex"]) {
+test("a number, an order and each sort of decision are given by keyboard alone, for every mark", async (t) => {
+  for (const id of ["be-ritter", "sat-plane", "p-and-n-vertex", "radii-of-boxes", "order-of-a-sat-test"]) {
     const names = await answers_of(t, id, 3);
     const page = await visit(t, `?exercise=${id}&seed=3`);
     await decide_all(page, names);
@@ -95,6 +105,37 @@ test("a wrong decision is told with its rule, a second try earns a half, then th
   assert.match(await page.locator(".ask .outcome").textContent(), new RegExp(`Not quite.*${first} is farthest`));
   await page.keyboard.press("Enter");
   assert.equal((await at(page, 1)).mark, 0);
+});
+
+test("at its end the student's run is gone through beside the right one, by keyboard", async (t) => {
+  const names = await answers_of(t, "be-quickhull", 11);
+  const page = await visit(t, "?exercise=be-quickhull&seed=11");
+  await at(page, 0);
+  await decide(page, names[0]);
+  const { targets } = await at(page, 1);
+  for (const name of targets.filter((one) => one !== names[1]).slice(0, 2)) {
+    await decide(page, name);
+    await until(page, (now) => now.asked?.tried || now.exercise.told);
+  }
+  await page.keyboard.press("Enter");
+  for (let i = 2; i < names.length; ++i) await at(page, i), await decide(page, names[i]);
+  await until(page, (now) => now.exercise.finished && !now.outcome);
+  assert.match(await page.locator(".exercise-end").textContent(), /first differs .* at decision 2 \(yours: /);
+  const { step } = await state(page);
+  await page.keyboard.press("r");
+  const own = await until(page, (now) => now.exercise.run === "own");
+  assert.deepEqual([own.exercise.decision, own.outcome.right, own.outcome.shown], [1, false, true]);
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now) => now.exercise.decision === 2 && now.outcome.right);
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("r");
+  const right = await until(page, (now) => now.exercise.run === "right");
+  assert.equal(right.step, own.step);
+  assert.match(await page.locator(".ask").textContent(), /Decision 2 [(]yours: .*; right: /);
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now, before) => now.step === before + 1, own.step);
+  await page.keyboard.press("End");
+  await until(page, (now, last) => now.step === last && now.exercise.run === "", step);
 });
 
 test("hints have their price, and the attempt goes on after a reload", async (t) => {
@@ -141,11 +182,15 @@ test("by finger on a phone, with targets large enough, and the summary leads to 
     assert.ok((await button.boundingBox()).height >= 44);
     await button.tap();
   }
-  await until(page, (now) => now.exercise.finished);
+  const over = await until(page, (now) => now.exercise.finished);
   const saved = page.waitForEvent("download");
   await page.getByRole("button", { name: "Hand in" }).tap();
-  assert.equal((await saved).suggestedFilename(), "aabb-overlap-4.json");
-  await page.getByRole("button", { name: "Another instance" }).tap();
+  const file = await saved;
+  assert.equal(file.suggestedFilename(), "aabb-overlap-4.json");
+  const { stdout } = spawnSync(kSnug, ["grade", "--json", await file.path()], { encoding: "utf8" });
+  const { status, mark, of } = JSON.parse(stdout);
+  assert.deepEqual([status, mark, of], ["ok", over.exercise.mark, names.length], "the replay earns the page's mark");
+  await page.getByRole("button", { name: "Harder instance" }).tap();
   const other = await until(page, (now) => now.exercise && now.exercise.seed !== 4);
   assert.equal(other.exercise.decision, 0);
 });
@@ -205,6 +250,19 @@ test("what is built by dragging earns a mark for each level, is kept over a relo
   await page.getByRole("button", { name: "Show a solution" }).press("Enter");
   await until(page, (now, before) => now.trace !== before, trace);
   assert.ok((await state(page)).exercise.build.levels.every(({ now }) => now));
+});
+
+test("an example is built by keyboard alone: what is selected is moved by the arrows", async (t) => {
+  const page = await visit(t, "?exercise=build-worst-ritter&seed=3");
+  await page.keyboard.press("]");
+  await until(page, (now) => now.selected === 0);
+  for (let i = 0; i < 40 && (await exercise(page)).mark < 1; ++i) {
+    await page.keyboard.press(i % 2 ? "ArrowLeft" : "ArrowDown");
+    await still(page);
+  }
+  await page.getByRole("button", { name: "Done" }).press("Enter");
+  const { exercise: over } = await until(page, (now) => now.exercise.finished);
+  assert.equal((await result(page)).attempts[0].mark, over.mark);
 });
 
 test("a claim is refuted by keyboard alone, with the numbers of the points", async (t) => {

@@ -1,20 +1,20 @@
 // Packages on courses' sites, in Chromium: what a zip has in it, and a student who decides, leaves, comes back, loses
 // the connection, has two tabs open, or finds the package replaced.
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { appendFileSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { assert, load, start_on, stop } from "./support.mjs";
-import { answers_of, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
+import { answers_of, kProgram, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
 
 const shop = workshop();
 let host;
 before(async () => {
   for (const [what, name] of [
     ["exercise:be-quickhull", "exercise"], ["set:collision", "set"], ["lesson:sphere-ritter", "lesson"],
-    ["course", "course"],
+    ["course", "course"], ["exercise:write:overlap-min-max", "written"],
   ])
     shop.unpacked(what, name);
   await start_on(async () => (host = await serve_packages(shop.at(""))));
@@ -59,7 +59,7 @@ assert all(one.tag == ims + "file" for one in resource)
 print(resource.get("href"), *(one.get("href") for one in resource))`;
 
 test("a package's manifest lists what is in it, and every server knows its files", () => {
-  for (const name of ["exercise", "set", "lesson", "course"]) {
+  for (const name of ["exercise", "set", "lesson", "course", "written"]) {
     const folder = shop.at(name);
     const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((each) => each.isFile())
       .map((each) => join(each.parentPath, each.name).slice(folder.length + 1)).sort();
@@ -91,7 +91,11 @@ test("the same page makes the same bytes, and a mistake is one line", () => {
   const elsewhere = refused("course", "--site", shop.at("lesson/lessons"), ...to);
   assert.match(elsewhere, /^2 snug: .*: is not the page's folder.*`\.\/run package`/);
   assert.match(refused("course", "--site", kSite), /^2 snug: say where to/);
+  const single = ["--site", kSite, "--single", shop.at("x.html")];
+  assert.match(refused("exercise:write:sat", ...single), /^2 snug: .*one file cannot start: take -o or --static/);
   assert.match(refused("course", "--site", kSite, "--static", shop.at("set")), /^2 snug: .*: is there already/);
+  const { stderr } = spawnSync(kProgram, ["package", "set:collision", ...single], { encoding: "utf8" });
+  assert.match(stderr, /^snug: warning: left out 1 exercise in which code is written/);
 });
 
 for (const site of ["strict", "worst"])
@@ -123,6 +127,22 @@ for (const site of ["strict", "worst"])
     assert.deepEqual(await broken(page), []);
   });
 
+test("a function that is written in a package is run there, and its mark reaches the course", async (t) => {
+  const page = await enter(t, "written");
+  const frame = page.frameLocator("iframe");
+  await frame.locator(".cm-content").focus();
+  await page.keyboard.press("Control+A");
+  const body = "return a.min.every((x, i) => x < b.max[i] && b.min[i] < a.max[i]);";
+  await page.keyboard.type(`function overlap(a, b) {\n${body}`);
+  await page.keyboard.press("Control+Enter");
+  await frame.locator(".write-methods").waitFor({ timeout: 60_000 });
+  const title = frame.frameLocator(".write-stage").locator("#title");
+  await title.filter({ hasText: "A case on which" }).waitFor({ state: "attached", timeout: 60_000 });
+  await page.waitForFunction(() => window.lms.site.arrived.status === "completed");
+  assert.deepEqual(await arrived(page), { score: 71.4, status: "completed" });
+  assert.deepEqual(await broken(page), []);
+});
+
 test("logged out in the middle, the site says true; the page says what holds, and hands over later", async (t) => {
   const page = await enter(t, "exercise", "worst");
   const answers = answers_of(kQuick, (await lms(page, "exercise")).seed);
@@ -150,38 +170,38 @@ test("two tabs do not overwrite each other", async (t) => {
   await other.goto(`${host.url}lms.html`);
   await other.waitForFunction(() => window.lms);
   for (const page of [one, other]) await lms(page, "open", "set/");
-  for (const [page, id] of [[one, kQuick], [other, "be-ritter"]]) {
+  for (const [page, id] of [[one, "be-aabb-centre"], [other, "be-ritter"]]) {
     const { seed } = await page.evaluate((to) => window.lms.go(`?exercise=${to}`), id);
     await lms(page, "decide_all", answers_of(id, seed).slice(0, 1));
   }
-  await lms(one, "close");
-  await lms(other, "close"); // the last to hand over has what both did
+  await lms(other, "close");
+  await lms(one, "close"); // the last to hand over has what both did, and had it before it was closed
   await one.evaluate(() => localStorage.clear());
-  const server = await other.evaluate(() => window.lms.site.server);
+  const server = await one.evaluate(() => window.lms.site.server);
   await one.evaluate((own) => Object.assign(window.lms.site, { server: own }), server);
   await lms(one, "open", "set/");
-  for (const id of [kQuick, "be-ritter"])
+  for (const id of ["be-aabb-centre", "be-ritter"])
     assert.equal((await one.evaluate((to) => window.lms.go(`?exercise=${to}`), id)).decision, 1, id);
 });
 
 test("a package that was replaced keeps what fits, and says what does not", async (t) => {
   const site = shop.site_copy("site");
   const course = JSON.parse(readFileSync(join(site, "course.json"), "utf8"));
-  const [set] = course.sets;
-  set.exercises = set.exercises.filter(({ id }) => id !== "be-ritter");
+  const [, set] = course.sets;
+  set.exercises = set.exercises.filter(({ id }) => id !== "be-welzl");
   writeFileSync(join(site, "course.json"), JSON.stringify(course));
   appendFileSync(join(site, "lessons/exercises/be-quickhull.toml"), "\n# another text, another hash\n");
-  shop.unpacked("set:collision", "replaced", site);
+  shop.unpacked("set:geometry", "replaced", site);
   const page = await enter(t, null);
-  const keep = { tries: 1, best: model_of("be-aabb-centre"), now: null, at: 1 };
+  const keep = { tries: 1, best: model_of("be-pivot"), now: null, at: 1 };
   const begun = { ...model_of(kQuick), decisions: model_of(kQuick).decisions.slice(0, 1), mark: 1 };
   const exercises = {
-    "be-aabb-centre": keep, "be-ritter": { ...keep, best: model_of("be-ritter") },
+    "be-pivot": keep, "be-welzl": { ...keep, best: model_of("be-welzl") },
     [kQuick]: { tries: 1, best: { ...model_of(kQuick), mark: 3 }, now: begun, at: 2 },
   };
-  await fill(page, "set.collision", { exercises });
+  await fill(page, "set.geometry", { exercises });
   await lms(page, "open", "replaced/");
-  assert.match(await lms(page, "notices"), /replaced this package, now without be-ritter/);
+  assert.match(await lms(page, "notices"), /replaced this package, now without be-welzl/);
   await page.waitForFunction(() => window.lms.site.arrived.score !== null);
   assert.equal((await arrived(page)).score, 19.4); // of nine exercises the one, and three quarters of another
   const { decision } = await page.evaluate((to) => window.lms.go(`?exercise=${to}`), kQuick);
@@ -248,7 +268,7 @@ test("in review mode nothing is kept, on the device neither, and it is said", as
 });
 
 test("one file opens without a server, keeps to a policy of hashes, and is worked through", async (t) => {
-  snug("package", "set:collision", "--single", shop.at("single.html"), "--site", kSite);
+  snug("package", "set:geometry", "--single", shop.at("single.html"), "--site", kSite);
   const html = readFileSync(shop.at("single.html"), "utf8");
   const [, policy] = /Content-Security-Policy" content="([^"]*)"/.exec(html);
   assert.match(policy, /script-src( 'sha256-[^']+'){3} 'wasm-unsafe-eval'; style-src( 'sha256-[^']+'){3}; font/);

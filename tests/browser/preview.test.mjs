@@ -200,7 +200,7 @@ test("a lesson that cannot be drawn at first opens once it is mended", async (t)
   const now = await until(page, (it) => it.lesson === "late");
   assert.ok(now.steps > 0);
   await page.locator("#veil").waitFor({ state: "hidden" });
-  assert.ok(await page.locator("#strip").isHidden());
+  await page.locator("#strip").waitFor({ state: "hidden" });
 });
 
 test("the course is that of the folder, and follows it", async (t) => {

@@ -18,6 +18,7 @@ before(async () => {
   const silent = framed.replace(/<script>[^]*/, "");
   page_of = {
     collects: framed,
+    written: framed.replace(kExercise, "?exercise=write:overlap-min-max&embed=1"),
     silent,
     // A frame beside it answers in the page's place.
     beside: `${silent}<iframe src="liar"></iframe>`,
@@ -27,7 +28,7 @@ before(async () => {
 });
 after(() => (other.close(), stop()));
 
-const kForeign = /^asked for http:\/\/127[.]0[.]0[.]1:\d+\/(collects|silent|beside|liar|favicon)|404/;
+const kForeign = /^asked for http:\/\/127[.]0[.]0[.]1:\d+\/(collects|written|silent|beside|liar|favicon)|404/;
 /** The page of another origin, and the frame in it once the exercise stands there. */
 async function around(t, name, init = () => {}) {
   const page = await load(t, "", { wait: false, may_complain: kForeign, init });
@@ -65,6 +66,23 @@ test("the page of the README collects the mark, and gives back the decision", as
   await page.waitForFunction(() => JSON.parse(localStorage.getItem("snug")).score === 1);
 });
 
+test("code that is written in a frame comes back with the page around it", async (t) => {
+  const page = await load(t, "", { wait: false, may_complain: kForeign });
+  const open = async () => {
+    await page.goto(`http://127.0.0.1:${other.address().port}/written`);
+    const frame = page.frames().find((own) => own.url().startsWith(site.url));
+    await frame.locator(".cm-content").waitFor();
+    return frame;
+  };
+  const frame = await open();
+  await frame.locator(".cm-content").click();
+  await page.keyboard.type("// mine");
+  await frame.waitForFunction(() => window.snug.saved() === "course");
+  const again = await open();
+  assert.match(await again.locator(".cm-content").textContent(), /[/][/] mine/);
+  assert.equal(await again.locator(".saved span").textContent(), "Seen again in the page around this one");
+});
+
 test("a page that does not answer is told nothing but the frame's address; the device keeps it", async (t) => {
   for (const name of ["silent", "beside"]) {
     const { page, frame } = await around(t, name);
@@ -97,6 +115,7 @@ test("the dialog Share has the address, and a frame to copy, of a figure and of 
   const page = await load(t, "?exercise=aabb-overlap&seed=4");
   const shared = async () => {
     await page.locator("#share").click();
+    await page.locator("dialog textarea").nth(1).waitFor();
     const [address, frame] = await page.locator("dialog textarea").evaluateAll((all) => all.map(({ value }) => value));
     await page.keyboard.press("Escape");
     await page.locator("dialog").waitFor({ state: "detached" });

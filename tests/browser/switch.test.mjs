@@ -25,11 +25,12 @@ function watch_requests(page) {
 /** What is on the page, as far as it is the lesson's: words, fields, names, handles' places. */
 async function shown(page) {
   await still(page);
-  await page.waitForTimeout(300); // the address follows
-  await page.waitForFunction(() => new Promise((resolve) => { // a long text is scrolled smoothly
+  // The address follows, and meanwhile a long text is scrolled smoothly.
+  const scrolled = page.waitForFunction(() => new Promise((resolve) => {
     const from = document.getElementById("read").scrollTop;
     setTimeout(() => resolve(document.getElementById("read").scrollTop === from), 150);
   }));
+  await Promise.all([scrolled, page.waitForTimeout(300)]);
   const places = (await handles(page)).map(({ id, x, y }) => `${id} ${Math.round(x)} ${Math.round(y)}`);
   return {
     places,
@@ -189,6 +190,7 @@ test("answers, theme and text size stay as one goes from lesson to lesson", asyn
 
 test("a measurement that runs ends with its lesson", async (t) => {
   const page = await load(t, "?lesson=cost-chart");
+  await page.getByRole("button", { name: "Measure", exact: true }).click(); // it asks first
   for (let i = 0; i < 3; ++i) {
     await page.getByRole("button", { name: "Skip" }).click();
     await until(page, (now, before) => now.outcomes.length > before, i);

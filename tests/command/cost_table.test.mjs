@@ -341,6 +341,16 @@ test("a result goes to a file whole", () => {
   assert.match(read("here.csv"), /\naabb,min_max,/);
 });
 
+test("the table of snug which has one unit for T, and counts in good English", () => {
+  const args = ["which", "--generate", "gaussian:3000", "--repeat", "2", "--bodies", "1"];
+  const text = good([...args, "--frames", "1", "--pairs", "1", "--updates", "1"]);
+  assert.match(text, /what 1 volume, and in each of 1 frame 1 update and 1 test,/);
+  const [head, ...rows] = text.split("\n").slice(text.split("\n").findIndex((line) => line.startsWith("volume")));
+  assert.match(head, / T (s|ms|us|ns) /);
+  assert.equal(rows.filter((row) => /^(sphere|hull) .* [\d.]+( \*| {2}) +\d+ %$/.test(row)).length, 2);
+  assert.doesNotMatch(rows.slice(0, 7).join("\n"), /\d (s|ms|us|ns)\b/);
+});
+
 test("snug which has the five criteria, T and where it goes, in every format", () => {
   const args = ["which", "--generate", "gaussian:60", "--repeat", "2", "--bodies", "3", "--frames", "10", "--updates", "4", "--pairs", "50", "--hit-rate", "20"];
   const { table, rows } = JSON.parse(good([...args, "--json"]));

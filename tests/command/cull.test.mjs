@@ -291,7 +291,7 @@ test("what float cannot take, and bad usage, is refused", () => {
   refused({ frustum: long, volume: sphere }, "frustum: plane 0 (left) is farther away than this program can take", 1, "--scalar", "float");
   refused({ frustum: cube, volume: sphere }, "frustum.planes has 6 rows instead of 4", 1, "--dim", "2");
   refused({ frustum: perspective, volume: sphere }, "frustum.view_projection is 3-D, and --dim is 2", 1, "--dim", "2");
-  for (const args of [["--scalar", "half"], ["--dim", "4"], ["--test", "corner"], ["--tree", "best"], ["--steps", "no/where"], ["a", "b"], ["--json"]]) {
+  for (const args of [["--scalar", "half"], ["--dim", "4"], ["--test", "corner"], ["--tree", "best"], ["--steps", "no/where"], ["a", "b"], ["--jsonl"]]) {
     const { out, err, status } = snug(["cull", ...args]);
     assert.equal(out, "");
     assert.match(err, /^snug: [^\n]+\n$/);

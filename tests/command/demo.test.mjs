@@ -55,3 +55,8 @@ test("mistakes are told with file, line and column", () => {
   wrong("seed = 7", 'hash = "12"', /wrong\.toml:15:8: "hash" must be 16 hexadecimal digits/);
   refused(["demo", "check", "nowhere"], /there is no demo "nowhere"/);
 });
+
+test("what many rows have packed is read from a demo's file, and what is damaged is told", () => {
+  const wrong = write("packed.toml", kDemo.replace("step = 3", 'packed = "?"'));
+  refused(["demo", "check", wrong], /packed\.toml:9:10: "packed" is not as an address has it/);
+});

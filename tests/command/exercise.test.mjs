@@ -6,12 +6,12 @@ import { test } from "node:test";
 import { folder, good, json_lines, read, refused, snug, write } from "./support.mjs";
 
 const kKinds = Object.fromEntries(json_lines(good(["exercise", "list"])).map(({ exercise, kind }) => [exercise, kind]));
-const kIds = Object.keys(kKinds);
+const kIds = Object.keys(kKinds).filter((id) => kKinds[id] !== "write");
 
 test("the exercises are listed, with the sets that they belong to", () => {
   const all = json_lines(good(["exercise", "list"]));
   assert.ok(all.length >= 15);
-  assert.deepEqual([...new Set(Object.values(kKinds))].sort(), ["break_it", "build", "carry_out", "number", "order"]);
+  assert.deepEqual([...new Set(Object.values(kKinds))].sort(), ["break_it", "build", "carry_out", "number", "order", "write"]);
   for (const one of all) assert.deepEqual(Object.keys(one), ["exercise", "kind", "title", "minutes", "set", "sets", "lesson", "file", "levels"]);
 });
 
@@ -24,6 +24,35 @@ test("an instance is the same bytes each time", () => {
   assert.equal(made.instance.handles.length, 12);
   assert.notEqual(good(["exercise", "make", "be-ritter", "--seed", "8"]), text);
   refused(["exercise", "make", "be-riter"], /there is no exercise "be-riter"/);
+});
+
+test("a function that is written is listed, made, answered and graded", () => {
+  const id = "write:overlap-min-max";
+  const [made] = json_lines(good(["exercise", "make", id]));
+  assert.deepEqual([made.of, made.instance.function, made.instance.cases], [7, "overlap", 640]);
+  write("written.json", good(["exercise", "answer", id, "--wrong", "1"]));
+  const { out, status } = snug(["grade", "--json", "written.json"]);
+  assert.deepEqual([status, json_lines(out)[0].mark, json_lines(out)[0].status], [0, 5, "ok"]);
+  refused(["exercise", "answer", id, "--wrong", "99"], /number of a usual mistake/);
+  refused(["exercise", "play", id], /is written on the page alone/);
+  const { sets } = json_lines(good(["exercise", "list"])).find(({ exercise }) => exercise === id);
+  assert.deepEqual(sets, ["collision", "write"]);
+  const { out: sheets, err } = snug(["exercise", "print", "collision", "--seeds", "1", "-o", "set"]);
+  assert.match(err, /^snug: warning: write:overlap-min-max is left out/);
+  assert.equal(json_lines(sheets).length, 18);
+  refused(["exercise", "make", "write:overlap-minmax"], /there is no exercise .*write:overlap-min-max/);
+});
+
+test("each function that is written is solved, and each of its usual mistakes gets the case that shows it", () => {
+  const ids = Object.keys(kKinds).filter((id) => kKinds[id] === "write");
+  assert.ok(ids.length >= 17);
+  const { out, err } = snug(["exercise", "check", ...ids, "--seeds", "1000"]);
+  const told = json_lines(out);
+  assert.equal(told.length, ids.length, err);
+  for (const { exercise, faults, methods, mistakes } of told) {
+    assert.deepEqual(faults, [], exercise);
+    assert.ok(mistakes >= 5 && methods >= 2, exercise);
+  }
 });
 
 test("a model attempt earns every mark, one wrong decision costs one", () => {
@@ -42,10 +71,27 @@ test("a model attempt earns every mark, one wrong decision costs one", () => {
 });
 
 test("the promise is checked on many seeds", () => {
-  for (const { exercise, kept, seeds, nearest, promised } of json_lines(good(["exercise", "check", "--seeds", "40"]))) {
+  const checked = kIds.flatMap((id) => json_lines(good(["exercise", "check", id, "--seeds", "40"])));
+  for (const { exercise, kept, seeds, nearest, promised, decisions, hard } of checked) {
     assert.deepEqual([kept, seeds], [true, 40], exercise);
+    assert.ok(hard.least <= hard.median && hard.median <= hard.most && hard.most <= decisions.most, exercise);
+    assert.equal(hard.most > 0, nearest !== null && nearest < 2 * promised, exercise);
     assert.ok(nearest === null || nearest >= promised, exercise); // null: nothing comes near a tie
   }
+});
+
+test("every exercise has a sheet, in space with coordinates, and what the run did before is printed", () => {
+  for (const id of kIds) {
+    const { out, err } = snug(["exercise", "print", id, "-o", "all"]);
+    assert.equal(err, "", id);
+    assert.equal(json_lines(out).length, 2, id);
+    const [sheet, solution] = ["", "-solution"].map((part) => read(`all/${id}-1${part}.svg`));
+    assert.ok(sheet.includes("Name: ___") && solution.includes(">Solution<"), id);
+    for (const [, y] of sheet.matchAll(/<text x="[-\d.]+" y="([-\d.]+)"/g)) assert.ok(Number(y) < 297, `${id}: ${y}`);
+  }
+  assert.match(read("all/sat-space-1.svg"), />B7 \(−?\d\.\d{3}, −?\d\.\d{3}, −?\d\.\d{3}\)</);
+  assert.match(read("all/be-welzl-1.svg"), />The circle now: centre \(−?\d\.\d{3}, −?\d\.\d{3}\),/);
+  assert.doesNotMatch(read("all/be-welzl-1-solution.svg"), /The circle now/);
 });
 
 /** A result file of a folder of its own; change(result): edits it. */
@@ -140,11 +186,10 @@ test("what is alike is told, as a hint and no verdict", () => {
 
 test("a set is printed on paper, a sheet and a solution for each seed", () => {
   const { out, err, status } = snug(["exercise", "print", "geometry", "--seeds", "2", "-o", "sheets"]);
-  assert.equal(status, 0);
-  assert.match(err, /warning: merge-bottom-up: what stands on its stage is not drawn on paper yet/);
+  assert.deepEqual([err, status], ["", 0]);
+  assert.match(read("sheets/merge-bottom-up-1.svg"), />A<[^]*>B</, "a tree's boxes have their letters");
   const files = json_lines(out).map(({ file }) => file);
-  assert.ok(files.length >= 28);
-  assert.match(err, /warning: break-pca-box: what is built takes a stage/);
+  assert.equal(files.length, 40, "ten exercises, two seeds, a sheet and a solution of each");
   good(["exercise", "print", "be-ritter", "--seeds", "2", "-o", "sheets"]);
   good(["exercise", "print", "kdop-overlap-test", "--seeds", "2", "-o", "sheets"]);
   const [sheet, solution] = ["", "-solution"].map((part) => read(`sheets/be-ritter-2${part}.svg`));
@@ -155,5 +200,9 @@ test("a set is printed on paper, a sheet and a solution for each seed", () => {
   assert.match(boxes, />yes<[^]*>no</, "choices are there to be marked");
   const frustum = read("sheets/p-and-n-vertex-1.svg");
   for (const plane of ["left", "right", "near", "far"]) assert.equal(frustum.match(`>${plane}<`)?.length, 1, plane);
+  const build = read("sheets/break-pca-box-1.svg"), built = read("sheets/break-pca-box-1-solution.svg");
+  assert.match(build, />P0 \( _+ , _+ \)</, "lines for coordinates");
+  assert.match(built, /Excess over the optimum: [6-9]\d\.\d %\. Points: 4 points\. Done\./);
+  assert.equal(built.match(/<circle/g).length, 4, "the example is drawn");
   refused(["exercise", "print", "nothing", "-o", "sheets"], /there is no exercise "nothing"/);
 });

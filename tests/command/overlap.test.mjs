@@ -238,7 +238,7 @@ test("what float cannot take, and bad usage, is refused", () => {
   refused(with_sphere({ sphere: { center: [1e30, 0, 0], radius: 1 } }), "b.sphere.center[0] is larger than this program can take (1.1e18 in float)", 1, "--scalar", "float");
   refused(with_sphere(sphere), "a.sphere.center has 3 numbers instead of 2", 1, "--dim", "2");
   refused({ a: { kdop: { k: 14, min: [], max: [] } }, b: {} }, "a.kdop.k is not one of 4, 6, 8 in 2-D", 1, "--dim", "2");
-  for (const args of [["--scalar", "half"], ["--dim", "4"], ["a", "b"], ["--json"]]) {
+  for (const args of [["--scalar", "half"], ["--dim", "4"], ["a", "b"], ["--jsonl"]]) {
     const { out, err, status } = snug(["overlap", ...args]);
     assert.equal(out, "");
     assert.match(err, /^snug: [^\n]+\n$/);

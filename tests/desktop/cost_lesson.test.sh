@@ -1,7 +1,10 @@
 # The lesson with the chart of costs, by keyboard alone: predictions, the measurement, from mark to mark, a box loaded.
 . tests/desktop/support.sh
 opened='s.caption.length > 0' open_window --lesson cost-chart # on an empty chart
-xdotool key m # not before the predictions,
+[[ $(state 's.caption') == "Press Measure: first you predict, then it is measured." ]] || fail "asked at once: $(state 's.caption')"
+xdotool key m # asks for the predictions first,
+sleep 0.3
+xdotool key m # and measures not before them,
 xdotool key v # nor another chart
 sleep 0.3
 [[ $(state 's.caption') == "Predict first, then measure." ]] || fail "another chart before the predictions: $(state 's.caption')"

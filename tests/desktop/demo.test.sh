@@ -13,8 +13,13 @@ xdotool key Right # the sentence
 xdotool key Right
 at 3 0
 until_state 's.asked.id === "first-axis"'
-xdotool key Right # the answer
-until_state 's.asked === null && s.outcome === "first-axis"'
+# The class votes, talks, and votes again: no number is on the screen before the answer is.
+xdotool key 1 2 Return 3 1 Return
+until_state 's.demo.vote.includes(" 12, ") && s.demo.vote.endsWith(" 31") && !/[0-9]/.test(s.demo.shown.replace(/P[0-9]+/g, ""))'
+xdotool key Return v 4 Return 3 9 Return Return
+until_state 's.demo.vote.includes("Second vote") && s.demo.shown.startsWith("Second vote") && !/ [0-9]/.test(s.demo.shown)'
+xdotool key Right # the answer, and with it the votes
+until_state 's.asked === null && s.outcome === "first-axis" && s.demo.shown === s.demo.vote && / 39$/.test(s.demo.shown)'
 xdotool key Prior # as it was: asked again
 until_state 's.asked.id === "first-axis"'
 xdotool key Prior # the state before, with all that it reveals
@@ -31,6 +36,25 @@ xdotool key space
 xdotool key Home
 at 2 0
 
+# The notes have a window of their own; closed, opened and closed again, nothing of the demo is lost.
+for i in 1 2; do
+    xdotool key s
+    until_state 's.demo.notes'
+    notes=$(xdotool search --sync --onlyvisible --name '^Notes – Snug$' | tail -n 1)
+    xdotool windowfocus --sync "$notes" key Next # its keys lead as well
+    at 2 0
+    import -window "$notes" "$work/notes.png"
+    (($(identify -format '%k' "$work/notes.png") > 20)) || fail "the notes are empty"
+    xdotool windowfocus --sync "$notes" key Prior windowfocus --sync "$window"
+    xdotool key s
+    until_state '!s.demo.notes'
+done
+at 2 0
+xdotool key q # the state as a code: without the class's page there is none, but its letters
+until_state 's.code.length === 4'
+xdotool key q
+until_state 's.code === ""'
+
 xdotool key b # black; the next key brings the picture back, and does nothing else
 xdotool key Next
 sleep 0.5
@@ -41,6 +65,50 @@ at 2 0
 xdotool key Escape
 until_state '!s.presenting && s.lesson === "aabb"'
 close_window
+
+# Both from end to end, by the clicker's key alone, at two sizes, with wild drags between.
+walk() { # demo width height
+    local i=0 hash presses x y
+    opened="s.presenting" open_window demo play "lessons/demos/$1.toml"
+    xdotool windowsize --sync "$window" "$2" "$3"
+    until_state "s.height === $3"
+    while read -r hash presses; do
+        until_state "s.trace === '$hash'"
+        if ((++i % 5 == 3)) && read -r x y < <(handle "$(state 's.handles[0]?.id ?? ""')" 2>/dev/null); then
+            xdotool mousemove --window "$window" "$x" "$y" mousedown 1 mousemove --window "$window" $((x + 70)) $((y - 50)) mouseup 1
+            xdotool key space sleep 0.2 key Home
+            until_state "s.trace === '$hash'"
+        fi
+        for ((; presses >= 0; --presses)); do xdotool key Next; done
+    done < <(awk '/^hash = /{gsub(/"/, "", $3); hash = $3; shown = 0} /^reveal = /{shown = gsub(/,/, ",") + 1}
+        /^notes = /{print hash, shown; shown = 0}' "lessons/demos/$1.toml")
+    ((i >= 20)) || fail "$1 has only $i states"
+    close_window
+}
+walk collision 1280 720
+walk geometry 1920 1080
+
+# A demo is recorded by a key, with the view that a hand has made, and shows it again.
+cd "$work"
+folder=$OLDPWD
+snug=$folder/$snug
+open_window --lesson obb-axes --step 3
+trace=$(state s.trace)
+xdotool key ctrl+Left ctrl+Left
+sleep 1
+xdotool key D
+until_state 's.notice.includes("with this state")'
+xdotool key Escape Right
+sleep 0.3
+xdotool key D
+until_state 's.notice.includes("with 2 states")'
+close_window
+grep -Pq '^camera = "-?[0-9.]+,' demo.toml || fail "the view is not recorded: $(cat demo.toml)"
+"$snug" demo check demo.toml
+opened="s.presenting" open_window demo play demo.toml
+until_state "s.trace === '$trace'"
+close_window
+cd "$folder"
 ! grep -rq scene-broad "$work"/snug* 2>/dev/null || fail "the demo was kept as somebody's work"
 mkdir "$work/pictures"
 "$snug" demo pictures "$demo" -o "$work/pictures" --size 1280x720
@@ -49,3 +117,6 @@ for picture in "$work"/pictures/*.png; do
     [[ $(identify -format '%wx%h' "$picture") == 1280x720 ]] || fail "$picture: another size"
     (($(identify -format '%k' "$picture") > 50)) || fail "$picture: next to nothing is drawn"
 done
+"$snug" demo pictures "$demo" -o "$work/demo.pdf" --size 640x360
+(($(grep -ac '/Type/Page/' "$work/demo.pdf") == 20)) || fail "the PDF has not every state"
+grep -aq '/Source(.*lesson=.*step=' "$work/demo.pdf" || fail "its pages have no address"

@@ -6,7 +6,7 @@ open_window
 until_state 's.cases.length >= 25'
 [[ $(state 's.found.length === s.course.length') == true ]] || fail "cases are counted as lessons"
 xdotool key End
-until_state 's.chosen === s.course.length + s.cases.length - 1'
+until_state 's.chosen === s.course.length + s.sheets.length + s.cases.length - 1'
 xdotool key Return
 until_state 's.lesson === "wide-box" && s.step === 0'
 xdotool key F2

@@ -6,6 +6,8 @@ opened="s.lesson === 'cost-chart'" open_window --lesson cost-chart # an empty ch
 xdotool key ctrl+s
 until_state '/nothing has been measured/.test(s.notice)'
 xdotool key Escape
+xdotool key m # it asks first
+sleep 0.2
 for question in 1 2 3; do xdotool key s; sleep 0.2; done
 xdotool key m
 for i in 1 2 3; do

@@ -42,3 +42,18 @@ close_window
 SNUG_THEME=contrast open_window --size 1280x800 --lesson sphere-ritter # what is asked for comes first
 until_state 's.theme === "High contrast"'
 [[ $(geometry) == 1280x800 ]] || fail "a size that was asked for gives way to the last one: $(geometry)"
+close_window
+
+# In the lowest window, at the largest text, the choice of the algorithm above the pseudocode is still there.
+rm -f "$work/snug/course.json"
+open_window --size 900x600 --lesson sphere-ritter
+tab_to "Text size: 100 %"
+for size in 1.15 1.3 1.5 2; do
+    xdotool key Return
+    until_state "Math.abs(s.text_scale - $size) < 0.001"
+done
+tab_to "Algorithm button"
+xdotool key Return
+sleep 0.5
+xdotool key Down Return
+until_state 's.algorithm !== "ritter"'

@@ -1,7 +1,7 @@
 // libFuzzer: any bytes as a lesson, a course or kept answers. They are refused with a place, or read; a small lesson
 // that was read is opened, stepped to its end and back.
+#include "check/check_beside.hpp"
 #include "fuzz/bytes.hpp"
-#include "lesson/check_beside.hpp"
 #include "lesson/course.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/session.hpp"
@@ -33,7 +33,7 @@ void play(lesson::Lesson lesson) {
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  lesson::Draft draft = lesson::read_draft(text, "a.toml", lesson::Checked::kAsWritten);
+  lesson::Draft draft = lesson::read_draft(text, "a.toml");
   for (const lesson::FileError& mistake : draft.mistakes) require(mistake.place.line >= 1 && !mistake.what.empty());
   require(draft.lesson || !draft.mistakes.empty());
   if (draft.lesson && draft.mistakes.empty()) play(*std::move(draft.lesson));

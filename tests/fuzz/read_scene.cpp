@@ -24,7 +24,7 @@ lesson::Session& opened() {
     std::ifstream file("lessons/scene-effects.toml");
     std::stringstream text;
     text << file.rdbuf();
-    auto draft = lesson::read_draft(text.str(), "scene-effects", lesson::Checked::kAsWritten);
+    auto draft = lesson::read_draft(text.str(), "scene-effects");
     require(draft.lesson && draft.mistakes.empty());
     auto made = lesson::Session::open(*std::move(draft.lesson));
     require(made.has_value());

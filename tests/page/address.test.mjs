@@ -29,6 +29,7 @@ test("rows of numbers are read, by their names of old too", () => {
   for (const name of ["rows", "points", "boxes"])
     assert.deepEqual(read_address(`?${name}=0,0;4.125,-1e-3`).rows, [[0, 0], [4.125, -0.001]]);
   assert.deepEqual(read_address("?slide=1,2.5").slide, [1, 2.5]);
+  assert.deepEqual(read_address("?camera=30,20,4,0,0,1").camera, [30, 20, 4, 0, 0, 1]);
 });
 
 const kLesson = /** @type {Lesson} */ ({

@@ -109,6 +109,25 @@ test("what two places keep is joined: the newer attempt goes on, the best and wh
   assert.deepEqual([kept.lesson("a"), kept.data.count], [kWhole, 11]);
 });
 
+test("a lesson that was done elsewhere is done, and goes on where it stands here", () => {
+  storage(JSON.stringify(kData));
+  const kept = new Kept();
+  const done = { ...kWhole, address: "", step: 0, answered: 4, done: true, task: true };
+  kept.merge({ count: 0, lessons: { a: done }, exercises: {} });
+  assert.deepEqual(kept.lesson("a"), { ...kWhole, answered: 4, done: true, task: true });
+});
+
+test("code that is typed is kept, and is no news for a course's site", () => {
+  storage();
+  const kept = new Kept();
+  const typed = (/** @type {string} */ code) => ({ ...kAttempt, mark: 0, decisions: [`w${code}`] });
+  kept.keep_exercise(typed("a"), false);
+  kept.keep_exercise(typed("ab"), false);
+  assert.deepEqual([kept.exercise("e")?.now, kept.exercise("e")?.at], [typed("ab"), 0]);
+  kept.keep_exercise({ ...typed("ab"), mark: 2 }, true);
+  assert.ok((kept.exercise("e")?.at ?? 0) > 0);
+});
+
 test("what came back and is kept again as it was is no change", () => {
   storage();
   const kept = new Kept();

@@ -51,6 +51,12 @@ test("what does not fit gives way, the oldest decisions first and marks last", (
   const back = unpack(whole_text(99999, 999, text)).exercises;
   assert.equal(back["exercise-0"].best.decisions.length, 20);
   assert.deepEqual([back["exercise-29"].best.mark, back["exercise-29"].best.decisions], [3, []]);
+  // An attempt that goes on gives way before the mark of the best.
+  const now = (id) => attempt(id, 1, Array(9).fill("p1@1"));
+  const begun = Object.fromEntries(ids.map((id, i) => [id, { ...long(id, i), now: now(id) }]));
+  const { text: less } = pack(data_of(begun), { lessons: [] }, 1800);
+  const marks = Object.values(unpack(whole_text(1, 1, less)).exercises).map(({ best }) => best?.mark);
+  assert.ok(less.length <= 1800 && marks.length === ids.length && marks.every((mark) => mark === 3), less);
   const { text: least } = pack(data_of(exercises), { lessons: [] }, 300);
   assert.ok(least.length <= 300 && unpack(whole_text(1, 1, least)).exercises["exercise-0"]);
 });
@@ -58,6 +64,8 @@ test("what does not fit gives way, the oldest decisions first and marks last", (
 test("the score is the mean of the best attempts, and there is none before a decision", () => {
   const of = { exercises: ["a", "b", "c"], lessons: ["l"] };
   assert.equal(score_of(data_of({}), of), null);
+  const draft = { tries: 0, best: null, now: attempt("a", 0, ["wreturn 1"]), at: 0 };
+  assert.equal(score_of(data_of({ a: draft }), of), null, "code is a draft until it is run");
   assert.equal(score_of(data_of({ a: { tries: 0, best: null, now: attempt("a", 0, ["??@0.0"]), at: 1 } }), of), null);
   assert.equal(score_of(data_of({ a: { tries: 0, best: null, now: attempt("a", 2), at: 1, hides: true } }), of), null);
   assert.equal(score_of(data_of({ a: { tries: 0, best: null, now: attempt("a", 2), at: 1 } }), of), 16.7);

@@ -2,10 +2,14 @@
 // was edited, in rows of numbers, and in a scene's file: as it runs, and as it was typed after that.
 import { change_of } from "./text_change.js";
 
+/** The address that the page has now. What is packed stands after a #: servers refuse long addresses, and do not see
+ *  that part. */
+export const here = () => location.search + (location.hash.startsWith("#packed=") ? location.hash : "");
+
 /** What an address asks for. Each mistake in it is left out, and gets a sentence in `problems`.
  *  @param {string} search */
 export function read_address(search) {
-  const given = new URLSearchParams(search);
+  const given = new URLSearchParams(search.replace("#", "&"));
   const problems = /** @type {string[]} */ ([]);
 
   const whole = (/** @type {string} */ name) => {
@@ -53,8 +57,11 @@ export function read_address(search) {
     scalar: scalar(),
     from: from(),
     rows: rows("rows", "points", "boxes"), // the last two in links of old
+    packed: given.get("packed"),
+    mark: given.get("mark"),
     moved: rows("moved"),
     slide: rows("slide")?.[0] ?? null,
+    camera: rows("camera")?.[0] ?? null,
     file: given.get("file"),
     draft: given.get("draft"),
     a: given.get("a"),
@@ -62,6 +69,10 @@ export function read_address(search) {
     problems,
   };
 }
+
+/** Whether an address has all of what stands here: more points than it can hold are left out.
+ *  @param {SharedRows} shared */
+export const has_all = ({ rows, packed, how }) => Boolean(rows || packed || how !== undefined);
 
 /** Without a seed it leads to the attempt that was left, or to the student's own instance.
  *  @param {string} id @param {Terms} [terms] */
@@ -98,6 +109,7 @@ export function write_address(view, lesson, shared, embed) {
   if (shared.slide) parts.push(`slide=${shared.slide.join(",")}`);
   if (shared.moved?.length) parts.push(`moved=${rows(shared.moved)}`);
   if (shared.rows) parts.push(`rows=${rows(shared.rows)}`);
+  if (shared.camera) parts.push(`camera=${shared.camera.join(",")}`);
   if (view.file) {
     const changes = {
       file: change_of(view.file.own, view.file.runs),
@@ -107,5 +119,5 @@ export function write_address(view, lesson, shared, embed) {
       if (change) parts.push(`${name}=${encodeURIComponent(change)}`);
   }
   if (embed) parts.push("embed=1");
-  return `?${parts.join("&")}`;
+  return `?${parts.join("&")}${shared.packed ? `#packed=${shared.packed}` : ""}`;
 }

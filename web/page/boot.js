@@ -10,7 +10,8 @@ const names = said_in("names"); // how a package calls the files: "plain", or "i
 
 // The course is shown at once; a lesson stays under the veil until the program is loaded.
 const given = new URLSearchParams(location.search);
-const to_lesson = given.get("lesson") ?? given.get("exercise");
+const asked = given.get("lesson") ?? given.get("exercise");
+const to_lesson = asked?.startsWith("write:") ? null : asked; // what is written needs no stage at first
 document.documentElement.dataset.view = to_lesson === null ? "course" : "lesson";
 
 /** @param {string} href @param {string} rel @param {string} as */
@@ -23,6 +24,7 @@ function ask_for(href, rel, as) {
 window.snug = {
   ready: new Promise((resolve) => addEventListener("snug-ready", resolve, { once: true })),
   restart: () => window.snug.ready,
+  open_text: () => "the page is not ready",
   state: () => null,
   exercise: () => null,
   result: () => "",

@@ -1,8 +1,8 @@
 // The course: what Snug is, where to start or to continue, and every lesson under its chapter. It is plain HTML and
 // does not need the program, so it is shown before that has loaded.
-import { button, by_id, element, followed_here, set_hidden, set_text, whole_names } from "./dom.js";
+import { button, by_id, element, followed_here, save_file, set_hidden, set_text, whole_names } from "./dom.js";
 import { exercise_link } from "./address.js";
-import { result_text, save_file } from "./exercise.js";
+import { result_text } from "./exercise.js";
 import { way_into } from "./lesson_menu.js";
 /** @import { Kept } from "./kept.js" */
 
@@ -42,6 +42,10 @@ function picture(lesson, how = {}) {
   return image;
 }
 
+/** @param {DemoEntry} demo @param {number} i */
+const demo_nodes = ({ id, title, states }, i) =>
+  [i > 0 ? ", " : "", element("a", { href: `?demo=${encodeURIComponent(id)}&state=1` }, title), ` (${states} states)`];
+
 /** What the search found.
  *  @param {number} count @param {string} asked */
 function found_words(count, asked) {
@@ -53,6 +57,7 @@ export class Course {
   #lessons;
   #chapters;
   #sets;
+  #demos;
   #feet = /** @type {(() => void)[]} */ ([]); // each shows how far a set is done
   #marks = /** @type {{ id: string, node: HTMLElement }[]} */ ([]); // where each exercise's mark is shown
   #kept;
@@ -66,8 +71,10 @@ export class Course {
    *  @param {CourseFile} course @param {Kept} kept @param {GoTo} choose */
   constructor(course, kept, choose) {
     this.#chapters = course.chapters;
-    this.#sets = course.sets ?? [];
-    this.exercises = course.exercises ?? [];
+    const { sets = [], exercises = [] } = course;
+    this.#sets = sets;
+    this.exercises = exercises;
+    this.#demos = course.demos ?? [];
     this.version = course.version ?? "";
     this.playground = course.playground ?? "";
     this.#lessons = lessons_of(course);
@@ -142,6 +149,8 @@ export class Course {
     by_id("chapters").replaceChildren(...this.#sections);
     this.#marks = [];
     this.#feet = [];
+    if (this.#demos.length > 0)
+      by_id("demos").replaceChildren("Lecture demos, led by a clicker: ", ...this.#demos.flatMap(demo_nodes), ".");
     by_id("sets").replaceChildren(...this.#sets.map((set) => this.#set(set)));
     for (const id of ["exercises", "to-exercises"]) set_hidden(by_id(id), this.#sets.length === 0);
     this.#filter();

@@ -1,7 +1,9 @@
 // What a course's site keeps of a student: the marks, and the decisions, as a text short enough for any of them.
 
+import { kWritten } from "./kept.js";
+
 export const kRoom = 4000; // characters: SCORM 1.2 has 4,096, the counters before the text among them
-const kId = /^[a-z0-9-]+~/; // what an entry begins with
+const kId = /^[a-z0-9:-]+~/; // what an entry begins with
 const kWhole = /^snug1\.(\d+)\.\d+\.(.*)$/s;
 
 /** The whole text: what begins it, the counter of changes, that of the times it was handed over, and what pack gave.
@@ -10,9 +12,9 @@ export const whole_text = (count, turn, body) => `snug1.${count}.${turn}.${body}
 
 // Fields are parted by ~, those of an attempt by _, entries by |, so that no site has to escape anything but what it
 // must: of decisions ">" becomes "!", and a number's exponent loses its plus. What was built is coordinates, which may
-// come back cut: it stays on the device.
+// come back cut, and what was written is code, which may be long: both stay on the device.
 
-const is_built = (/** @type {string} */ decision) => /^\?*b/.test(decision);
+const is_built = (/** @type {string} */ decision) => /^\?*[bw]/.test(decision);
 const packed = (/** @type {string} */ decision) => decision.replaceAll(">", "!").replaceAll("+", "");
 const unpacked = (/** @type {string} */ decision) => decision.replaceAll("!", ">");
 
@@ -54,7 +56,13 @@ export function pack({ lessons, exercises }, of, room = kRoom) {
   const text = () => [done.join("/"), ...entries.map((one) => one.text)].join("|");
   const gave_way = /** @type {string[]} */ ([]);
   const oldest = [...entries].sort((a, b) => a.entry.at - b.entry.at);
-  for (const shorter of [(/** @type {typeof entries[0]} */ { id, entry }) => exercise_text(id, entry, false), () => ""])
+  /** @type {((one: typeof entries[0]) => string)[]} */
+  const ways = [
+    ({ id, entry }) => exercise_text(id, entry, false),
+    ({ id, entry }) => exercise_text(id, { ...entry, now: entry.best ? null : entry.now }, false),
+    () => "",
+  ];
+  for (const shorter of ways)
     for (const one of oldest) {
       if (text().length <= room) break;
       one.text = shorter(one);
@@ -92,9 +100,9 @@ export function unpack(text) {
 
 const share_of = (/** @type {Attempt | null} */ attempt) => (attempt && attempt.of > 0 ? attempt.mark / attempt.of : 0);
 
-/** Whether more than hints were taken. */
+/** Whether more than hints were taken. Code is a draft until it is run, and what it then earns is kept as the best. */
 const has_decided = (/** @type {Attempt | null} */ now) =>
-  Boolean(now?.decisions.some((decision) => !/^\?+@/.test(decision)));
+  Boolean(now?.decisions.some((decision) => !/^\?+@/.test(decision) && !kWritten.test(decision)));
 
 /** From 0 to 100: the mean of the exercises, of each the best attempt or the one that goes on. Null before the first
  *  decision, and where there is no exercise.

@@ -1,7 +1,7 @@
 // What can stand in the stage's place: what to show in it, its work in slices between the frames, its table in words,
 // its files.
 import { CoverTable } from "./cover_table.js";
-import { by_id, button, element, set_hidden, set_text, when_changed } from "./dom.js";
+import { button, by_id, element, save_file, set_hidden, set_text, when_changed } from "./dom.js";
 /** @import { Stage } from "./stage.js" */
 
 const kSlice = 4; // milliseconds: beside a frame's own work
@@ -77,9 +77,7 @@ export class CoverTools {
       ? await this.#stage().picture(...kPicture, (...size) => this.#door.draw_cover(...size))
       : new Blob([text], { type: kTypes[format] });
     if (!blob) return;
-    const url = URL.createObjectURL(blob);
-    element("a", { href: url, download: name }).click();
-    setTimeout(() => URL.revokeObjectURL(url), 1000);
+    save_file(blob, name, blob.type);
   }
 
   #show_progress = when_changed((/** @type {number} */ progress) => {

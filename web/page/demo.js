@@ -1,14 +1,19 @@
 // A demo: states of lessons in the order of a lecture's slides, led by the keys of a clicker. Only a demo loads this.
 import { read_address } from "./address.js";
 import { by_id, element, is_within, kWrites, set_hidden, set_text } from "./dom.js";
+import { lecture } from "./lecture.js";
 import { notice, veil } from "./messages.js";
+import { kPresentingScale } from "./settings.js";
+import { bring_style } from "./sheet.js";
+import { Votes } from "./vote.js";
 /** @import { Downloads } from "./download.js"
  *  @import { Page } from "./main.js"
  *  @import { Settings } from "./settings.js"
- *  @typedef {{ at: number, revealed: number, black: boolean, frozen: boolean }} Standing where the demo stands */
+ *  @typedef {{ at: number, revealed: number, black: boolean, frozen: boolean, vote: string }} Standing where the demo
+ *  stands */
 
 const kParts = ["caption", "prose", "numbers", "code"];
-const kScreen = { width: 1280, height: 720 }; // on a larger one everything is larger, for the last row
+const kWords = 1.5 / kPresentingScale; // against a lesson's: no word of the stage is below a fortieth of the height
 /** What each key does; a clicker has those of the first lines.
  *  @type {Record<string, string>} */
 const kKeys = {
@@ -19,6 +24,7 @@ const kKeys = {
   Home: "again", h: "again",
   f: "freeze",
   s: "notes",
+  l: "l", w: "w", r: "r", // the spotlight, the pen, the ruler
   n: "nothing", p: "nothing", // which lead to other lessons otherwise
 };
 const kEverywhere = new Set(["PageDown", "PageUp", "F5", "Escape"]); // even while something is typed
@@ -49,6 +55,7 @@ export class Demo {
   #place = element("p", { class: "demo-place" });
   #black = element("div", { class: "demo-black", hidden: true });
   #picture = /** @type {HTMLElement | null} */ (null); // that stands while it is frozen
+  #votes = /** @type {Votes | null} */ (null);
 
   /** @param {DemoFile} file @param {Page} page @param {Settings} settings */
   constructor(file, page, settings) {
@@ -67,19 +74,16 @@ export class Demo {
 
   /** state: counted from 1. */
   async begin(/** @type {number} */ state) {
-    const style = element("link", { rel: "stylesheet", href: "demo.css" });
-    await new Promise((done) => {
-      style.onload = style.onerror = done;
-      if (document.querySelector('link[href="demo.css"]')) done(null);
-      else document.head.append(style);
-    });
+    await bring_style("demo.css");
     by_id("work").append(this.#place);
     document.body.append(this.#black);
-    addEventListener("resize", this.#fit);
-    this.#fit();
+    this.#settings.enlarge(kWords);
     this.#settings.present(true);
     this.#settings.on_change(() => this.#settings.presenting || this.#leave());
     const { length } = this.#file.states;
+    lecture().then((program) => {
+      if (!this.#over) this.#votes = new Votes(program, this.#page, by_id("work"));
+    }, console.warn); // without it there is no vote
     await this.#show(Math.min(Math.max(state, 1), length) - 1);
     if (state < 1 || state > length) notice(`The address asks for state ${state}; the demo has ${length}.`);
   }
@@ -91,9 +95,9 @@ export class Demo {
     this.#turn += 1;
     this.#channel.close();
     removeEventListener("keydown", this.#key, { capture: true });
-    removeEventListener("resize", this.#fit);
     this.#settings.enlarge(1);
     document.documentElement.classList.remove("demo", ...kParts.map((part) => `without-${part}`));
+    this.#votes?.end();
     for (const node of [this.#place, this.#black, this.#picture]) node?.remove();
   }
 
@@ -105,9 +109,6 @@ export class Demo {
     this.#page.leave_demo();
   }
 
-  #fit = () =>
-    this.#settings.enlarge(Math.max(1, Math.min(innerWidth / kScreen.width, innerHeight / kScreen.height)));
-
   get #state() {
     return this.#file.states[this.#at];
   }
@@ -118,6 +119,12 @@ export class Demo {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { key } = event;
     if (is_within(event.target, kWrites) && !kEverywhere.has(key)) return;
+    if (this.#black.hidden && !this.#answered && this.#votes?.take_key(this.#at, key)) {
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      this.#show_votes();
+      return this.#tell();
+    }
     const does = key === "Escape" ? "leave" : kKeys[key.length === 1 ? key.toLowerCase() : key];
     if (!does) return;
     event.preventDefault();
@@ -127,6 +134,7 @@ export class Demo {
 
   #do(/** @type {string} */ does) {
     if (does === "notes") return this.#open_notes();
+    if (["l", "w", "r"].includes(does)) return void import("./hall.js").then(({ hall }) => hall.answer_key(does));
     if (does === "black") this.#darken(Boolean(this.#black.hidden));
     else if (!this.#black.hidden) this.#darken(false); // the first key brings the picture back, and does nothing else
     else if (does === "freeze") this.#freeze(!this.#picture);
@@ -134,8 +142,15 @@ export class Demo {
     else if (does === "back") this.#back();
     else if (does === "again") this.#show(this.#at, this.#revealed);
     else if (does === "fill") document.documentElement.requestFullscreen?.().catch(() => {});
-    else if (does === "leave") return this.#leave();
+    else if (does === "leave") return this.#put_away();
     this.#tell();
+  }
+
+  /** The pointers first. */
+  async #put_away() {
+    if (!document.querySelector(".hall")) return this.#leave();
+    const { hall } = await import("./hall.js");
+    if (!hall.put_away()) this.#leave();
   }
 
   #next() {
@@ -163,29 +178,14 @@ export class Demo {
     this.#opening = true;
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     this.#show_parts();
+    this.#page.door.forget_input();
     const lesson_view = () => (document.documentElement.dataset.view = "lesson");
     await this.#page.open(read_address(this.#state.address), lesson_view, this);
     if (turn !== this.#turn) return;
     this.#opening = false;
-    if (!this.#state.reveal.includes("answer")) this.#page.act(() => this.#pass_questions());
+    if (!this.#state.reveal.includes("answer")) this.#page.act(() => this.#page.door.command("pass_questions"));
     for (const what of this.#state.reveal.slice(0, revealed)) this.#reveal(what, false);
     this.#tell();
-  }
-
-  /** Passes all questions of this run that are still open, and comes back: what plays then stops nowhere. */
-  #pass_questions() {
-    const { door } = this.#page;
-    const view = () => /** @type {View} */ (door.view());
-    const { step, steps, questions } = view();
-    for (let left = 3 * questions + 3; left > 0; --left) {
-      const now = view();
-      if (now.asked) door.command("skip_question");
-      else if (now.deciding || now.outcome) door.command("continue");
-      else if (now.step < steps) door.go(steps);
-      else break;
-    }
-    door.command("close_summary");
-    door.jump(step);
   }
 
   /** played: else what it leads to is shown at once. */
@@ -193,7 +193,7 @@ export class Demo {
     const { door } = this.#page;
     const { playing, asked, steps } = /** @type {View} */ (door.view());
     this.#page.act(() => {
-      if (what === "steps" && !playing) this.#pass_questions();
+      if (what === "steps" && !playing) door.command("pass_questions");
       if (what === "steps" && !played) door.jump(steps);
       if (what === "steps" && played && !playing) door.command("play");
       if (what === "answer" && asked) door.command("skip_question");
@@ -209,6 +209,18 @@ export class Demo {
     for (const part of kParts) root.classList.toggle(`without-${part}`, !shown.includes(part));
     root.classList.toggle("text-shown", shown.includes("prose"));
     set_text(this.#place, `${this.#at + 1} of ${this.#file.states.length}`);
+    this.#show_votes();
+  }
+
+  get #answered() {
+    return this.#state.reveal.slice(0, this.#revealed).includes("answer");
+  }
+
+  #show_votes() {
+    const { reveal } = this.#state;
+    const later = reveal.slice(reveal.indexOf("answer") + 1, this.#revealed);
+    const covers = this.#answered && later.some((what) => kParts.includes(what)); // what stands in the same corner
+    this.#votes?.show(this.#at, this.#answered, covers);
   }
 
   #darken(/** @type {boolean} */ on) {
@@ -243,12 +255,14 @@ export class Demo {
       revealed: this.#revealed,
       black: !this.#black.hidden,
       frozen: this.#picture !== null,
+      vote: this.#votes?.told(this.#at) ?? "",
     });
   }
 
   #open_notes() {
     const address = `${location.pathname}?demo=${encodeURIComponent(this.#file.id)}&notes=1`;
     const opened = open(address, `snug-notes-${this.#file.id}`, "popup,width=960,height=720");
-    if (!opened) notice(`The browser blocks the notes. Open ${location.origin}${address} in another tab.`);
+    const link = { href: address, target: `snug-notes-${this.#file.id}` };
+    if (!opened) notice("The browser blocks the notes. ", "wrong", element("a", link, "Open them in another tab"));
   }
 }

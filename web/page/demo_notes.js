@@ -2,6 +2,7 @@
 // through a channel, and leads it; if it is closed or loaded anew, nothing of the demo is lost.
 import { button, element, set_text } from "./dom.js";
 import { channel_of } from "./demo.js";
+import { bring_style } from "./sheet.js";
 /** @import { Downloads } from "./download.js"
  *  @import { Standing } from "./demo.js" */
 
@@ -15,7 +16,7 @@ const two = (/** @type {number} */ number) => String(Math.floor(number)).padStar
 
 /** The time of day, and how long ago that was.
  *  @param {Date} now @param {Date} since */
-export function clock_text(now, since) {
+function clock_text(now, since) {
   const seconds = Math.max(0, (now.getTime() - since.getTime()) / 1000);
   const ago = `${Math.floor(seconds / 60)}:${two(seconds % 60)}`;
   return `${two(now.getHours())}:${two(now.getMinutes())} · ${ago}`;
@@ -34,9 +35,10 @@ export function next_text(file, { at, revealed }) {
 export async function show_notes(id, downloads) {
   /** @type {DemoFile | null} */
   const file = await downloads.text(`demos/${id}.json`).then(JSON.parse, () => null);
-  document.head.append(element("link", { rel: "stylesheet", href: "demo.css" }));
+  bring_style("demo.css");
   document.documentElement.dataset.view = "notes";
   const place = element("p", { class: "label" }), slide = element("h1"), notes = element("p", { class: "says" });
+  const vote = element("p", { class: "vote", role: "status" });
   const next = element("p", { class: "next" }), clock = element("p", { class: "clock" });
   const waits = "Waiting for the demo, in another tab of this browser.";
   const state = element("p", { class: "label", role: "status" }, waits);
@@ -47,7 +49,8 @@ export async function show_notes(id, downloads) {
     does("Back", "back"), does("Next", "next"), does("This state again", "again"), does("Black", "black"),
     does("Freeze", "freeze"),
   );
-  const parts = file ? [clock, place, slide, notes, next, buttons, state] : [`There is no demo “${id.slice(0, 60)}”.`];
+  const says = [clock, place, slide, notes, vote, next, buttons, state];
+  const parts = file ? says : [`There is no demo “${id.slice(0, 60)}”.`];
   document.body.replaceChildren(element("main", { class: "demo-notes" }, ...parts));
   if (!file) return;
   document.title = `Notes · ${file.title}`;
@@ -62,6 +65,7 @@ export async function show_notes(id, downloads) {
     set_text(place, `${standing.at + 1} of ${file.states.length} · ${file.title}`);
     set_text(slide, shown.slide);
     set_text(notes, shown.notes);
+    set_text(vote, standing.vote);
     set_text(next, next_text(file, standing));
     set_text(state, standing.black ? "The screen is black." : standing.frozen ? "The picture stands." : "");
   };

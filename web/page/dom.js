@@ -105,3 +105,11 @@ export function other_seed(field, now) {
   const typed = Number(field.value);
   return typed !== now ? typed : typed < Number.MAX_SAFE_INTEGER ? typed + 1 : 0;
 }
+
+/** Saves a file as the browser does.
+ *  @param {BlobPart} what @param {string} name */
+export function save_file(what, name, type = "application/json") {
+  const href = URL.createObjectURL(new Blob([what], { type }));
+  element("a", { href, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(href), 10_000);
+}

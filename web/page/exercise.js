@@ -7,7 +7,7 @@ import { link_of } from "./lesson_menu.js";
  *  @import { Saving } from "./saving.js" */
 
 const kMarks = { right: "✓", wrong: "✕", skipped: "–", open: "·" };
-const kEnd = 2 ** 30; // a step after all others: the player stops at what is open
+export const kEnd = 2 ** 30; // a step after all others: the player stops at what is open
 const kMostSeed = 2 ** 32;
 const kVersion = 1; // of the result file
 
@@ -28,13 +28,6 @@ export function with_times(attempt, before) {
     return made === before[i]?.split("@")[0] ? before[i] : `${made}@${(from + times(decision)).toFixed(1)}`;
   });
   return { ...attempt, decisions, seconds: Math.max(0, ...decisions.map(times)) };
-}
-
-/** @param {string} text @param {string} name */
-export function save_file(text, name) {
-  const href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-  element("a", { href, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(href), 1000);
 }
 
 const hint_count = (/** @type {number} */ hints) => (hints === 1 ? "1 hint" : `${hints} hints`);
@@ -169,13 +162,15 @@ export class Exercise {
   /** The card at its end. title_of: of a lesson, undefined if the course has none of that id.
    *  @param {ShownExercise} exercise @param {(id: string) => string | undefined} title_of */
   summary(exercise, title_of) {
-    const { mark, of, rows, followed, lesson, practises, build } = exercise;
+    const { mark, of, rows, followed, firstDifference, lesson, practises, build } = exercise;
     const to_lesson = { href: link_of(lesson), onclick: followed_here(() => this.#go(lesson)) };
     return element("div", { class: "card summary exercise-end", tabindex: "-1" },
       element("h2", { class: "kicker" }, practises ? "Practice" : this.#words.your_mark),
       !practises && element("p", { class: "mark-line" }, element("b", {}, String(mark)), ` of ${of}`),
       !practises && this.#best_of(exercise.exercise),
       ...followed.map((says) => element("p", { class: "rule" }, says)),
+      !build && element("p", { class: "runs" }, ...spelled(firstDifference), " ",
+        button(this.#words.both_runs, this.#do("other_run"), { class: "quiet", title: "R" })),
       build && build.levels.length > 1 && this.#levels(build.levels),
       rows.length > 0 &&
         element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row, practises)))),
@@ -195,6 +190,28 @@ export class Exercise {
     const kept = this.#kept.exercise(id);
     if (!kept?.best || kept.tries < 2) return null;
     return element("p", { class: "label" }, `Best ${kept.best.mark} of ${kept.best.of} in ${kept.tries} tries`);
+  }
+
+  /** Where one may go on to from a decision that is looked at again.
+   *  @param {ShownExercise} exercise */
+  in_own_run({ decision, decisions }) {
+    const last = decision + 1 === decisions;
+    const first = { class: "button primary", "data-first": true };
+    const to_mark = button(this.#words.your_mark, this.#do("continue"), last ? first : { class: "quiet" });
+    const other = button(this.#words.right_run, this.#do("other_run"), { title: "R" });
+    return last ? [other, to_mark] : [to_mark, other, button(this.#words.next_decision, this.#do("step"), first)];
+  }
+
+  /** While the right run is looked at: what was decided here.
+   *  @param {ShownExercise} exercise */
+  right_card({ compared }) {
+    return element("div", { class: "card", tabindex: "-1" },
+      element("h2", { class: "kicker" }, this.#words.right_run),
+      element("p", {}, ...spelled(compared)),
+      element("div", { class: "commit" },
+        button(this.#words.your_mark, this.#do("last"), { class: "quiet" }),
+        element("span", { class: "gap" }),
+        button(this.#words.your_run, this.#do("other_run"), { title: "R", "data-first": true })));
   }
 
   /** From a mark to practice without one, and back. */

@@ -63,6 +63,14 @@ const whole_exercise = (/** @type {any} */ { tries, best, now, at, hides }) => (
   ...(hides === true && { hides }),
 });
 
+export const kWritten = /^\?*w/; // a decision that is the code
+
+/** Whether nothing but the code has changed, as at each letter that is typed: for a course's site that is nothing.
+ *  @param {KeptExercise} entry @param {KeptExercise} before */
+const is_draft = (entry, before) =>
+  entry.now?.decisions.every((decision) => kWritten.test(decision)) && entry.now.hints === (before.now?.hints ?? 0) &&
+  entry.tries === before.tries && entry.best === before.best;
+
 /** The better of two attempts, or what there is; of two with the same mark one that has its decisions.
  *  @param {Attempt | null} one @param {Attempt | null} other */
 function better(one, other) {
@@ -79,8 +87,17 @@ function both(one, other) {
   return { ...newer, best: better(best, second), tries: Math.max(one.tries, other.tries) };
 }
 
+/** The same of a lesson: it goes on where it stands here.
+ *  @param {KeptLesson} one @param {KeptLesson} other @returns {KeptLesson} */
+const both_lessons = (one, other) => ({
+  ...one,
+  answered: Math.max(one.answered, other.answered),
+  done: one.done || other.done,
+  task: one.task || other.task,
+});
+
 /** Exercises came later: what is kept of lessons alone is kept. */
-function exercises_in(/** @type {any} */ data) {
+export function exercises_in(/** @type {any} */ data) {
   const entries = Object.entries(Object(data.exercises)).filter(([, entry]) => Boolean(entry) && is_count(entry.tries));
   return Object.fromEntries(entries.map(([id, entry]) => [id, whole_exercise(entry)]));
 }
@@ -154,7 +171,8 @@ export class Kept {
   merge({ count, lessons, exercises }) {
     this.#change((data) => {
       data.count = Math.max(data.count, count);
-      for (const [id, entry] of Object.entries(lessons)) data.lessons[id] ??= entry;
+      for (const [id, entry] of Object.entries(lessons))
+        data.lessons[id] = data.lessons[id] ? both_lessons(data.lessons[id], entry) : entry;
       for (const [id, entry] of Object.entries(exercises))
         data.exercises[id] = data.exercises[id] ? both(data.exercises[id], entry) : entry;
     });
@@ -220,7 +238,8 @@ export class Kept {
         at: before.at,
         ...(hides && { hides }),
       };
-      if (JSON.stringify(entry) !== JSON.stringify(before)) exercises[attempt.exercise] = { ...entry, at: count + 1 };
+      if (JSON.stringify(entry) === JSON.stringify(before)) return;
+      exercises[attempt.exercise] = is_draft(entry, before) ? entry : { ...entry, at: count + 1 };
     });
   }
 

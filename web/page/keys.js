@@ -15,11 +15,11 @@ function scrolls(target, key) {
   return false;
 }
 
-/** choose(digit): returns whether it answered a question; leave(): whether there was something to leave; record(): adds
- *  what stands there to a demo.
+/** choose(digit): returns whether it answered a question; leave(): whether there was something to leave; of a lecture:
+ *  record() adds what stands there to a demo, present() begins and ends one, code() shows a code to scan.
  *  @param {Door} door @param {Act} act @param {(digit: number) => boolean} choose @param {() => boolean} leave
- *  @param {() => void} record */
-export function listen_to_keys(door, act, choose, leave, record) {
+ *  @param {{ record: () => void, present: () => void, code: () => void }} lecture */
+export function listen_to_keys(door, act, choose, leave, lecture) {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.altKey || event.isComposing) return;
     const target = event.target instanceof Element ? event.target : document.body;
@@ -39,7 +39,13 @@ export function listen_to_keys(door, act, choose, leave, record) {
     if (event.repeat && !event.key.startsWith("Arrow")) return;
     if (!control && event.key >= "1" && event.key <= "9" && choose(Number(event.key))) return event.preventDefault();
     if (event.key === "Escape" && leave()) return event.preventDefault();
-    if (!control && event.key === "D") return record();
+    const { key, shiftKey } = event;
+    const does = key === "F5" || (key === "P" && shiftKey) ? lecture.present
+      : key === "D" ? lecture.record
+      : key.toLowerCase() === "q" ? lecture.code
+      : key === "?" ? () => import("./keys_card.js").then((card) => card.show_keys())
+      : null;
+    if (!control && does) return event.preventDefault(), does();
     const command = door.command_of_key(event.key, event.shiftKey, control);
     if (!command) return;
     event.preventDefault();

@@ -2,7 +2,7 @@
 import { by_id } from "./dom.js";
 
 // In the page's rem, because larger text needs a larger window, however it was made larger.
-const kWide = { across: 64, presented: 60, down: 30 }; // presented: the timeline extends below the numbers
+const kWide = { across: 64, presented: 60, demo: 50, down: 30 }; // presented: the timeline extends below the numbers
 const kBeside = 30; // the width, in a window that is wider than high
 const kCoarse = matchMedia("(pointer: coarse)");
 const kParts = ["stage", "timeline", "numbers"];
@@ -32,7 +32,8 @@ export function name_layout() {
 function fitting() {
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
   const [across, down] = [innerWidth / rem, innerHeight / rem];
-  const wide = document.documentElement.classList.contains("presenting") ? kWide.presented : kWide.across;
+  const is = (/** @type {string} */ name) => document.documentElement.classList.contains(name);
+  const wide = is("demo") ? kWide.demo : is("presenting") ? kWide.presented : kWide.across;
   if (across >= wide && down >= kWide.down) return "wide";
   return across >= kBeside && innerWidth > innerHeight ? "beside" : "phone";
 }

@@ -1,12 +1,12 @@
 // The page: loads the program and a lesson, shows the lesson's state, and keeps the address up to date.
-import { exercise_link, read_address, write_address } from "./address.js";
+import { exercise_link, has_all, here, read_address, write_address } from "./address.js";
 import { Code } from "./code.js";
-import { by_id, element, followed_here, make_anew, set_text, when_changed } from "./dom.js";
+import { by_id, element, followed_here, make_anew, save_file, set_text, when_changed } from "./dom.js";
 import { open_door, warm_up } from "./door.js";
 import { CoverTools } from "./cover.js";
 import { Course } from "./course.js";
 import { Downloads } from "./download.js";
-import { Exercise, fresh_seed, result_text, save_file, with_times } from "./exercise.js";
+import { Exercise, fresh_seed, kEnd, result_text, with_times } from "./exercise.js";
 import { SceneFile } from "./file.js";
 import { Gallery } from "./gallery.js";
 import { Invitations } from "./invitations.js";
@@ -14,7 +14,7 @@ import { Kept, kMostLevel } from "./kept.js";
 import { listen_to_keys } from "./keys.js";
 import { name_layout } from "./layout.js";
 import { LessonMenu, lesson_links, way_into } from "./lesson_menu.js";
-import { at_work, clear_notices, notice, notice_all, veil } from "./messages.js";
+import { answer_edit, clear_notices, kCancelled, notice, notice_all, veil, work } from "./messages.js";
 import { NumberTools } from "./numbers.js";
 import { PanelWords } from "./panel_words.js";
 import { Player } from "./player.js";
@@ -69,6 +69,8 @@ export class Page {
   #embed;
   #go_to;
   #opens = 0; // counts the calls of open and rest; each cancels the earlier ones
+  #working = /** @type {Promise<Refusal> | null} */ (null); // an edit that takes long
+  #left_at = /** @type {string | null} */ (null); // the address in whose place one was cancelled
   #opening = true; // whether the page does not show yet what the address asks for
   #kept;
   #erased_at = /** @type {string | null} */ (null); // the address at which the answers were erased
@@ -76,9 +78,6 @@ export class Page {
   #address_timer = 0;
   #panels_timer = 0;
   #preview;
-  /** The lesson's file as #read gave it.
-   *  @type {LessonFile} */
-  #draft;
   #exercise = /** @type {string | null} */ (null); // the id of the one that is open
   #counted = false; // whether it, finished, has counted as a try
   #taken_up = /** @type {string[]} */ ([]); // its decisions that were made before it was opened
@@ -128,7 +127,8 @@ export class Page {
     this.#points = new PointTools(door, act, (name) => this.#mesh(name));
     this.#reading = new Reading(door.words(), {
       texts,
-      start_task: (task) => this.#start_task(task),
+      start_task: (task) => this.#to_task(() => door.start_task(task)),
+      solve_again: (task) => this.#to_task(() => answer_edit(door.solve_again(task))),
       follow: (link) => this.#follow(link),
       light: (mark) => act(() => door.light(mark)),
       has: (id) => this.#is_of_course(id),
@@ -164,7 +164,11 @@ export class Page {
       act,
       (digit) => question.choose(digit),
       () => this.#leave_presentation(),
-      () => this.#record(),
+      {
+        record: () => this.#record(),
+        present: () => settings.present(!settings.presenting),
+        code: () => this.#show_code(),
+      },
     );
     for (const command of ["undo", "redo"])
       by_id(command).addEventListener("click", () => act(() => door.command(command)));
@@ -194,9 +198,9 @@ export class Page {
     this.#reading.bring_task();
   }
 
-  /** Starts the task, and on a phone scrolls to the stage, which is far above the task. */
-  #start_task(/** @type {number} */ task) {
-    this.act(() => this.#door.start_task(task));
+  /** Puts something of a task on the stage, and on a phone scrolls to it, for it is far above the task. */
+  #to_task(/** @type {() => void} */ put) {
+    this.act(put);
     by_id("stage").scrollIntoView({ block: "nearest" });
   }
 
@@ -205,6 +209,21 @@ export class Page {
     what();
     this.#show();
     this.#stage.request();
+    return this.#working ?? "";
+  }
+
+  /** Waits for an edit that takes long. Returns why it was refused, or "".
+   *  @returns {Promise<Refusal>} */
+  async #finish() {
+    if (!this.#door.preparing()) return "";
+    const refused = await work(this.#door);
+    if (this.#opening) return refused;
+    this.#working = null;
+    veil.lift();
+    if (refused === kCancelled) notice("Cancelled: all is as it was.", "told");
+    else if (refused) answer_edit(refused);
+    this.act(() => {});
+    return refused;
   }
 
   #apply_settings() {
@@ -240,6 +259,7 @@ export class Page {
     this.#opens += 1; // cancels what is still loading
     this.#wanted = null;
     this.#preview?.lesson_says(null);
+    this.#door.give_up();
     clearTimeout(this.#address_timer);
     this.#address_timer = 0;
     if (!this.#opening) this.#keep(this.#address());
@@ -257,6 +277,12 @@ export class Page {
 
   #is_of_course(/** @type {string} */ id) {
     return this.#lessons.some((lesson) => lesson.id === id);
+  }
+
+  /** Where a handle of that name is in the page's viewport. */
+  place_named(/** @type {string} */ name) {
+    const at = this.#door.place_named(name);
+    return at && this.#stage.on_page(at);
   }
 
   get door() {
@@ -303,17 +329,22 @@ export class Page {
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#wanted = null;
     this.#show_lesson();
-    this.#check_draft(id, read, turn);
-    const back = kept && (is_bare(asked) || [kept.address, window.snug.opens].includes(location.search));
-    await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked);
+    const back = kept && (is_bare(asked) || [kept.address, window.snug.opens].includes(here()));
+    const whole = await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked, turn);
     if (turn !== this.#opens) return;
-    if (back) this.#resume(kept);
+    if (back && whole) this.#resume(kept);
     this.#playground.arrived();
+    await this.#finish();
+    if (turn !== this.#opens) return;
+    this.#left_at = null;
+    this.#view = this.#now();
+    if (!whole) this.#left_at = this.#address();
     this.#opening = false;
     clear_notices();
     notice_all(asked.problems);
     veil.lift();
     this.act(() => {});
+    if (asked.mark) await this.#compare(asked.mark).catch(() => {});
   }
 
   /** Opens an exercise at the instance of the address, of the attempt that was left, of the student's name, or a fresh
@@ -389,14 +420,12 @@ export class Page {
     if (!this.#opening) this.#show_anew();
   }
 
-  /** Once the lesson is seen: playing it may take longer than a frame. */
-  #check_draft(/** @type {string} */ id, /** @type {LessonFile} */ read, /** @type {number} */ turn) {
-    this.#draft = read;
-    const check = () => turn === this.#opens && this.#preview?.check(this.#door, id, read, this.#lessons);
-    if (this.#preview) setTimeout(check, 0);
+  /** Asks what is wrong with a lesson that is being written. */
+  #check_draft(/** @type {string} */ id, /** @type {number} */ turn) {
+    this.#preview?.check(id, () => turn === this.#opens).catch((failed) => console.warn(failed));
   }
 
-  /** Reads a lesson's file for open_lesson: {toml, opens, error, bytes}, the bytes those of its mesh. One that is being
+  /** Reads a lesson's file for open_lesson: {opens, error, bytes}, the bytes those of its mesh. One that is being
    *  written opens in spite of its mistakes, as far as it can be drawn. Throws if a file does not arrive.
    *  Null if something else is opened meanwhile.
    *  @param {string} id @param {number} turn @returns {Promise<LessonFile | null>} */
@@ -405,10 +434,10 @@ export class Page {
     try {
       const toml = await this.#downloads.text(`lessons/${this.#is_of_course(id) ? "" : "cases/"}${id}.toml`);
       if (turn !== this.#opens) return null; // the program holds one lesson that it has read
-      const { draws, error, says, mesh } = this.#door.read_lesson(toml, `${id}.toml`, Boolean(this.#preview));
-      this.#preview?.lesson_says(says);
+      const { draws, error, mesh } = this.#door.read_lesson(toml, `${id}.toml`);
+      this.#check_draft(id, turn);
       const opens = draws && (Boolean(this.#preview) || !error);
-      return { toml, opens, error, bytes: opens && mesh ? await this.#mesh(mesh) : "" };
+      return { opens, error, bytes: opens && mesh ? await this.#mesh(mesh) : "" };
     } finally {
       clearTimeout(slow);
     }
@@ -421,7 +450,7 @@ export class Page {
     if (this.#wanted) return this.open(this.#wanted.asked, this.#wanted.reveal);
     const id = this.#lesson?.id;
     if (this.#opening) return;
-    if (!names.includes(`${id}.toml`)) return this.#check_draft(id, this.#draft, this.#opens); // its links
+    if (!names.includes(`${id}.toml`)) return this.#check_draft(id ?? "", this.#opens); // its links
     if (!this.#preview?.has(`${id}.toml`))
       return this.#preview?.lesson_says({
         heading: `${id}.toml is gone.`,
@@ -432,7 +461,6 @@ export class Page {
     if (turn !== this.#opens || !read?.opens) return;
     if (this.#door.open_lesson(read.bytes, true)) return;
     this.#show_anew();
-    this.#check_draft(id, read, turn);
   }
 
   #offer_lessons(/** @type {string} */ id) {
@@ -445,22 +473,31 @@ export class Page {
     );
   }
 
-  /** Restores what the address says, as far as possible. */
-  async #restore(/** @type {Address} */ asked) {
+  /** Restores what the address says, as far as possible. Returns whether nothing of it was cancelled.
+   *  @param {Address} asked @param {number} turn */
+  async #restore(asked, turn) {
     const door = this.#door;
-    const tell = (/** @type {Refusal} */ error) =>
-      error && asked.problems.push(`Part of the address cannot be used: ${error}.`);
-    if (asked.situation) tell(door.show_situation(asked.situation));
-    if (asked.seed !== null && asked.seed !== this.#lesson.seed) door.scatter(asked.seed);
-    if (asked.from) tell(await this.#restore_source(asked.from, asked.seed ?? this.#lesson.seed));
-    if (asked.scalar) tell(door.set_float(asked.scalar === "float"));
-    if (asked.slide) tell(door.set_sliders(asked.slide));
-    if (asked.rows) tell(door.set_rows(asked.rows));
-    if (asked.moved) tell(door.change_rows(asked.moved));
-    if (asked.file) tell(this.#restore_file(asked.file, "own"));
-    if (asked.draft) tell(this.#restore_file(asked.draft, "runs"));
-    if (asked.a) tell(door.choose(0, asked.a));
-    if (asked.b) tell(door.choose(1, asked.b === "none" ? "" : asked.b));
+    const { seed } = this.#lesson;
+    const parts = [
+      () => (asked.situation ? door.show_situation(asked.situation) : ""),
+      () => (asked.seed !== null && asked.seed !== seed ? (door.scatter(asked.seed), "") : ""),
+      () => (asked.from ? this.#restore_source(asked.from, asked.seed ?? seed) : ""),
+      () => (asked.scalar ? door.set_float(asked.scalar === "float") : ""),
+      () => (asked.slide ? door.set_sliders(asked.slide) : ""),
+      () => (asked.rows ? door.set_rows(asked.rows) : ""),
+      () => (asked.packed ? door.take_packed(asked.packed) : ""),
+      () => (asked.moved ? door.change_rows(asked.moved) : ""),
+      () => (asked.file ? this.#restore_file(asked.file, "own") : ""),
+      () => (asked.draft ? this.#restore_file(asked.draft, "runs") : ""),
+      () => (asked.a ? door.choose(0, asked.a) : ""),
+      () => (asked.b ? door.choose(1, asked.b === "none" ? "" : asked.b) : ""),
+    ];
+    for (const part of parts) {
+      const refused = (await part()) || (await this.#finish());
+      if (turn !== this.#opens) return false;
+      if (refused === kCancelled) return asked.problems.push("Cancelled: the lesson has its own points."), false;
+      if (refused) asked.problems.push(`Part of the address cannot be used: ${refused}.`);
+    }
     if (asked.step !== null) {
       const { steps } = this.#now();
       if (asked.step > steps && asked.step !== Infinity)
@@ -469,6 +506,8 @@ export class Page {
       const { cover } = this.#now();
       if (asked.step > 0 && cover?.shown) door.command(cover.button.command); // a step is of the stage
     }
+    if (asked.camera) door.look_from(asked.camera);
+    return true;
   }
 
   /** The conversation goes on where it stood: at an outcome that was not read to its end, or before the second try. */
@@ -505,10 +544,7 @@ export class Page {
   async #restore_source(from, seed) {
     const [name, count] = from.split(":");
     if (name === "task") return this.#restore_task(Number(count ?? 1));
-    if (count) {
-      await at_work(Number(count));
-      return this.#door.set_generator(name, Number(count), seed);
-    }
+    if (count) return this.#door.set_generator(name, Number(count), seed);
     if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
     return this.#mesh(name).then(
       (bytes) => this.#door.load_file(bytes, name),
@@ -530,6 +566,7 @@ export class Page {
   #show() {
     this.#view = this.#now();
     if (!this.#view) return;
+    if (!this.#opening && this.#view.preparing) this.#working ??= this.#finish();
     this.#say_selected(this.#view.selectedName);
     set_text(by_id("caption"), this.#view.caption);
     if (this.#stage?.pressed) {
@@ -567,7 +604,7 @@ export class Page {
     this.#address_timer = 0;
     if (this.#opening) return;
     const address = this.#address();
-    if (address !== location.search) history.replaceState(null, "", address);
+    if (address !== here()) history.replaceState(null, "", address);
     this.written = address;
     if (this.#embed) by_id("whole").href = address.replace("&embed=1", "");
     if (!this.#embed || this.#view.exercise) this.#keep(address);
@@ -578,8 +615,8 @@ export class Page {
     if (this.#view.exercise) return this.#keep_exercise(this.#view.exercise);
     if (this.#demo || !this.#is_of_course(this.#lesson.id)) return; // a case of the gallery is not worked through
     const { outcomes, step, steps, tasksDone, asked, outcome, deciding, progress } = this.#view;
-    if (address === this.#erased_at && outcomes.length === 0) return;
-    this.#erased_at = null;
+    if ((address === this.#erased_at && outcomes.length === 0) || address === this.#left_at) return;
+    this.#erased_at = this.#left_at = null;
     if (!progress.begun && !this.#kept.lesson(this.#lesson.id)) return;
     const before = this.#kept.lesson(this.#lesson.id);
     this.#kept.keep_lesson(this.#lesson.id, {
@@ -616,16 +653,40 @@ export class Page {
   async #share() {
     this.#write_address();
     const { exercise } = this.#view;
-    const whole = exercise || Object.keys(this.#door.shared_rows()).length > 0;
-    const { show_share } = await import("./share.js");
+    const whole = exercise !== null || has_all(this.#door.shared_rows());
+    const { framed, show_share } = await import("./share.js");
     show_share({
       title: this.#lesson.title,
       address: location.href,
-      leads: whole ? "It opens what you see." : "It opens this lesson without these points, which are too many for it.",
+      whole,
+      code: () => this.#show_code(),
+      pictures: exercise ? null : () => this.#pictures(),
       // Each reader of an exercise gets an instance of their own.
-      embedded: new URL(`${exercise ? exercise_link(exercise.exercise) : location.search}&embed=1`, location.href).href,
+      embedded: new URL(framed(exercise ? exercise_link(exercise.exercise) : here()), location.href).href,
       is_exercise: exercise !== null,
     });
+  }
+
+  /** What stands here as a code to scan. */
+  async #show_code() {
+    if (this.#opening || !this.#view || this.#view.exercise) return;
+    const { show_code } = await import("./qr.js");
+    const shared = this.#door.shared_rows();
+    const bare = { slide: shared.slide, how: shared.how, camera: shared.camera };
+    const write = (/** @type {SharedRows} */ rows) => write_address(this.#view, this.#lesson, rows, false);
+    await show_code(write(shared), write(bare), this.#door.trace() ?? "");
+  }
+
+  async #pictures() {
+    const { show_pictures } = await import("./pictures.js");
+    const address = write_address(this.#view, this.#lesson, this.#door.shared_rows(), false);
+    show_pictures(this.#door, this.#stage, this.#lesson, address);
+  }
+
+  /** Whether a phone shows what the screen does that its address was scanned from. */
+  async #compare(/** @type {string} */ mark) {
+    const { compare } = await import("./qr.js");
+    await compare(mark, this.#door.trace() ?? "");
   }
 
   // ---- for scripts and tests ----------------------------------------------------------------------------------
@@ -671,6 +732,16 @@ export class Page {
     this.#door.erase_answers();
   }
 
+  /** Opens a lesson of which the text is given, at its result. Nothing of it is kept.
+   *  @param {string} toml @returns {Refusal} */
+  open_text(toml) {
+    const { error } = this.#door.read_lesson(toml, "case.toml");
+    const refused = error || this.#door.open_lesson("", true);
+    if (!refused) this.#show_lesson();
+    this.act(() => this.#door.go(kEnd));
+    return refused;
+  }
+
   handles() {
     return this.#door.handles().map(({ id, ...at }) => ({ id, ...this.#stage.on_page(at) }));
   }
@@ -696,6 +767,7 @@ class Site {
   #preview = /** @type {Preview | null} */ (null);
   #typeset = /** @type {Record<string, string>} */ ({}); // the formulas
   #page = /** @type {Page | null} */ (null);
+  #written = /** @type {{ state(): ExerciseState } | null} */ (null); // the function that is open
   #around = /** @type {Promise<void> | null} */ (null); // what the page around this frame has of an exercise
   #demo = /** @type {Demo | null} */ (null); // that is played
   #shown = ""; // the address that is shown
@@ -707,9 +779,9 @@ class Site {
     addEventListener("resize", name_layout);
     this.#settings.on_erase(() => this.#erase());
     addEventListener("popstate", () => {
-      const stands = document.documentElement.dataset.view === "lesson" && location.search === this.#page?.written;
+      const stands = document.documentElement.dataset.view === "lesson" && here() === this.#page?.written;
       // The link to the stage, #canvas, changes nothing.
-      if (location.search !== this.#shown && !stands) this.show({ back: true });
+      if (here() !== this.#shown && !stands) this.show({ back: true });
     });
     by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
     addEventListener("pagehide", () => (this.#page?.keep_now(), this.#saving.link?.finish()));
@@ -719,12 +791,13 @@ class Site {
 
   /** Shows what the address asks for. */
   async show({ back = false, attempt = 0 } = {}) {
-    this.#shown = location.search;
+    this.#shown = here();
     this.#demo?.end();
     this.#demo = null;
-    const asked = read_address(location.search);
+    const asked = read_address(here());
     document.documentElement.classList.toggle("embed", asked.embed);
-    const at_lesson = asked.lesson !== null || asked.exercise !== null || asked.demo !== null;
+    const written = asked.exercise?.startsWith("write:") ? asked.exercise : null;
+    const at_lesson = !written && (asked.lesson !== null || asked.exercise !== null || asked.demo !== null);
     if (asked.embed && asked.exercise !== null && parent !== window) this.#around ??= this.#ask_around(asked.exercise);
     try {
       if (asked.demo !== null && asked.notes) {
@@ -735,13 +808,17 @@ class Site {
       const door = at_lesson && !this.#page ? open_door(this.#downloads, attempt) : null;
       door?.catch(() => {});
       this.#course ??= await this.#bring_course();
+      if (written) {
+        await this.#around;
+        return await this.#show_written(written);
+      }
       if (!at_lesson) return this.#show_course(back);
       if (door) this.#bring_ahead(asked.lesson ?? "");
       if (!this.#page) document.documentElement.dataset.view = "lesson"; // its veil shows the program's progress
       if (door) this.#page ??= await this.#bring_page(asked.embed, door);
       const mixed = door && !(await this.#downloads.of_one_build());
       if (mixed || history.state?.loaded_anew) await (await import("./updated.js")).load_anew(Boolean(mixed));
-      if (asked.demo !== null && this.#page && location.search === this.#shown) {
+      if (asked.demo !== null && this.#page && here() === this.#shown) {
         const { bring_demo } = await import("./demo.js");
         this.#demo = await bring_demo(asked.demo, this.#page, this.#settings, this.#downloads);
         await this.#demo?.begin(asked.state ?? 1);
@@ -753,8 +830,22 @@ class Site {
       return veil.failed(`Part of Snug ${kNotLoaded}`, () => this.show({ attempt: attempt + 1 }));
     }
     await this.#around;
-    if (location.search !== this.#shown) return;
+    if (here() !== this.#shown) return;
     await this.#page?.open(asked, () => (document.documentElement.dataset.view = "lesson"));
+    dispatchEvent(new Event("snug-ready"));
+  }
+
+  /** An exercise in which a function is written. */
+  async #show_written(/** @type {string} */ id) {
+    this.#page?.rest();
+    this.#settings.present(false);
+    clear_notices();
+    const { show_write } = await import("./write.js");
+    const title_of = (/** @type {string} */ lesson) => this.#course.lessons.find((own) => own.id === lesson)?.title;
+    const { version } = this.#course;
+    const shown = () => here() === this.#shown, go = (/** @type {string} */ lesson) => this.#go_into(lesson);
+    const around = { downloads: this.#downloads, kept: this.#kept, saving: this.#saving, version, title_of, shown, go };
+    this.#written = (await show_write(id, around)) ?? null;
     dispatchEvent(new Event("snug-ready"));
   }
 
@@ -784,8 +875,10 @@ class Site {
   async #bring_course() {
     /** @type {CourseFile} */
     const made = JSON.parse(await this.#downloads.text("course.json"));
-    const packaged = made.package && (await import("./packaged.js"));
-    if (made.package) packaged?.join(made.package, this.#kept, this.#saving, () => this.#save_file());
+    // The stage of a case is the page in a frame of its own: one session with the course is enough.
+    const packaged = made.package && !window.frameElement?.matches(".write-stage") && (await import("./packaged.js"));
+    const ids = (made.exercises ?? []).map(({ id }) => id), save_file = () => this.#save_file();
+    if (made.package && packaged) packaged.join(made.package, ids, this.#kept, this.#saving, save_file);
     const course = new Course(made, this.#kept, (id) => this.#go_into(id));
     if (made.preview) await this.#follow(made.preview);
     else if (!made.package || made.package.kind === "course")
@@ -883,12 +976,17 @@ class Site {
   }
 
   exercise() {
-    return document.documentElement.dataset.view === "lesson" ? (this.#page?.exercise() ?? null) : null;
+    const { view } = document.documentElement.dataset;
+    return (view === "lesson" ? this.#page?.exercise() : view === "write" ? this.#written?.state() : null) ?? null;
   }
 
   result() {
     if (this.#page) return this.#page.result();
     return result_text(this.#kept.student, this.#kept.attempts, this.#course?.version ?? "");
+  }
+
+  open_text(/** @type {string} */ toml) {
+    return this.#page ? this.#page.open_text(toml) : "no lesson is open";
   }
 
   /** Where what is done is kept. */
@@ -925,6 +1023,7 @@ Object.assign(window.snug, {
   result: () => site.result(),
   saved: () => site.saved(),
   restart: (/** @type {string} */ search) => site.restart(search),
+  open_text: (/** @type {string} */ toml) => site.open_text(toml),
   handles: () => site.handles(),
   frameTimes: () => site.frame_times(),
 });

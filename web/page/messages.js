@@ -9,16 +9,14 @@ export const veil = {
   },
   loading() {
     show_veil("Loading");
+    by_id("veil-bar").setAttribute("aria-label", "Loading");
     set_hidden(by_id("veil-bar"), false);
   },
   /** retry: null if it would be pointless.
    *  @param {string} text @param {(() => void) | null} retry */
   failed(text, retry) {
     show_veil(text);
-    const again = by_id("veil-retry");
-    set_hidden(again, !retry);
-    again.onclick = retry;
-    if (retry) again.focus();
+    if (retry) offer("Try again", retry);
   },
   /** For a lesson that does not exist: offers the real ones.
    *  @param {string} text @param {HTMLElement} links */
@@ -32,19 +30,56 @@ export const veil = {
   },
 };
 
-const kMany = 2_000; // points: fewer are at once on the stage
+/** Why an edit was refused that the user has cancelled. */
+export const kCancelled = "it was cancelled";
 
-/** Says over the page that so many points are worked on, which takes a while, and paints that before they are. Returns
- *  whether it said so: then the veil is to be lifted.
- *  @param {number} points */
-export async function at_work(points) {
-  if (!(points >= kMany)) return false;
-  show_veil(`Working on ${points.toLocaleString("en")} points`);
-  await new Promise((painted) => {
-    requestAnimationFrame(() => setTimeout(painted, 0));
-    setTimeout(painted, 100); // a page in the background paints nothing
+const kSlice = 100; // milliseconds: after so long the page draws
+
+/** Goes on with an edit that takes long, and says over the page what is done and how far, until it is there, is refused
+ *  or is cancelled: by the button or Escape. Returns why it is refused, or "".
+ *  @param {Door} door @returns {Promise<Refusal>} */
+export async function work(door) {
+  const before = /** @type {HTMLElement | null} */ (document.activeElement);
+  let refused = /** @type {Refusal} */ ("");
+  let cancelled = false;
+  const cancel = () => (cancelled = true);
+  const keys = (/** @type {KeyboardEvent} */ event) => {
+    if (event.key === "Escape") cancel();
+    if (!["Tab", "Enter", " "].includes(event.key)) event.stopPropagation(); // the stage's keys wait
+  };
+  addEventListener("keydown", keys, true);
+  show_veil("");
+  set_hidden(by_id("veil-bar"), false);
+  offer("Cancel", cancel);
+  for (let now = door.preparing(); now && !cancelled; now = door.preparing()) {
+    set_text(by_id("veil-text"), now.says);
+    by_id("veil-bar").setAttribute("aria-label", now.says);
+    veil.progress(now.share);
+    await painted();
+    if (!cancelled) refused = door.go_on(kSlice);
+  }
+  removeEventListener("keydown", keys, true);
+  if (cancelled) door.give_up();
+  by_id("work").inert = by_id("bar").inert = false;
+  before?.focus({ preventScroll: true });
+  return cancelled ? kCancelled : refused;
+}
+
+/** Once the page was drawn; one in the background draws nothing. */
+const painted = () =>
+  new Promise((done) => {
+    requestAnimationFrame(() => setTimeout(done, 0));
+    setTimeout(done, 100);
   });
-  return true;
+
+/** A button on the veil, with the focus.
+ *  @param {string} words @param {() => void} press */
+function offer(words, press) {
+  const button = by_id("veil-retry");
+  set_hidden(button, false);
+  set_text(button, words);
+  button.onclick = press;
+  button.focus();
 }
 
 function show_veil(/** @type {string} */ text) {
@@ -88,14 +123,14 @@ export function notice_all(/** @type {string[]} */ problems) {
   for (const problem of problems) notice(problem);
 }
 
-/** A notice, which can be closed and disappears by itself.
- *  @param {string} text @param {"wrong" | "told"} kind */
-export function notice(text, kind = "wrong") {
-  const box = element("div", { class: `notice ${kind}` }, element("p", {}, text));
+/** A notice, which can be closed and disappears by itself. more: what stands after its text, as a link.
+ *  @param {string} text @param {"wrong" | "told"} kind @param {...Node} more */
+export function notice(text, kind = "wrong", ...more) {
+  const box = element("div", { class: `notice ${kind}` }, element("p", {}, text, ...more));
   const away = () => box.remove();
   box.append(element("button", { type: "button", class: "away", "aria-label": "Dismiss", onclick: away }, "×"));
   const list = by_id("notices");
-  for (const old of [...list.children]) if (old.firstChild?.textContent === text) old.remove();
+  for (const old of [...list.children]) if (old.firstChild?.firstChild?.textContent === text) old.remove();
   for (const old of [...list.children].slice(0, 1 - kShownMost)) old.remove();
   list.append(box);
   // It stays while the pointer or the focus is on it.

@@ -9,7 +9,8 @@ import { Scorm, find_api } from "./scorm.js";
 
 const kDecide = "You decide in the algorithm’s place, on an instance of your own. Each decision is marked, a mistake " +
   "is told at once, and a new instance is a tap away.";
-const kGoes = "Your marks and decisions go to your course. Your place in each lesson stays on this device.";
+const kGoes = "Your marks and decisions go to your course. Your place in each lesson, and what you build or write, " +
+  "stay on this device.";
 const kRoomSays = "Your course has room for 4,096 characters. Of the oldest attempts it keeps the mark alone: " +
   "save the file to have their decisions as well.";
 
@@ -63,21 +64,28 @@ class Link {
   }
 
   save() {
+    this.#scorm?.save(this.#wanted());
+  }
+
+  // Another tab may have kept more meanwhile: a session never ends with less than what stands on the device.
+
+  flush() {
+    this.#kept.refresh();
+    this.#scorm?.flush(this.#wanted());
+  }
+
+  finish() {
+    this.#kept.refresh();
+    this.#scorm?.finish(this.#wanted());
+  }
+
+  #wanted() {
     const { data } = this.#kept;
     const { text: body, gave_way } = pack(data, this.#of);
     this.gave_way = gave_way;
     if (gave_way.join() !== this.#told && gave_way.length > 0) tell(kRoomSays);
     this.#told = gave_way.join();
-    const earned = { score: score_of(data, this.#of), complete: is_complete(data, this.#of) };
-    this.#scorm?.save({ count: data.count, body, ...earned });
-  }
-
-  flush() {
-    this.#scorm?.flush();
-  }
-
-  finish() {
-    this.#scorm?.finish();
+    return { count: data.count, body, score: score_of(data, this.#of), complete: is_complete(data, this.#of) };
   }
 }
 
@@ -107,8 +115,8 @@ function say_alone({ exercises }, save_file) {
 }
 
 /** Of exercises that were done before and are not in the package any more.
- *  @param {Kept} kept @param {PackageOf} of */
-function say_gone(kept, { exercises }) {
+ *  @param {Kept} kept @param {string[]} exercises */
+function say_gone(kept, exercises) {
   const gone = Object.keys(kept.data.exercises).filter((id) => !exercises.includes(id));
   if (gone.length > 0)
     tell(`Your course has replaced this package, now without ${gone.join(", ")}. ` +
@@ -131,9 +139,11 @@ function begin({ name }, changed) {
   return begun && { scorm, ...begun };
 }
 
-/** Joins what is kept with what the course has of it, and hands over what the course lacks.
- *  @param {PackageOf} of @param {Kept} kept @param {Saving} saving @param {() => void} save_file */
-export function join(of, kept, saving, save_file) {
+/** Joins what is kept with what the course has of it, and hands over what the course lacks. exercises: all that are in
+ *  the package; those of a course that are in no set earn no mark there.
+ *  @param {PackageOf} of @param {string[]} exercises @param {Kept} kept @param {Saving} saving
+ *  @param {() => void} save_file */
+export function join(of, exercises, kept, saving, save_file) {
   lay_out(of);
   if (!of.scorm) return;
   const begun = begin(of, () => saving.show());
@@ -147,10 +157,11 @@ export function join(of, kept, saving, save_file) {
   set_text(by_id("exercises-say"), kDecide);
   set_text(by_id("course-foot-says"), begun ? kGoes : "");
   if (!begun) say_alone(of, save_file);
-  if (of.kind !== "course") say_gone(kept, of);
+  say_gone(kept, exercises);
   link.save();
   saving.show();
   addEventListener("online", () => link.flush());
+  addEventListener("storage", () => (kept.refresh(), link.save(), saving.show())); // another tab has kept something
   // The session is over with the page: one that comes back is another.
   addEventListener("pageshow", (event) => event.persisted && location.reload());
 }

@@ -13,6 +13,7 @@ interface Window {
     handles(): Handle[];
     frameTimes(): FrameTime[];
     restart(search: string): Promise<unknown>;
+    open_text(toml: string): Refusal;
   };
 }
 
@@ -39,7 +40,7 @@ interface PageElements {
 }
 
 /** A lesson's file and its mesh, as main.js has read them: whether it opens, and its first mistake, "" for none. */
-type LessonFile = { toml: string; opens: boolean; error: string; bytes: Bytes };
+type LessonFile = { opens: boolean; error: string; bytes: Bytes };
 
 /** What window.snug.state() tells in a lesson. */
 type PageState = Omit<View, "asked"> & {
@@ -78,7 +79,7 @@ interface ExerciseState {
 type Point = { x: number; y: number };
 type FrameTime = { at: number; cost: number };
 /** Does what the user asks for, then shows the result. */
-type Act = (what: () => void) => void;
+type Act = (what: () => void) => Refusal | Promise<Refusal>;
 /** How an exercise is taken: its instance's seed and level, and whether without a mark. */
 type Terms = { seed?: number; level?: number; practice?: boolean };
 /** To another lesson or exercise, by its id. */
@@ -107,15 +108,26 @@ type CaseEntry = { id: string; title: string; summary: string; source: string };
 type ChapterOf<Entry> = { title: string; lessons: Entry[] };
 type ExerciseEntry = { id: string; title: string; summary: string; minutes: number; lesson: string };
 type ExerciseSet = { id: string; title: string; lecture: string; exercises: ExerciseEntry[] };
-type PreviewOf = { files: Record<string, string>; mistake: string | null; ideas: string[] };
+type PreviewOf = { files: Record<string, string>; mistake: string | null };
+/** What is wrong with a lesson (web/check/main.cpp). */
+type DraftSays = { heading: string; lines: { text: string; warning: boolean }[] };
 interface CourseFile {
   playground?: string;
   chapters: ChapterOf<LessonEntry>[];
   preview?: PreviewOf;
   sets?: ExerciseSet[];
   exercises?: ExerciseEntry[];
+  demos?: DemoEntry[];
   version?: string;
   package?: PackageOf;
+}
+/** write/ID.json: an exercise in which a function is written. */
+interface WriteFile extends ExerciseEntry {
+  contract: string;
+  stub: string;
+  model: string;
+  reasons: string;
+  methods: { title: string; code: string }[];
 }
 /** What a package is about, and what counts in it (`snug package`). */
 interface PackageOf {
@@ -167,4 +179,54 @@ interface DemoState {
   notes: string;
   hash: string;
 }
+/** demo_keys.json: in a file, in an address, whether it is a number. */
+type DemoKeys = [string, string, boolean][];
+type DemoEntry = { id: string; title: string; states: number };
 type DemoFile = { id: string; title: string; lecture: string; states: DemoState[] };
+
+// ---- code that is written (write.js, and in web/write the editor, the engine and the judge) ------------------
+
+/** web/write/engine.js. answers: a line for each case, numbers, or ! and why there are none. */
+interface Ran {
+  answers: string[];
+  output: string;
+  notes: Record<string, string>;
+  error: { what: string; line: number } | null;
+  turns: number;
+  steps: number | null;
+}
+/** A method on the chart of accuracy against cost. right: the share of cases; steps: a case. */
+type Costed = { title: string; kind: "yours" | "model" | "other"; right: number; steps: number };
+type AboutFunction = { name: string; gives: string; of: number; hash: string };
+type FoundCase = { kind: string; given: string; right: string; yours: string; lesson: string };
+interface JudgedRun {
+  kinds: { name: string; passed: number; of: number }[];
+  mark: number;
+  of: number;
+  says: string;
+  first: FoundCase | null;
+}
+/** web/write/judge.cpp */
+interface Trial {
+  open(id: string): boolean;
+  about(): AboutFunction;
+  cases(seed: number): string;
+  judge(lines: string): JudgedRun;
+  shorter(): string;
+  narrow(lines: string): FoundCase | null;
+}
+/** web/write/editor.js */
+interface CodeEditor {
+  code(): string;
+  noted(): string;
+  set(text: string): void;
+  mark(line: number, message: string): void;
+  focus(): void;
+}
+type CreateEditor = (host: HTMLElement, code: string, of: {
+  label: string;
+  described: string;
+  changed: (code: string) => void;
+  run: () => void;
+  left: (is_left: boolean) => void;
+}) => CodeEditor;

@@ -1,7 +1,7 @@
 // The tools for points: choose a set, add, delete, scatter, reset, load a file, and a point's coordinates.
-import { button, by_id, capital, element, other_seed, set_text, when_changed } from "./dom.js";
+import { button, by_id, capital, element, is_within, kWrites, other_seed, set_text, when_changed } from "./dom.js";
 import { result_as_csv } from "./result.js";
-import { answer_edit, at_work, clear_notices, notice, veil } from "./messages.js";
+import { answer_edit, clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
 const kMostBytes = 64e6;
@@ -95,6 +95,7 @@ export class PointTools {
       this.#file.value = "";
     });
     this.#accept_drops();
+    this.#accept_pastes();
   }
 
   open(/** @type {Lesson} */ lesson) {
@@ -139,16 +140,14 @@ export class PointTools {
     if (kind === "") this.#command("reset_points");
   }
 
-  async #scatter(/** @type {number} */ seed) {
+  #scatter(/** @type {number} */ seed) {
     const [kind, name] = this.#set.value.split(":");
     const count = Number(this.#count.value);
-    const veiled = kind === "generate" && (await at_work(count));
     this.#act(() => {
       if (kind === "generate") return answer_edit(this.#door.set_generator(name, count, seed));
       this.#door.scatter(seed);
       clear_notices();
     });
-    if (veiled) veil.lift();
   }
 
   /** Selects the option of the points' source. The student's own file gets its own option. */
@@ -169,7 +168,7 @@ export class PointTools {
   async bring(/** @type {string} */ name) {
     try {
       const bytes = await this.#bring_mesh(name);
-      this.#use(bytes, name);
+      await this.#use(bytes, name);
     } catch {
       notice(`The mesh “${name}” could not be loaded. Check the connection, then choose it again.`);
     }
@@ -186,14 +185,14 @@ export class PointTools {
   }
 
   /** @param {Bytes} bytes @param {string} name */
-  #use(bytes, name) {
+  async #use(bytes, name) {
     let error = "";
-    this.#act(() => {
+    const refused = await this.#act(() => {
       error = this.#take(bytes, name);
       if (error) notice(`That file cannot be used. ${error}.`);
       else clear_notices();
     });
-    return !error;
+    return !error && !refused;
   }
 
   /** Uses a file: points, or a result to draw over the chart.
@@ -249,6 +248,16 @@ export class PointTools {
       event.preventDefault();
       show(false);
       this.#take_dropped([...(event.dataTransfer?.files ?? [])]);
+    });
+  }
+
+  /** Rows of numbers, as spreadsheets copy them, wherever nobody writes. The name's ending lets tabs separate them. */
+  #accept_pastes() {
+    document.addEventListener("paste", (event) => {
+      const text = event.clipboardData?.getData("text/plain") ?? "";
+      if (is_within(event.target, kWrites) || !/\d/.test(text)) return;
+      event.preventDefault();
+      this.load(new File([text], "pasted.csv"));
     });
   }
 

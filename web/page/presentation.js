@@ -2,13 +2,13 @@
 import { by_id, is_within, kWrites } from "./dom.js";
 /** @import { Settings } from "./settings.js" */
 
-
 export class Presentation {
   #settings;
   #lessons;
   #go_to;
   #shows;
   #here = 0; // the index of the open lesson
+  #hall = /** @type {typeof import("./hall.js").hall | null} */ (null); // the pointers, once one was used here
 
   /** shows(): called when the text is shown.
    *  @param {Settings} settings @param {CourseLesson[]} lessons @param {GoTo} go_to @param {() => void} shows */
@@ -21,7 +21,7 @@ export class Presentation {
     by_id("next-lesson").addEventListener("click", () => this.#move(1));
     by_id("text-shown").addEventListener("click", () => this.#show_text());
     document.addEventListener("keydown", (event) => this.#key(event));
-    settings.on_change(() => settings.presenting || this.#show_text(false));
+    settings.on_change(() => settings.presenting || this.#end());
   }
 
   open(/** @type {Lesson} */ lesson) {
@@ -42,6 +42,16 @@ export class Presentation {
     if (shown) this.#shows();
   }
 
+  #end() {
+    this.#show_text(false);
+    if (document.querySelector(".hall")) import("./hall.js").then(({ hall }) => hall.put_away()); // a demo's as well
+  }
+
+  async #point(/** @type {string} */ key) {
+    this.#hall ??= (await import("./hall.js")).hall;
+    this.#hall.answer_key(key);
+  }
+
   #key(/** @type {KeyboardEvent} */ event) {
     if (!this.#settings.presenting || event.defaultPrevented) return;
     if (event.ctrlKey || event.metaKey || event.altKey || is_within(event.target, kWrites)) return;
@@ -49,7 +59,8 @@ export class Presentation {
     if (key === "n") this.#move(1);
     else if (key === "p") this.#move(-1);
     else if (key === "t") this.#show_text();
-    else return;
+    else if (["l", "w", "r"].includes(key)) this.#point(key);
+    else if (key !== "escape" || !this.#hall?.put_away()) return;
     event.preventDefault();
   }
 }

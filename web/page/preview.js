@@ -19,10 +19,8 @@ export class Preview {
   #lesson = nothing;
   #course = nothing;
   #files = nothing;
-  #ideas = /** @type {string[]} */ ([]);
 
-  /** of: the course's "preview": the files' stamps as the course was made, the ids of the ideas that it lists, and what
-   *  is wrong with its own file.
+  /** of: the course's "preview": the files' stamps as the course was made, and what is wrong with its own file.
    *  @param {PreviewOf} of */
   constructor(of) {
     this.#stamps = of.files;
@@ -62,17 +60,16 @@ export class Preview {
     this.#show(this.says);
   }
 
-  /** Says what is wrong with the lesson that is shown, after playing it too. read: what main.js has read of it.
-   *  @param {Door} door @param {string} id @param {LessonFile} read @param {CourseLesson[]} lessons */
-  check(door, id, { toml, bytes }, lessons) {
-    const ids = lessons.map((lesson) => lesson.id);
-    this.lesson_says(door.check_draft(toml, `${id}.toml`, ids, this.#ideas, bytes));
+  /** Says what is wrong with the lesson that is shown. Its checks, which may take seconds, are no part of the page.
+   *  @param {string} id @param {() => boolean} shown whether it is still shown */
+  async check(id, shown) {
+    const says = await fetch(`checks/${id}.json`, { cache: "no-store" }).then((answer) => answer.ok && answer.json());
+    if (says && shown()) this.lesson_says(says);
   }
 
   /** of: the course's "preview".
    *  @param {PreviewOf} of */
-  course_says({ mistake, ideas }) {
-    this.#ideas = ideas;
+  course_says({ mistake }) {
     this.#course = mistake
       ? { heading: "course.toml: 1 mistake", lines: [{ text: mistake, warning: false }] }
       : nothing;

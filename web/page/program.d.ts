@@ -17,6 +17,7 @@ interface View extends Answers {
   speed: number;
   previewing: boolean;
   exercise: ShownExercise | null;
+  preparing: Preparing | null;
   framesDrawn: number;
   cover: Cover | null;
   algorithm: string;
@@ -51,6 +52,8 @@ interface View extends Answers {
 }
 
 type Scalar = "float" | "double";
+/** Says what is being computed, and how much of it is done: 0 to 1. */
+type Preparing = { says: string; share: number };
 type Rectangle = { x: number; y: number; width: number; height: number };
 type ShownFigure = { key: string; name: string; text: string };
 type Panel = { title: string; head: string[]; rows: string[][]; says: string; button: CoverButton | null };
@@ -95,7 +98,7 @@ interface Answers {
   outcomes: Outcome[];
   score: string;
   grade: Grade | null;
-  tasks: (Grade & { was: boolean })[];
+  tasks: (Grade & { was: boolean; kept: boolean })[];
   task: number;
   tasksDone: boolean;
   progress: { begun: boolean; answered: number; done: boolean };
@@ -197,6 +200,9 @@ interface ShownExercise {
   hint: string;
   rule: string;
   followed: string[];
+  run: "" | "own" | "right"; // at the end, the one that is looked at
+  compared: string;
+  firstDifference: string;
   canTakeBack: boolean;
   rows: ExerciseRow[];
 }
@@ -297,16 +303,15 @@ type SharedWords = Record<
   | "answer" | "skip" | "prediction" | "decision" | "watch" | "again" | "practise" | "task" | "hint" | "go_on" | "show"
   | "summary"
   | "go_on_with" | "waiting" | "to_task" | "next_lesson" | "close" | "watching" | "hand_in" | "another" | "to_lesson"
-  | "take_back" | "your_mark" | "finish" | "start_again" | "back_to_best" | "show_model" | "harder" | "without_mark"
-  | "for_mark",
+  | "take_back" | "your_mark" | "finish" | "start_again" | "back_to_best" | "back_to_solution" | "show_model" | "harder"
+  | "without_mark" | "for_mark" | "right_run" | "your_run" | "both_runs" | "next_decision",
   string
 >;
 
-// ---- web/shared_rows.cpp and web/draft_object.cpp ------------------------------------------------------------
+// ---- web/shared_rows.cpp -------------------------------------------------------------------------------------
 
 type Rows = number[][];
-type SharedRows = { slide?: number[]; how?: string; moved?: Rows; rows?: Rows };
-type DraftSays = { heading: string; lines: { text: string; warning: boolean }[] };
+type SharedRows = { slide?: number[]; how?: string; moved?: Rows; rows?: Rows; packed?: string; camera?: number[] };
 
 // ---- web/main.cpp: what it binds, in its order; web/deeds.hpp and web/canvas.hpp say what each does ----------
 
@@ -328,17 +333,18 @@ interface Door {
   figures_fill(): boolean;
   pointer_moved(x: number, y: number, source: string): void;
   pointer_left(): void;
+  forget_input(): void;
   pointer_button(button: number, down: boolean, source: string): void;
   wheel_turned(x: number, y: number): void;
   pinch(factor: number, x: number, y: number, dx: number, dy: number): void;
   modifiers_held(shift: boolean, control: boolean, alt: boolean): void;
   cursor(): string;
-  read_lesson(toml: string, name: string, checked: boolean): LessonRead;
-  check_draft(toml: string, name: string, lessons: string[], ideas: string[], mesh: Bytes): DraftSays;
+  read_lesson(toml: string, name: string): LessonRead;
   open_lesson(mesh: Bytes, anew: boolean): Refusal;
   lesson(): Lesson | null;
   view(): View | null;
   handles(): Handle[];
+  place_named(name: string): Point | null;
   command(name: string): boolean;
   command_of_key(key: string, shift: boolean, control: boolean): string;
   pick_choice(choice: number): void;
@@ -356,15 +362,20 @@ interface Door {
   move_point(point: number, x: number, y: number, z: number): Refusal;
   set_numbers(group: number, row: number, values: number[]): Refusal;
   set_rows(rows: Rows): Refusal;
+  take_packed(packed: string): Refusal;
   set_file(text: string): Refusal;
   end_typing(): void;
   change_rows(moved: Rows): Refusal;
   shared_rows(): SharedRows;
+  look_from(view: number[]): void;
   show_situation(name: string): Refusal;
-  hold_slider(held: boolean): void;
+  hold_slider(held: boolean): Refusal;
   slide(slider: number, place: number): Refusal;
   set_sliders(values: number[]): Refusal;
   scatter(seed: number): void;
+  preparing(): Preparing | null;
+  go_on(milliseconds: number): Refusal;
+  give_up(): void;
   set_generator(kind: string, count: number, seed: number): Refusal;
   set_float(in_float: boolean): Refusal;
   read_exercise(toml: string, name: string): Refusal;
@@ -375,19 +386,34 @@ interface Door {
   light(mark: string): void;
   invite(followed: number): void;
   start_task(task: number): void;
+  solve_again(task: number): Refusal;
   load_file(bytes: Bytes, name: string): Refusal;
   measure(milliseconds: number): void;
   measuring(): boolean;
   measured(): number;
   cover_file(format: CoverFormat): { name: string; text: string };
   draw_cover(width: number, height: number, scale: number): boolean;
+  draw_picture(width: number, height: number, scale: number, labels: boolean): boolean;
+  picture_svg(width: number, height: number, labels: boolean, address: string): string;
   playground_says(): string;
   carry_points(): void;
   put_down_points(name: string): Refusal;
 }
 
+// ---- web/lecture/main.cpp ------------------------------------------------------------------------------------
+
+interface Lecture {
+  vote_key(state: number, key: string, choices: string[], places: string[]): boolean;
+  vote_of(state: number): Vote | null;
+  qr_code(text: string): QrCode | null;
+  fingerprint(trace: string): string;
+}
+type VoteRow = { name: string; words: string; text: string; percents: number[] };
+type Vote = { hidden: string; told: string; rows: VoteRow[] };
+type QrCode = { size: number; quiet: number; dark: string };
+
 type Handle = { id: string; x: number; y: number };
-type LessonRead = { draws: boolean; mesh: string; error: string; says: DraftSays };
+type LessonRead = { draws: boolean; mesh: string; error: string };
 type StageSettings = { theme: string; textScale: number; reducedMotion: boolean; ground: number[] };
 type StageLayout = {
   width: number;

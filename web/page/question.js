@@ -89,6 +89,7 @@ export class QuestionCard {
     if (asked) return this.#asked_card(asked, view);
     if (deciding) return this.#deciding_card(deciding);
     if (outcome) return exercise ? this.#marked_card(outcome, exercise) : this.#outcome_card(outcome);
+    if (exercise?.run === "right") return this.#exercise.right_card(exercise);
     if (exercise?.finished) return this.#exercise.summary(exercise, this.#after.title);
     if (exercise?.build)
       return this.#exercise.build_card(exercise, exercise.build, this.#texts.of(exercise.build.promptWords));
@@ -140,9 +141,9 @@ export class QuestionCard {
     const choice = this.#choices[digit - 1];
     const had_focus = by_id("ask").contains(document.activeElement);
     choice?.click();
-    // Enter commits this choice, not the one that had the focus before; where several can be chosen, all of them.
+    // Enter commits this choice, not the one that had the focus before; of several choices or an order, all of it.
     const card = /** @type {HTMLElement | null | undefined} */ (choice?.closest(".card"));
-    if (had_focus) (this.#many ? card : choice)?.focus({ preventScroll: true });
+    if (had_focus) (this.#many || this.#ordered ? card : choice)?.focus({ preventScroll: true });
     return Boolean(choice);
   }
 
@@ -214,7 +215,7 @@ export class QuestionCard {
   }
 
   /** The right order, line by line, each with the place that it had in the prediction. */
-  #order(/** @type {Told} */ { says, choices, given, rightChoices, right: all }) {
+  #order(/** @type {Told} */ { says, choices, given, rightChoices, right: all }, word = this.#words.prediction) {
     const [heading] = says.split(": ");
     const places = given?.choices ?? [];
     const lines = rightChoices.map((choice, i) => {
@@ -229,7 +230,7 @@ export class QuestionCard {
     return [
       element("p", { class: "order-head" },
         `${heading}:`,
-        places.length > 0 && element("b", {}, this.#words.prediction),
+        places.length > 0 && element("b", {}, word),
       ),
       element("ol", { class: "order" }, ...lines),
     ];
@@ -262,12 +263,14 @@ export class QuestionCard {
 
   /** The same in an exercise, where the step is shown at once; with the rule that was followed, if it is known.
    *  @param {Told} outcome @param {ShownExercise} exercise */
-  #marked_card(outcome, { rule }) {
+  #marked_card(outcome, exercise) {
+    const decided = outcome.ordered && outcome.rightChoices.length > 0
+      ? this.#order(outcome, this.#words.decision)
+      : [this.#said(outcome, this.#words.decision), element("p", {}, ...spelled(outcome.says))];
     return this.#told({ ...outcome, canWatch: false }, [
-      this.#said(outcome, this.#words.decision),
-      element("p", {}, ...spelled(outcome.says)),
-      rule ? element("p", { class: "rule" }, rule) : null,
-    ], null);
+      ...decided,
+      exercise.rule ? element("p", { class: "rule" }, exercise.rule) : null,
+    ], null, exercise.run === "own" && this.#exercise.in_own_run(exercise));
   }
 
   /** The choices with a mark at those that are right, and at one that was chosen and is not. */
@@ -279,8 +282,10 @@ export class QuestionCard {
     return element("div", { class: "choices" }, ...chips);
   }
 
-  /** @param {Told} outcome @param {(HTMLElement | null)[]} what @param {HTMLElement | null} show */
-  #told({ verdict, kind, promptWords, place, becauseWords, canWatch }, what, show) {
+  /** on: where one may go on to, if not to what comes next.
+   *  @param {Told} outcome @param {(HTMLElement | null)[]} what @param {HTMLElement | null} show
+   *  @param {HTMLElement[] | false} on */
+  #told({ verdict, kind, promptWords, place, becauseWords, canWatch }, what, show, on = false) {
     return element("div", { class: `card outcome ${kind}`, tabindex: "-1" },
       kicker(`${kMarks[kind]} ${verdict}`, place, kind),
       element("p", { class: "asked" }, ...this.#texts.of(promptWords)),
@@ -290,7 +295,9 @@ export class QuestionCard {
         show,
         canWatch && button(this.#words.watch, () => this.#do("watch_outcome")),
         element("span", { class: "gap" }),
-        button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true }),
+        ...(on || [
+          button(this.#words.go_on, () => this.#do("continue"), { class: "button primary", "data-first": true }),
+        ]),
       ),
     );
   }

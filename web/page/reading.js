@@ -28,8 +28,10 @@ function bring_on_page(/** @type {HTMLElement} */ part) {
 export class Reading {
   #words;
   #start_task;
+  #solve_again;
   #cards = /** @type {HTMLElement[]} */ ([]); // one for each task
   #grade_says = /** @type {HTMLElement[]} */ ([]); // and its line
+  #backs = /** @type {HTMLElement[]} */ ([]); // and the button back to what solved it
   #texts;
   #follow;
   #light;
@@ -47,15 +49,16 @@ export class Reading {
   #opened = false; // whether the lesson is not shown yet
   #was_open = false; // whether the task was not done when it was last graded in this lesson
 
-  /** start_task: lays out the points that the task begins with. texts: what makes HTML of them. light(mark): lights it
-   *  up on the stage; "" for none.
+  /** start_task: lays out the points that the task begins with; solve_again: those that solved it. texts: what makes
+   *  HTML of words. light(mark): lights it up on the stage; "" for none.
    *  @param {SharedWords} words
-   *  @param {{ start_task: (task: number) => void, texts: Words, follow: (link: Link) => void,
-   *    light: (mark: string) => void, has: (lesson: string) => boolean }} does */
-  constructor(words, { start_task, texts, follow, light, has }) {
+   *  @param {{ start_task: (task: number) => void, solve_again: (task: number) => void, texts: Words,
+   *    follow: (link: Link) => void, light: (mark: string) => void, has: (lesson: string) => boolean }} does */
+  constructor(words, { start_task, solve_again, texts, follow, light, has }) {
     this.#has = has;
     this.#words = words;
     this.#start_task = start_task;
+    this.#solve_again = solve_again;
     this.#texts = texts;
     this.#follow = follow;
     this.#light = light;
@@ -86,6 +89,8 @@ export class Reading {
     const box = by_id("task");
     box.hidden = lesson.tasks.length === 0;
     this.#grade_says = lesson.tasks.map(() => element("p", { class: "grade", role: "status" }));
+    this.#backs = lesson.tasks.map((_, i) =>
+      button(this.#words.back_to_solution, () => this.#solve_again(i), { hidden: true }));
     this.#cards = lesson.tasks.map((task, i) => this.#task_card(task, i));
     box.replaceChildren(...this.#cards);
   }
@@ -97,7 +102,7 @@ export class Reading {
     return element("section", { class: "card task" },
       element("h2", { class: "kicker" }, heading),
       element("p", {}, ...this.#texts.of(prompt)),
-      element("p", {}, begin),
+      element("p", {}, begin, " ", this.#backs[i]),
       this.#grade_says[i],
       hint.length > 0 && element("details", {}, ...hinted),
     );
@@ -178,7 +183,8 @@ export class Reading {
 
   #show_grades = when_changed((/** @type {Pick<View, "lesson" | "tasks" | "task">} */ { tasks, task: now }) => {
     if (tasks.length === 0) return;
-    for (const [i, { was, done, says }] of tasks.entries()) {
+    for (const [i, { was, done, says, kept }] of tasks.entries()) {
+      this.#backs[i].hidden = !kept;
       this.#cards[i].classList.toggle("done", was);
       this.#grade_says[i].classList.toggle("unsolved", was && !done);
       set_text(this.#grade_says[i], `${was ? "✓ " : ""}${says}`);

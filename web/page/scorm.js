@@ -40,6 +40,9 @@ const session_time = (/** @type {number} */ ms) => {
   return `${two(Math.min(seconds / 3600, 9999)).padStart(4, "0")}:${two((seconds / 60) % 60)}:${two(seconds % 60)}`;
 };
 
+/** What the site is to have.
+ *  @typedef {{ count: number, body: string, score: number | null, complete: boolean }} Wanted */
+
 /** A session with a course's site. Of what was handed over last it knows whether the site took it ("course") or gave it
  *  back at the start ("seen"); of anything newer nothing ("device"). */
 export class Scorm {
@@ -55,7 +58,7 @@ export class Scorm {
   #least = 0; // the score that stands there: it never falls
   #handed = ""; // what was handed over last, and what the site took of it
   #taken = "";
-  #wanted = { count: 0, body: "", score: /** @type {number | null} */ (null), complete: false };
+  #wanted = /** @type {Wanted} */ ({ count: 0, body: "", score: null, complete: false });
   failed = false; // whether it could not be reached when it was last handed something
   reviews = false; // whether nothing may be written
 
@@ -93,7 +96,7 @@ export class Scorm {
   }
 
   /** Hands it over, now or in a few seconds.
-   *  @param {{ count: number, body: string, score: number | null, complete: boolean }} wanted */
+   *  @param {Wanted} wanted */
   save(wanted) {
     this.#wanted = wanted;
     if (!this.#writes || this.#over || this.state === "seen" || this.#handed === this.#now()) return;
@@ -102,14 +105,19 @@ export class Scorm {
     else this.#timer ??= this.#with.later(() => this.#commit(), wait);
   }
 
-  /** Hands over what still waits, for the page may never be seen again; and what was not taken. */
-  flush() {
+  /** Hands over what stands now, for the page may never be seen again.
+   *  @param {Wanted} wanted */
+  flush(wanted = this.#wanted) {
+    this.#wanted = wanted;
     if (this.#writes && !this.#over && this.state === "device") this.#commit();
   }
 
-  /** Ends the session, once. It keeps by itself what was set: no commit is made beside it. */
-  finish() {
+  /** Ends the session, once, with what stands now. It keeps by itself what was set: no commit is made beside it.
+   *  @param {Wanted} wanted */
+  finish(wanted = this.#wanted) {
     if (this.#over) return;
+    this.#with.forget(this.#timer);
+    this.#wanted = wanted;
     if (this.#writes) {
       this.#set_all();
       this.#set("cmi.core.session_time", session_time(this.#with.now() - this.#begun));

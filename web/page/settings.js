@@ -6,7 +6,9 @@ const kThemes = ["light", "dark", "contrast", "projector"];
 const kNames = { light: "Light", dark: "Dark", contrast: "High contrast", projector: "Projector" };
 const kTextScales = [1, 1.15, 1.3, 1.5];
 const kProjectorScale = 1.2; // the same as in app/palette.hpp: the canvas applies it by itself
-const kPresentingScale = 1.3;
+export const kPresentingScale = 1.3;
+const kLow = 690; // pixels, for words of the size that they are made for
+const kScreen = { width: 1280, height: 720 }; // on a larger one everything that is presented is larger
 const kSurePatience = 6000; // milliseconds for which a press waits for a second one
 const asks = (/** @type {string} */ query) => matchMedia(query);
 
@@ -44,7 +46,7 @@ export class Settings {
     this.theme = first_theme();
     this.text = kTextScales.includes(Number(remembered("text"))) ? Number(remembered("text")) : 1;
     this.presenting = false;
-    this.larger = 1; // how many times larger a demo wants its words, for a large screen
+    this.larger = 1; // how many times larger a demo wants its words than a lesson that is presented
     this.motion = asks("(prefers-reduced-motion: reduce)");
     this.motion.addEventListener("change", () => this.#apply());
     by_id("theme").addEventListener("click", () => this.#next_theme());
@@ -55,6 +57,7 @@ export class Settings {
     by_id("present").addEventListener("click", () => this.present(true));
     by_id("leave").addEventListener("click", () => this.present(false));
     // In full screen, the browser takes Escape for itself.
+    addEventListener("resize", () => this.presenting && this.#apply());
     addEventListener("fullscreenchange", () => document.fullscreenElement || this.present(false));
     this.#apply();
   }
@@ -159,13 +162,15 @@ export class Settings {
 
   get text_scale() {
     const scale = this.text * (this.theme === "projector" ? kProjectorScale : 1);
-    return this.presenting ? Math.max(scale, kPresentingScale * this.larger) : scale;
+    const screen = Math.max(1, Math.min(innerWidth / kScreen.width, innerHeight / kScreen.height));
+    return this.presenting ? Math.max(scale, kPresentingScale * this.larger * screen) : scale;
   }
 
   #apply() {
     const root = document.documentElement;
     root.dataset.theme = this.theme;
     root.classList.toggle("presenting", this.presenting);
+    root.classList.toggle("low", innerHeight < kLow * this.text_scale);
     root.style.setProperty("--text-scale", String(this.text_scale));
     set_text(by_id("theme-name"), kNames[this.theme]);
     by_id("theme").setAttribute("aria-label", `Theme: ${kNames[this.theme]}`);

@@ -1,5 +1,6 @@
 // The dialog that says how to hand on what stands here: its address, and what to copy into a page of one's own.
 import { button, element, set_text } from "./dom.js";
+import { bring_style, show_dialog } from "./sheet.js";
 
 const kBroad = 800, kHigh = 600; // pixels
 const kLine = 36, kMostLines = 6; // letters in one
@@ -19,6 +20,9 @@ async function copy(/** @type {string} */ text) {
   }
 }
 
+/** An address that shows a figure. */
+export const framed = (/** @type {string} */ address) => address.replace(/#|$/, "&embed=1$&");
+
 /** A text to copy, under its label.
  *  @param {string} label @param {string} text @param {string} says */
 function row(label, text, says) {
@@ -33,25 +37,26 @@ function row(label, text, says) {
   return element("section", {}, element("h3", {}, label), element("div", {}, field, take), note);
 }
 
-/** The address is copied at once. leads: what it opens. embedded: the address of it in a frame.
- *  @param {{ title: string, address: string, leads: string, embedded: string, is_exercise: boolean }} of */
-export function show_share({ title, address, leads, embedded, is_exercise }) {
-  if (!document.querySelector('link[href="share.css"]'))
-    document.head.append(element("link", { rel: "stylesheet", href: "share.css" }));
-  const framed = is_exercise
+/** The address is copied at once, unless something is lost by it: then one is told, and copies it if that will do.
+ *  embedded: the address of it in a frame. whole: whether it opens what stands here. code, pictures: shows them.
+ *  @param {{ title: string, address: string, whole: boolean, embedded: string, is_exercise: boolean, code: () => void,
+ *    pictures: (() => void) | null }} of */
+export function show_share({ title, address, whole, embedded, is_exercise, code, pictures }) {
+  const lost = "It opens this lesson without what was edited here, which is too much for an address.";
+  const leads = whole ? "It opens what you see." : lost;
+  bring_style("share.css");
+  const says = is_exercise
     ? "Each reader decides on an instance of their own. A page that collects marks gets them (SPLICE)."
     : "A figure that is dragged and stepped in place. It needs 400 by 300 pixels at least.";
-  const dialog = element("dialog", { class: "share", "aria-labelledby": "share-title" },
-    element("h2", { id: "share-title" }, "Share"),
+  const dialog = show_dialog("share", "Share",
     row("Address", address, leads),
-    row("To put it into a page of yours", snippet_of(embedded, title), framed),
-    button("Close", () => dialog.close(), { class: "button primary" }));
-  dialog.addEventListener("close", () => dialog.remove());
-  dialog.addEventListener("keydown", (event) => event.stopPropagation()); // the stage's keys do nothing meanwhile
+    row("To put it into a page of yours", snippet_of(embedded, title), says),
+    element("p", { class: "buttons" },
+      !is_exercise && button("As a code to scan", () => (dialog.close(), code())),
+      pictures && button("As a picture", () => (dialog.close(), pictures())),
+      button("Close", () => dialog.close(), { class: "button primary" })));
   dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close()); // beside it
-  document.body.append(dialog);
-  dialog.showModal();
-  copy(address).then((copied) => copied && dialog.isConnected &&
+  if (whole) copy(address).then((copied) => copied && dialog.isConnected &&
     set_text(dialog.querySelector(".label") ?? dialog, `The address is copied. ${leads}`));
   dialog.querySelector("button")?.focus();
 }

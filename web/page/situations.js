@@ -64,7 +64,7 @@ export class SituationTools {
   #hold(/** @type {boolean} */ held) {
     if (held === this.#held) return;
     this.#held = held;
-    this.#act(() => this.#door.hold_slider(held));
+    this.#act(() => answer_edit(this.#door.hold_slider(held)));
   }
 
   /** @param {number} number @param {number} place */

@@ -1,7 +1,8 @@
 // An exercise in a frame of another page: that page is told the mark and what was decided, and gives it back when the
 // exercise is opened again, by SPLICE's messages (https://cssplice.org). Nothing of the student goes out before that page
 // has answered, and then to its origin alone; what others send is not read.
-import { pack, score_of, unpack, whole_text } from "./course_text.js";
+import { score_of, unpack } from "./course_text.js";
+import { exercises_in } from "./kept.js";
 /** @import { Kept } from "./kept.js"
  *  @import { Saving } from "./saving.js" */
 
@@ -42,6 +43,7 @@ class Link {
   #of;
   #tell;
   #seen;
+  #least = 0; // the score never falls
   #body = "";
   #taken = /** @type {string | null} */ (null);
   #failed = false;
@@ -72,24 +74,41 @@ class Link {
 
   save() {
     const { data } = this.#kept;
-    const { text: body } = pack(data, this.#of, Infinity);
+    const body = state_text(data, this.#of.exercises[0]);
     if (body === this.#body) return;
     this.#body = body;
-    if (this.state !== "seen") this.#report(body, (score_of(data, this.#of) ?? 0) / 100, data.count);
+    this.#least = Math.max(this.#least, (score_of(data, this.#of) ?? 0) / 100);
+    if (this.state !== "seen") this.#report(body, this.#least);
   }
 
-  /** @param {string} body @param {number} score @param {number} count */
-  async #report(body, score, count) {
-    const state = whole_text(count, 0, body);
+  /** @param {string} state @param {number} score */
+  async #report(state, score) {
     const answer = await this.#around.ask("SPLICE.reportScoreAndState", { score, state });
-    if (body !== this.#body) return; // a later one says how it stands
+    if (state !== this.#body) return; // a later one says how it stands
     this.#failed = !answer || Boolean(answer.error) || answer.success === false;
-    if (!this.#failed) this.#taken = body;
+    if (!this.#failed) this.#taken = state;
     this.#tell();
   }
 
   flush() {}
   finish() {}
+}
+
+/** What the page around keeps: all of the exercise, with what was built or written, for nothing of it stays here.
+ *  @param {Readonly<KeptData>} data @param {string} id */
+const state_text = ({ exercises }, id) => (exercises[id] ? JSON.stringify({ exercise: exercises[id] }) : "");
+
+/** The exercise in a state that was given back, which some pages quote once more; null where it has none. States of
+ *  earlier versions are those of courses' sites.
+ *  @param {unknown} state @param {string} id */
+function exercise_of(state, id) {
+  try {
+    const read = JSON.parse(String(state));
+    if (typeof read === "string") return exercise_of(read, id);
+    return exercises_in({ exercises: { [id]: read?.exercise } })[id] ?? null;
+  } catch {
+    return unpack(String(state))?.exercises[id] ?? null;
+  }
 }
 
 /** Joins what is kept with what the page around has of the exercise. Where that page keeps it, this device does not: it
@@ -100,9 +119,10 @@ export async function join(id, kept, saving) {
   const answer = await around.ask("SPLICE.getState");
   if (!answer || answer.error) return;
   kept.move_to("frame", { reads: true });
-  const given = typeof answer.state === "string" ? unpack(answer.state) : null;
-  if (given) kept.merge({ ...given, lessons: {} });
-  const link = new Link(around, kept, id, given?.body ?? null, () => saving.show());
+  const given = exercise_of(answer.state, id);
+  if (given) kept.merge({ count: 0, lessons: {}, exercises: { [id]: given } });
+  const seen = given && state_text(kept.data, id);
+  const link = new Link(around, kept, id, seen, () => saving.show());
   saving.link = link;
   link.save();
   saving.show();

@@ -14,7 +14,8 @@ export async function load_anew(mixed) {
   if (was) return say(mixed ? kTwo : "Snug was updated, so this page was loaded anew.");
   const links = [...document.querySelectorAll("link[href], script[src]")];
   const paths = links.map((link) => link.getAttribute("href") ?? link.getAttribute("src") ?? "");
-  await Promise.all([...paths, "snug.js", "snug.wasm", "sizes.json"].map((path) => fetch(path, { cache: "reload" })));
+  paths.push(...["snug.js", "snug.wasm", "sizes.json"].map(window.snug.at));
+  await Promise.all(paths.map((path) => fetch(path, { cache: "reload" })));
   location.reload();
   return new Promise(() => {}); // nothing more happens here
 }

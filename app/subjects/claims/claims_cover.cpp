@@ -103,6 +103,7 @@ bool ClaimsCover::put_on_stage(lesson::Session& session) {
   const cost::TrialRow* row = focused();
   if (row == nullptr) return false;
   const auto seed = static_cast<std::uint64_t>(row->seed);
+  const lesson::AtOnce at_once(session);
   if (!session.set_generator(row->kind, row->points, 3, seed)) return false;
   if (!session.choose(0, lesson::shown_by(session.lesson(), claim()))) return false;
   session.jump(session.steps());
@@ -121,6 +122,7 @@ bool ClaimsCover::command(lesson::Session& session, std::string_view name) {
   }
   if (name == "measure") {
     if (running() || !clock_ || session.asked() != nullptr) return false;
+    if (session.to_predict() != nullptr) return session.ask_predictions(), true;
     run_ = std::make_unique<cost::TrialRun>(cost::every_trial());
     rows_.clear();
     at_ = 0;
@@ -192,6 +194,7 @@ std::array<CoverButton, 2> ClaimsCover::work_buttons(const lesson::Session& sess
 
 std::string ClaimsCover::status(const lesson::Session& session) const {
   if (session.asked() != nullptr) return "Answer the questions first: the charts would give the answers away.";
+  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
   const std::string all = std::to_string(cost::trial_claims().size()) + " claims, " +
                           std::to_string(cost::trial_kinds().size() * cost::kTrialSeeds) + " clouds each";
   if (running()) return "Trying " + all + ".";
@@ -201,6 +204,7 @@ std::string ClaimsCover::status(const lesson::Session& session) const {
 std::string ClaimsCover::caption(const lesson::Session& session) const {
   const cost::TrialTally tally = cost::tally_trials(claim().name, rows_);
   if (session.asked() != nullptr) return "Predict first, then measure.";
+  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
   if (running()) return "Measuring: " + std::to_string(static_cast<int>(100 * progress())) + " % of the clouds.";
   if (tally.clouds == 0 && predictions_wait(session)) return "Your predictions are in: now press Measure.";
   if (tally.clouds == 0) return "Nothing has been measured yet: press Measure.";

@@ -27,7 +27,7 @@ bool shows_hand_of(const lesson::Session& session, std::string_view volume) {
 }
 
 /// Where the handle's stalk begins: the middle of the points for a box, that of the core for a core.
-Point3 middle_of(const lesson::HeldVolume& held) { return lesson::at_handle(held, {}); }
+Point3 held_middle(const lesson::HeldVolume& held) { return lesson::at_handle(held, {}); }
 
 void draw_core(Brush& brush, const lesson::HeldVolume& held) {
   const VolumeStyle style{Stroke::kDashed, brush.p.current, brush.stroke(0.9f)};
@@ -44,7 +44,7 @@ void draw_core(Brush& brush, const lesson::HeldVolume& held) {
 void draw_handle(Brush& brush, const lesson::HeldVolume& held, const Handle& handle, const Point3& at) {
   switch (handle.kind) {
     case Handle::Kind::kCenter: return draw_center(brush, at, brush.p.current);
-    case Handle::Kind::kTurn: return draw_knob(brush, middle_of(held), at, true);
+    case Handle::Kind::kTurn: return draw_knob(brush, held_middle(held), at, true);
     default: return draw_knob(brush, at, at, false);
   }
 }

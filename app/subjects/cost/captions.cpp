@@ -107,14 +107,21 @@ std::string growth_caption(const cost::Table<cost::GrowthRow>& table, double lon
     return static_cast<int>(
         std::count_if(lines.begin(), lines.end(), [&](auto line) { return line[0].stopped == why; }));
   };
+  const std::string limits = own_limits(table.rows);
+  const auto limited = static_cast<int>(
+      std::count_if(lines.begin(), lines.end(), [](auto line) { return ends_at_own_limit(line.back()); }));
   const int all = static_cast<int>(lines.size()), whole = ended("");
   const char* const why = ended("stopped") > 0 ? ", or where you stopped it."
                           : longest < 1e9      ? ": a longer run would hold up the page."
                                                : ".";
-  if (whole == 0) return phrase("All lines end where one run would take over %s%s", time(longest).c_str(), why);
+  if (limited > 0 && whole + limited == all)
+    return phrase("%d of %d %s measured to the end.", whole, all, whole == 1 ? "is" : "are") + limits;
+  if (whole + limited == 0)
+    return phrase("All lines end where one run would take over %s%s", time(longest).c_str(), why);
   if (whole == all) return "All are measured to the end. The steeper the line, the faster the time grows.";
   return phrase("%d of %d %s measured to the end; the others end where one run would take over %s%s", whole, all,
-                whole == 1 ? "is" : "are", time(longest).c_str(), why);
+                whole == 1 ? "is" : "are", time(longest).c_str(), why) +
+         (limited > 0 ? " But" + limits : "");
 }
 
 std::string turn_caption(const cost::Table<cost::TurnRow>& table, int line, std::size_t point) {

@@ -230,6 +230,15 @@ std::string growth_title(const std::vector<cost::GrowthRow>& rows, const cost::G
   return series_name(of_one_volume(rows), row);
 }
 
+std::string own_limits(const std::vector<cost::GrowthRow>& rows) {
+  std::string said;
+  for (const auto line : lines_of(rows))
+    if (ends_at_own_limit(line.back()))
+      said += " " + growth_title(rows, line.back()) + " ends at " +
+              chart_figure(ChartUnit::kCount, static_cast<double>(line.back().points)) + " points, its own limit.";
+  return said;
+}
+
 std::string algorithm_title(std::string_view volume, std::string_view algorithm) {
   const fit::Algorithm* found = fit::find_algorithm(volume, algorithm);
   return std::string(found != nullptr ? found->title : algorithm);
@@ -263,8 +272,9 @@ Chart cost_chart(const cost::Table<cost::CostRow>& now, const cost::Table<cost::
 }
 
 Chart growth_chart(const cost::Table<cost::GrowthRow>& now, const cost::Table<cost::GrowthRow>* then) {
+  const std::string limits = own_limits(now.rows);
   Chart chart{.title = title_of("Time against the number of points", now.provenance),
-              .note = note_of(now.provenance),
+              .note = note_of(now.provenance) + (limits.empty() ? "" : "." + limits),
               .x = {"points", ChartUnit::kCount, true},
               .y = {"time of one fit", ChartUnit::kTime, true}};
   if (then != nullptr) add_growth(chart, then->rows, now.rows, true);

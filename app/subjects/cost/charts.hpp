@@ -41,6 +41,8 @@ struct AccuracyWords {
 [[nodiscard]] AccuracyWords accuracy_words(const std::vector<cost::CostRow>& rows, const cost::CostRow& row);
 /// The title of a line of the chart of growth, in the same way.
 [[nodiscard]] std::string growth_title(const std::vector<cost::GrowthRow>& rows, const cost::GrowthRow& row);
+/// Which lines end at their own limit: " Welzl, recursive ends at 1,023 points, its own limit."; empty if none does.
+[[nodiscard]] std::string own_limits(const std::vector<cost::GrowthRow>& rows);
 /// What the sizes of a whole table are multiples of.
 [[nodiscard]] std::string_view accuracy_against(const std::vector<cost::CostRow>& rows);
 

@@ -90,12 +90,12 @@ tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::P
   for (Index i = 0; i < kMostShown; ++i) shown.points.push_back(fit::point_of(some, i));
   if (auto loaded = session.load(shown, name); !loaded) return loaded;
   whole_ = *std::move(set);
-  some_ = *session.subject().points();
+  some_ = some;
   return {};
 }
 
 bool Costs::may_see(const lesson::Session& session, CostView view) const {
-  return view == CostView::kAccuracy || session.asked() == nullptr;
+  return view == CostView::kAccuracy || session.to_predict() == nullptr;
 }
 
 bool Costs::look_at(const lesson::Session& session, CostView view) {
@@ -215,7 +215,8 @@ bool Costs::command(lesson::Session& session, std::string_view name) {
   refused_.clear();
   if (name == "measure") {
     if (running() || !clock_ || session.asked() != nullptr) return false;
-    start(session);
+    if (session.to_predict() != nullptr) session.ask_predictions();
+    else start(session);
   } else if (name == "stop_measuring") {
     if (!running()) return false;
     finish(session);

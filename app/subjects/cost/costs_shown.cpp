@@ -94,6 +94,7 @@ bool Costs::load_algorithm(lesson::Session& session) {
 
 std::string Costs::status(const lesson::Session& session) const {
   if (session.asked() != nullptr) return std::string(kPredictFirst);
+  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
   const bool growth = view_ == CostView::kGrowth;
   const std::string points = chart_figure(ChartUnit::kCount, size(session)) + " points";
   const std::string on = sheet().about().points.substr(0, sheet().about().points.find(':'));
@@ -128,6 +129,7 @@ std::string Costs::caption(const lesson::Session& session) const {
     return accuracy_caption(accuracy(), accuracy().rows[focus_row_]);
   }
   if (session.asked() != nullptr) return "Predict first, then measure.";
+  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
   if (!any && view_ == CostView::kAccuracy && awaits_measuring(session))
     return "Your predictions are in: now press Measure.";
   if (!any) return "Nothing has been measured yet: press Measure.";

@@ -19,7 +19,6 @@ using lesson::CriteriaSubject;
 using lesson::CriteriaTable;
 using lesson::CriteriaTableKind;
 
-constexpr const char* kPressMeasure = "Press Measure: first you predict, then it is measured.";
 constexpr Index kMostFitted = 5'000;  // points around which all volumes are fitted within a frame or two
 /// The length of a batch that any browser's clock can measure, and the longest runs that do not delay a frame, ns.
 constexpr double kShortestBatch = 10e6, kLongestBatch = 15e6, kLongestFit = 24e6, kLongestWatchedFit = 28e6;
@@ -115,7 +114,7 @@ std::string CriteriaBoard::caption(const lesson::Session& session) const {
   if (running()) return "Measuring all volumes: test, looseness, build, update, bytes, false positives.";
   const int chosen = chosen_in(session);
   if (chosen < 0) return "Select a picture.";
-  if (session.to_predict() != nullptr && criteria(session).is_measured()) return kPressMeasure;
+  if (session.to_predict() != nullptr && criteria(session).is_measured()) return std::string(kPressMeasure);
   return lesson::defence_text(criteria(session), chosen);
 }
 
@@ -230,7 +229,7 @@ std::array<CoverButton, 2> CriteriaBoard::work_buttons(const lesson::Session& se
 
 std::string CriteriaBoard::status(const lesson::Session& session) const {
   if (session.asked() != nullptr) return "Answer the question first: the table would give the answer away.";
-  if (session.to_predict() != nullptr) return kPressMeasure;
+  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
   const std::string points = points_words(session.size());
   if (running()) return "Measuring, on " + points_words(measured_->size()) + ".";
   if (criteria(session).is_measured()) return "Measured here, on " + points + ".";

@@ -211,7 +211,7 @@ bool work_on_pairs(lesson::Session& session) {
 
 std::optional<PanelWords> pairs_in_words(const lesson::Session& session) {
   const lesson::VolumesSubject& subject = volumes_on(session);
-  if (!subject.pair().any) return std::nullopt;
+  if (!subject.pair().any || session.conduct().decides) return std::nullopt;
   const PairHeat heat(subject.costs());
   PanelWords words{
       {.head = {"Pair", "Test", "Its time", "In a scene", "GJK’s time", "Apart", "Source"}, .title = "All 28 pairs"}};
@@ -235,7 +235,7 @@ std::optional<PanelWords> pairs_in_words(const lesson::Session& session) {
 
 float draw_pair_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
   const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(session.subject())->pair();
-  if (!pair.any) return 0;
+  if (!pair.any || session.conduct().decides) return 0;  // an exercise has its pair
   ImDrawList* list = ImGui::GetWindowDrawList();
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "All 28 pairs: choose one");
   const float top = at.y + look.px(kPairHeading + kPairLine), names = look.px(kKindNames);

@@ -43,7 +43,8 @@ struct Build {
 struct Harder {
   std::optional<int> count;             // of points
   std::optional<std::string> generate;  // how they are scattered
-  std::optional<double> apart;          // see Exercise::apart; 0: ties come, and each of what is right is accepted
+  std::optional<double> apart;          // see Exercise::apart
+  bool ties = false;                    // see Exercise::ties
   std::optional<std::pair<int, int>> decisions;
 };
 
@@ -57,6 +58,7 @@ struct Exercise {
   int level = 0;               // the one that this is
   bool told_at_once = true;    // or all at the end
   double apart = 0;            // no decision is nearer to a tie than this share of the extent (Asking::margin)
+  bool ties = false;           // whether some decision is a tie, in which each of the right answers is accepted
   int least = 1, most = 100;   // how many decisions an instance has
   std::uint64_t hash = 0;      // of the file's text
 

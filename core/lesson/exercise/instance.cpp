@@ -45,6 +45,12 @@ std::vector<Question> questions_of(const Exercise& exercise, const Run& run) {
   return all;
 }
 
+/// Whether a decision is nearer to a tie than the exercise allows.
+bool too_near(const Exercise& exercise, const Asked& asked, const Run& run) {
+  if (asked.asking->margin == nullptr) return true;
+  return asked.asking->margin(asked, run) < exercise.apart && !(exercise.ties && has_tie(asked, run));
+}
+
 /// Leaves to the program what is too near to a tie, and what is asked often enough, where the exercise says so.
 void leave_some(const Exercise& exercise, Lesson& lesson, const std::vector<Asked>& asked, const Run& run) {
   std::vector<std::string> skipped;
@@ -52,8 +58,8 @@ void leave_some(const Exercise& exercise, Lesson& lesson, const std::vector<Aske
   for (const Asked& one : asked) {
     const std::size_t kind = decision_of(exercise, *one.question);
     const Decision& decision = exercise.decisions[kind];
-    const bool tied = decision.skip_ties && one.asking->margin(one, run) < exercise.apart;
-    if (tied || left[kind] == decision.most) skipped.push_back(one.question->id);
+    if ((decision.skip_ties && too_near(exercise, one, run)) || left[kind] == decision.most)
+      skipped.push_back(one.question->id);
     else ++left[kind];
   }
   std::erase_if(lesson.questions, [&](const Question& one) { return is_among(skipped, one.id); });
@@ -71,14 +77,25 @@ bool varies(const std::vector<Asked>& asked, const Run& run, auto is_it) {
   return false;
 }
 
+/// Whether a first answer that is wrong leaves only right ones for the second.
+bool gives_away(const Asked& asked, const Run& run) {
+  if (asked.many || asked.ordered || asked.number || !has_tie(asked, run)) return false;
+  const Truth truth = asked.asking->truth(asked, run);
+  const std::size_t right = asked.choices.empty() ? truth.points.size() : truth.choices.size();
+  return right + 1 == (asked.choices.empty() ? asked.stage_points.size() : asked.choices.size());
+}
+
 /// What the instance lacks of the promise, as a sentence fragment; empty for nothing.
 /// varied: whether the right answers of a balanced decision differ.
 std::string lacks(const Exercise& exercise, const std::vector<Asked>& asked, const Run& run, bool varied) {
   if (std::ssize(asked) < exercise.least) return "too few decisions";
   if (std::ssize(asked) > exercise.most) return "too many decisions";
   for (const Asked& one : asked)
-    if (one.asking->margin == nullptr || one.asking->margin(one, run) < exercise.apart)
-      return "a " + one.question->asks + " too near to a tie";
+    if (too_near(exercise, one, run)) return "a " + one.question->asks + " too near to a tie";
+  if (std::any_of(asked.begin(), asked.end(), [&](const Asked& one) { return gives_away(one, run); }))
+    return "too few wrong answers";
+  if (exercise.ties && std::none_of(asked.begin(), asked.end(), [&](const Asked& one) { return has_tie(one, run); }))
+    return "no tie";
   for (std::size_t kind = 0; kind < exercise.decisions.size(); ++kind) {
     const Decision& decision = exercise.decisions[kind];
     const auto is_it = [&](const Asked& one) { return decision_of(exercise, *one.question) == kind; };

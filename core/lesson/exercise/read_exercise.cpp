@@ -11,7 +11,6 @@
 #include "lesson/read_lesson.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/toml_file.hpp"
-#include "number/fnv.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -21,12 +20,6 @@ constexpr double kMostApart = 0.2;
 constexpr std::int64_t kMostHarderPoints = 60;
 constexpr std::size_t kMostSteps = 3;                       // to a bound
 constexpr std::string_view kPreviousDecision = "decision";  // the value of "after"
-
-std::uint64_t hash_of(std::string_view text) {
-  Fnv1a hash;
-  for (const char c : text) hash.add_bits(static_cast<unsigned char>(c));
-  return hash.value();
-}
 
 /// The fewest and the most decisions of an instance.
 std::pair<int, int> read_decisions(TomlTable& table) {
@@ -49,6 +42,7 @@ Harder read_harder(const toml::table& toml, Complaints& complaints) {
     if (!(*harder.apart >= 0 && *harder.apart <= kMostApart)) table.wrong("apart", "must be from 0 to 0.2");
   }
   if (table.has("decisions")) harder.decisions = read_decisions(table);
+  harder.ties = table.flag_or("ties", false);
   table.refuse_others();
   return harder;
 }
@@ -181,7 +175,10 @@ std::string_view Exercise::kind() const {
                        [&](const Question& one) { return ((one.asks == asks) || ...); });
   };
   if (all_ask("number", "radius_b")) return "number";
-  return all_ask("sequence", "tightest_order") ? "order" : "carry_out";
+  return all_ask("sequence", "tightest_order", "cheapest_order", "loose_box", "rebuilt_box", "climbed_box",
+                 "rotated_box")
+             ? "order"
+             : "carry_out";
 }
 
 Exercise at_level(const Exercise& exercise, int level) {
@@ -192,6 +189,7 @@ Exercise at_level(const Exercise& exercise, int level) {
     if (harder.count) own.stage.points.count = *harder.count;
     if (harder.generate) own.stage.points.generate = *harder.generate;
     if (harder.apart) own.apart = *harder.apart;
+    own.ties = own.ties || harder.ties;
     if (harder.decisions) std::tie(own.least, own.most) = *harder.decisions;
   }
   return own;
@@ -201,7 +199,7 @@ ExerciseDraft read_exercise(std::string_view text, std::string_view name) {
   Complaints complaints(name);
   ExerciseDraft draft;
   draft.exercise.id = id_of(name);
-  draft.exercise.hash = hash_of(text);
+  draft.exercise.hash = hash_of_text(text);
   if (auto toml = parse_file(text, "an exercise", complaints)) read(*toml, name, draft.exercise, complaints);
   draft.mistakes = complaints.mistakes();
   return draft;

@@ -55,6 +55,12 @@ std::string told(const Asked& asked, const Run& run) {
   return "The answer: " + one_of(right) + '.';
 }
 
+/// What was decided, and what is right: "yours: P4; right: P7".
+std::string beside(const Outcome& outcome) {
+  if (outcome.right) return "yours: " + outcome.predicted + ", which is right";
+  return "yours: " + outcome.predicted + "; right: " + outcome.happened;
+}
+
 std::string hint_text(const Exercise& exercise, const Session& session, std::size_t at, int hint) {
   const Asked& asked = session.questions()[at];
   if (hint == 0) return exercise.decisions[decision_of(exercise, *asked.question)].hint;
@@ -118,6 +124,8 @@ std::size_t Sitting::at(const Session& session) const {
   const auto is_open = [&](const Asked& one) { return standing_of(session.outcome_of(one)) == Standing::kOpen; };
   return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_open) - all.begin());
 }
+
+bool Sitting::finished(const Session& session) const { return exercise_->build ? over_ : all_decided(session); }
 
 std::vector<Marked> Sitting::marked(const Session& session) const {
   const bool tells = tells_at_once() || finished(session);
@@ -236,11 +244,11 @@ const std::string* Sitting::rule_of(const Session& session, const Asked& asked, 
 }
 
 std::string Sitting::rule_says(const Session& session) const {
-  if (session.given().empty() || session.given().back().right || !tells_at_once()) return {};
-  const Given& last = session.given().back();
   const std::size_t now = at(session);
-  if (now == hints_.size() || session.questions()[now].question->id != last.question) return {};
-  const std::string* says = rule_of(session, session.questions()[now], last.answer);
+  if (now == hints_.size() || exercise_->build || !(tells_at_once() || finished(session))) return {};
+  const auto tries = given_to(session, *session.questions()[now].question);
+  if (tries.empty() || tries.back()->right) return {};
+  const std::string* says = rule_of(session, session.questions()[now], tries.back()->answer);
   return says != nullptr ? *says : std::string();
 }
 
@@ -261,6 +269,59 @@ std::vector<std::string> Sitting::rules_followed(const Session& session) const {
       if (differs >= 2 && followed == differs) all.push_back(words.says);
     }
   return all;
+}
+
+Sitting::Looked Sitting::looks_at(const Session& session) const {
+  if (exercise_->build || !finished(session)) return Looked::kNeither;
+  if (session.outcome() != nullptr) return Looked::kOwn;
+  return session.step() < session.steps() ? Looked::kRight : Looked::kNeither;
+}
+
+bool Sitting::show(Session& session, std::size_t decision) const {
+  if (!session.review(session.questions()[decision].question->id)) return false;
+  session.show_answer();
+  return true;
+}
+
+bool Sitting::change_run(Session& session) const {
+  if (exercise_->build || !finished(session)) return false;
+  const std::vector<Asked>& all = session.questions();
+  if (looks_at(session) == Looked::kOwn) {
+    const int here = all[at(session)].step;
+    session.acknowledge();
+    return session.go(here), true;
+  }
+  const auto is_next = [&](const Asked& one) {
+    return session.step() == session.steps() ? !session.outcome_of(one)->right : one.step >= session.step();
+  };
+  const auto found = std::find_if(all.begin(), all.end(), is_next);
+  const bool past = found == all.end() && session.step() < session.steps();
+  return show(session, past ? all.size() - 1 : found == all.end() ? 0 : found - all.begin());
+}
+
+bool Sitting::step_own(Session& session, int by) const {
+  const std::size_t next = at(session) + by;  // it wraps below the first
+  return looks_at(session) == Looked::kOwn && next < session.questions().size() && show(session, next);
+}
+
+std::string Sitting::compared(const Session& session) const {
+  std::string says;
+  if (looks_at(session) != Looked::kRight) return says;
+  const std::vector<Asked>& all = session.questions();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].step == session.step())
+      says += (says.empty() ? "" : " ") + ("Decision " + std::to_string(i + 1)) + " (" +
+              beside(*session.outcome_of(all[i])) + ").";
+  return says.empty() ? "Nothing is decided at this step." : says;
+}
+
+std::string Sitting::first_difference(const Session& session) const {
+  const Asked* const first = exercise_->build ? nullptr : first_wrong(session);
+  if (first == nullptr) return {};
+  return "Your run first differs from the right one at decision " +
+         std::to_string(first - session.questions().data() + 1) +
+         (first->ordered ? "" : " (" + beside(*session.outcome_of(*first)) + ')') +
+         ". After a mistake, it goes on from the right step.";
 }
 
 Attempt Sitting::attempt(const Session& session) const {
@@ -361,6 +422,19 @@ tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::u
       attempt.made.back().tries.push_back(some_wrong(all[i], run, answer));
   }
   return attempt;
+}
+
+bool all_decided(const Session& session) {
+  const std::vector<Asked>& all = session.questions();
+  return std::all_of(all.begin(), all.end(),
+                     [&](const Asked& one) { return standing_of(session.outcome_of(one)) != Standing::kOpen; });
+}
+
+const Asked* first_wrong(const Session& session) {
+  if (!all_decided(session)) return nullptr;
+  for (const Asked& asked : session.questions())
+    if (!session.outcome_of(asked)->right) return &asked;
+  return nullptr;
 }
 
 }  // namespace snug::lesson

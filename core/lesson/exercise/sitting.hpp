@@ -50,7 +50,8 @@ class Sitting {
   /// The number of the open decision, counted from 0, while another's outcome is shown, that of this; as many as there
   /// are at the end.
   [[nodiscard]] std::size_t at(const Session& session) const;
-  [[nodiscard]] bool finished(const Session& session) const { return over_ || at(session) == hints_.size(); }
+  /// Whether all is decided, and stays so while a decision is looked at again.
+  [[nodiscard]] bool finished(const Session& session) const;
   /// All decisions, in order.
   [[nodiscard]] std::vector<Marked> marked(const Session& session) const;
   /// The mark so far, in quarters, of one for each decision; where nothing is told before the end, it is not to be
@@ -88,6 +89,21 @@ class Sitting {
   /// least two of these.
   [[nodiscard]] std::vector<std::string> rules_followed(const Session& session) const;
 
+  // When it is over, the student's run and the right one stand on one timeline. A mistake is followed by the right
+  // step, so they differ in single decisions: the student's are shown one by one, each with what was right beside it.
+  /// Which run is looked at; none before the end, and at the end of the timeline.
+  enum class Looked { kNeither, kOwn, kRight };
+  [[nodiscard]] Looked looks_at(const Session& session) const;
+  /// From the right run to the student's, at the next decision, and back; from the end to where they first differ.
+  bool change_run(Session& session) const;
+  /// In the student's run, goes to the next decision, or with by = -1 to the one before. Returns false if there is
+  /// none.
+  bool step_own(Session& session, int by) const;
+  /// In the right run, what was decided here, and what is right.
+  [[nodiscard]] std::string compared(const Session& session) const;
+  /// At the end, where both first differ; empty if they do not.
+  [[nodiscard]] std::string first_difference(const Session& session) const;
+
   [[nodiscard]] Attempt attempt(const Session& session) const;
   /// Makes the decisions of an attempt, as far as they can be made. Errors: it has more than there are, or one that is
   /// no answer to what is asked.
@@ -95,6 +111,7 @@ class Sitting {
 
  private:
   tl::expected<void, InputError> take_up_built(Session& session, const Attempt& attempt);
+  [[nodiscard]] bool show(Session& session, std::size_t decision) const;
   [[nodiscard]] const std::string* rule_of(const Session& session, const Asked& asked, const Answer& answer) const;
 
   std::shared_ptr<const Exercise> exercise_;
@@ -106,6 +123,14 @@ class Sitting {
   std::uint64_t changes_ = 0;
   bool over_ = false;  // whether the student is done with what was built
 };
+
+/// Whether every decision of an exercise is made, and stays so while one is looked at again; and then the first that is
+/// not right, null for none.
+[[nodiscard]] bool all_decided(const Session& session);
+[[nodiscard]] const Asked* first_wrong(const Session& session);
+
+inline constexpr std::string_view kRightRunWord = "The right run", kYourRunWord = "Your run",
+                                  kBothRunsWord = "Go through your run", kNextDecisionWord = "Next decision";
 
 /// The prices of the hints, shares of a decision's mark: of one, of two, of all.
 inline constexpr std::array<double, kMostHints + 1> kHintPrices{0, 0.25, 0.5, 1};

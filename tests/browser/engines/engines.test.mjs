@@ -160,7 +160,7 @@ class Page {
 /** The line of a lesson that is open as `snug trace-hash` prints it: in every situation every algorithm is chosen, and
  *  its run's hash folded in (FNV-1a). */
 async function line_of(page, id) {
-  const runs = await page.ask(`(() => {
+  const runs = await page.ask(`(async () => {
     const select = document.getElementById("algorithm");
     const choose = (name) => {
       select.value = name;
@@ -168,13 +168,16 @@ async function line_of(page, id) {
       return snug.state();
     };
     const situations = [...document.querySelectorAll('input[name="situation"]')];
-    return (situations.length > 0 ? situations : [null]).flatMap((situation) => {
+    const runs = [];
+    for (const situation of situations.length > 0 ? situations : [null]) {
       situation?.click();
+      while (snug.state().preparing) await new Promise((later) => setTimeout(later, 20));
       const names = [...select.options].map(({ value }) => value);
-      const runs = names.map((name) => [name, choose(name)]).filter(([name, now]) => now.algorithm === name);
+      const all = names.map((name) => [name, choose(name)]).filter(([name, now]) => now.algorithm === name);
       choose(names[0]);
-      return runs.map(([, { steps, trace }]) => ({ steps, trace }));
-    });
+      runs.push(...all.map(([, { steps, trace }]) => ({ steps, trace })));
+    }
+    return runs;
   })()`);
   let hash = 0xcbf29ce484222325n;
   for (const { trace } of runs)

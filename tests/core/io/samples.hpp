@@ -96,6 +96,13 @@ inline std::string stl_text() {
   return text + "endsolid tetra\n";
 }
 
+inline std::string off() {
+  std::string text = "OFF\n4 4 6\n" + rows(" ");
+  for (const auto& t : kTriangles)
+    text += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) + '\n';
+  return text;
+}
+
 /// header: up to 80 bytes, filled with blanks.
 inline std::string stl_binary(std::string header) {
   header.resize(80, ' ');
@@ -115,8 +122,9 @@ inline std::vector<Sample> all() {
           {"t.txt", rows(" \t ")},
           {"t.csv", "x,y,z\n" + rows(",")},
           {"semicolons.csv", rows("; ")},
-          {"tabs.csv", "a\tb\tc\n" + rows("\t")},
+          {"tabs.csv", "x\ty\tz\n" + rows("\t")},
           {"t.obj", obj(), false, true},
+          {"t.off", off(), false, true},
           {"t.ply", ply_text(), false, true},
           {"little.ply", ply_binary(false), true, true},
           {"big.ply", ply_binary(true), true, true},

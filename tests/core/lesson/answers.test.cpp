@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "check/check_lesson.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
@@ -100,9 +101,10 @@ TEST_CASE("a number is right within its tolerance, with its unit or without") {
   Session other = at_own(keys);
   REQUIRE(other.answer(Answer{.kind = Answer::Kind::kNumber, .number = 2.2601}));
   CHECK_FALSE(outcome_of_own(other).right);
-  CHECK_FALSE(read_lesson(with_question("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"number\"\nfigure = "
-                                        "\"excess\"\n"),
-                          "x.toml"));  // not a count: without a tolerance nobody could be right
+  CHECK_FALSE(
+      check::checked_lesson(with_question("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"number\"\nfigure = "
+                                          "\"excess\"\n"),
+                            "x.toml"));  // not a count: without a tolerance nobody could be right
 }
 
 TEST_CASE("numbers are read as people type them") {
@@ -212,12 +214,28 @@ TEST_CASE("a wrong number and a wrong one of several points are told what they m
   CHECK(session.answer_says() == "Not that one. Try once more. That is the old radius.");
   REQUIRE(session.pick("2.5"));
   REQUIRE(session.commit());
-  CHECK(outcome_of_own(session).because == "So.");
+  CHECK(outcome_of_own(session).because == "That is too much. So.");
 
   Session several = at_support("wrong = { P0 = \"Never said: P0 is right.\", P2 = \"P2 is inside.\" }\n");
   REQUIRE((several.pick(point(0)) && several.pick(point(2))));
   REQUIRE(several.commit());
   CHECK(several.answer_says() == "Not those. Try once more. P2 is inside.");
+}
+
+TEST_CASE("where the lesson has no words for a wrong answer, it is told which way the right one lies") {
+  Session number = at_own(
+      "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n");
+  REQUIRE((number.pick("1") && number.commit()));
+  CHECK(number.answer_says() == "Not that one. Try once more. That is too little.");
+  REQUIRE((number.pick("9") && number.commit()));
+  CHECK(outcome_of_own(number).because == "That is too much. So.");
+
+  Session range = at_own(
+      "algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"figure\"\nfigure = \"radius\"\nbounds = [1, 2, 100]\n");
+  REQUIRE((range.pick(choice(0)) && range.commit()));
+  CHECK(range.answer_says() == "Not that one. Try once more. It is more than that.");
+  REQUIRE((range.pick(choice(3)) && range.commit()));
+  CHECK(outcome_of_own(range).because == "It is less than that. So.");
 }
 
 TEST_CASE("of two questions at one place the first is told there, before the second is asked") {
@@ -324,7 +342,7 @@ TEST_CASE("a file of version 1 is told what to change, line by line") {
       "version = 1\n\n[[question]]\nid = \"a\"\nasks = \"choice\"\nanswer = \"yes\"\n\n[[question]]\nid = "
       "\"b\"\nown_points = true\n\n[task]\nexcess_at_least = 0.1\nsupport_size = 2\n";
   std::vector<std::string> said;
-  for (const FileError& mistake : read_draft(old, "old.toml").mistakes) said.push_back(mistake.message());
+  for (const FileError& mistake : check::checked_draft(old, "old.toml").mistakes) said.push_back(mistake.message());
   REQUIRE(said.size() == 6);
   CHECK(said[0].find("old.toml:1:11: the file is of version 1") == 0);
   CHECK(said[1].find("old.toml:6:10: a choice now says when its answer is true") == 0);

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "lesson/packed_rows.hpp"
+
 using namespace snug::lesson;
 
 namespace {
@@ -23,9 +25,11 @@ TEST_CASE("answers are kept as they were given") {
   pending.pending = true;
   auto given = some();
   given.push_back(pending);
-  const KeptAnswers kept = kept_answers_of(kept_text({given, {0, 2}}));
+  const std::vector<Session::DoneTask> done{{.task = 0}, {.task = 2, .by = packed_rows({{0.1, -2}, {1e-300, 3}})}};
+  const KeptAnswers kept = kept_answers_of(kept_text({given, done}));
   const std::vector<Outcome>& back = kept.outcomes;
-  CHECK(kept.tasks == std::vector<int>{0, 2});
+  CHECK(kept.tasks == done);
+  CHECK(kept_answers_of("tasks = [1]").tasks == std::vector<Session::DoneTask>{{.task = 1}});  // an earlier version's
   REQUIRE(back.size() == 3);
   CHECK(back[2].question == "front");
   CHECK(back[2].pending);
@@ -48,7 +52,7 @@ TEST_CASE("answers are kept as they were given") {
 }
 
 TEST_CASE("of damaged answers none are taken up") {
-  const std::string whole = kept_text({some(), {1}});
+  const std::string whole = kept_text({some(), {{.task = 1}}});
   for (std::size_t length = 1; length < whole.size(); ++length)
     CHECK(kept_answers_of(std::string_view(whole).substr(0, length)).outcomes.size() <= 2);
   CHECK(kept_answers_of("[[answer]]\nquestion = 7\n").outcomes.empty());

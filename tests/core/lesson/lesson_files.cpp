@@ -1,4 +1,5 @@
 #include "core/lesson/lesson_files.hpp"
+#include "check/check_lesson.hpp"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +21,7 @@ std::string lessons_file(const std::string& name) {
 }
 
 lesson::Lesson lesson_of(const std::string& id) {
-  auto lesson = lesson::read_lesson(lessons_file(id + ".toml"), id + ".toml");
+  auto lesson = check::checked_lesson(lessons_file(id + ".toml"), id + ".toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   return *std::move(lesson);
 }

@@ -3,11 +3,11 @@
 #include <array>
 #include <set>
 
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "geometry/generate.hpp"
 #include "lesson/place.hpp"
-#include "lesson/play.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
@@ -87,7 +87,7 @@ TEST_CASE("each lesson plays to its end with the model answers, and its task is 
     session.start_task();
     CHECK_FALSE(session.grade()->done);
     session.reset();
-    const auto played = play(session);
+    const auto played = check::play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
     CHECK(played->not_asked.empty());
@@ -191,7 +191,7 @@ TEST_CASE("the example that lessons/README.md gives is a sound lesson") {
   REQUIRE(begin != std::string::npos);
   const auto end = readme.find("```\n", begin + 8);
   Session session = test::open(readme.substr(begin + 8, end - begin - 8));
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->sound());
   CHECK(played->algorithms.front().outcomes.size() == 1);

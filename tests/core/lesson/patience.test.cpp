@@ -1,4 +1,4 @@
-// How long a lesson would take is estimated from a few of its points.
+// How long a lesson would take is estimated from a few of its points, and what takes long goes in pieces.
 #include "lesson/patience.hpp"
 
 #include <doctest/doctest.h>
@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/session.hpp"
 
@@ -16,51 +17,149 @@ using namespace snug::test;
 namespace {
 
 double g_now = 0;
-/// Each look at the clock is as much later as the points on the stage are many, cubed.
+/// Each look at the clock is so much later.
 double g_step = 0;
+
+double ticking() { return g_now += g_step; }
+double standing() { return g_now; }
+
+Session open_small(Clock clock) {
+  auto lesson = read_lesson(kSmallLesson, "small.toml");
+  REQUIRE(lesson.has_value());
+  auto session = Session::open(*std::move(lesson), {}, clock);
+  REQUIRE(session.has_value());
+  return *std::move(session);
+}
+
+/// Begins an edit that stays to be done, because every piece takes longer than is given at once.
+void begin_long_edit(Session& session) {
+  g_step = 0.15e9;
+  session.give_way(true);
+  REQUIRE(session.set_generator("cube", 3'000, 2, 3).has_value());
+  REQUIRE(session.preparing() != nullptr);
+}
 
 }  // namespace
 
-TEST_CASE("an estimate follows the growth, and runs no more than an eighth of the points") {
-  for (const double power : {1.0, 1.5, 2.0}) {
-    Index most = 0;
-    const auto time_of = [&](Index n) {
-      most = std::max(most, n);
-      return 1000 * std::pow(n, power);
-    };
-    const Index n = 100'000;
-    const Estimate estimate = estimate_of(time_of, n);
-    CHECK(most <= n / 4);
-    const double whole = 1000 * std::pow(n, power);
-    CHECK(estimate.whole == doctest::Approx(whole).epsilon(0.01));
+TEST_CASE("the growth of a time is followed to all points") {
+  for (const double power : {1.0, 1.5, 2.0, 3.0}) {
+    const auto time_of = [&](Index n) { return 1000 * std::pow(n, power); };
+    GrowingTime growth;
+    for (const Index some : {250, 500, 1000}) growth.add(some, time_of(some));
+    CHECK(growth.on(8000) == doctest::Approx(time_of(8000)).epsilon(0.01));
     const double possible = std::pow(kLongestShown / 1000, 1 / power);
-    if (whole <= kLongestShown) CHECK(estimate.most == n);
-    else CHECK((estimate.most <= possible * 1.01 && estimate.most > possible / 2));
+    const auto most = static_cast<double>(growth.most_in(kLongestShown));
+    CHECK((most <= possible * 1.01 && most > possible / 2));
   }
 }
 
-TEST_CASE("what is certain to take too long is stopped early") {
-  Index most = 0;
-  const auto cubic = [&](Index n) { return most = std::max(most, n), 1.0 * n * n * n; };
-  const Estimate estimate = estimate_of(cubic, 100'000);
-  CHECK(most <= 1000);
-  CHECK(estimate.most == 2000);
+TEST_CASE("of a method that takes next to no time, as many points as there can be are shown") {
+  GrowingTime growth;
+  for (const Index some : {250, 500, 1000}) growth.add(some, 1);
+  CHECK(growth.most_in(kLongestShown) == 2'000'000'000);
+}
+
+TEST_CASE("times that are noise tell nothing") {
+  GrowingTime growth;
+  for (const Index some : {250, 500}) growth.add(some, 1e9);
+  CHECK_FALSE(growth.tells());  // two times have no growth
+  growth.add(1000, 1e9);
+  CHECK(growth.tells());
+  growth.add(2000, 1e3);
+  CHECK_FALSE(growth.tells());
 }
 
 TEST_CASE("points that a lesson cannot show in time are refused with how many it can, and the stage stays") {
-  auto lesson = read_lesson(kSmallLesson, "small.toml");
-  REQUIRE(lesson.has_value());
-  const Clock clock = [] { return g_now += g_step; };
+  Session session = open_small(&ticking);
   g_step = 3e9;  // each measured piece takes three seconds
-  auto session = Session::open(*std::move(lesson), {}, clock);
-  REQUIRE(session.has_value());
-  const Index before = session->size();
-  const Done done = session->set_generator("cube", 50'000, 2, 3);
+  const Index before = session.size();
+  const Done done = session.set_generator("cube", 50'000, 2, 3);
   REQUIRE_FALSE(done.has_value());
   CHECK(done.error().what.find("would take about") != std::string::npos);
   CHECK(done.error().what.find("50,000 such points") != std::string::npos);
-  CHECK(session->size() == before);
+  CHECK(session.size() == before);
   g_step = 1;
-  CHECK(session->set_generator("cube", 5'000, 2, 3).has_value());
-  CHECK(session->size() == 5'000);
+  CHECK(session.set_generator("cube", 5'000, 2, 3).has_value());
+  CHECK(session.size() == 5'000);
+}
+
+TEST_CASE("an edit that takes long goes in pieces, and the stage stays until all is there") {
+  Session session = open_small(&ticking);
+  Session at_once = open_small(&standing);
+  const Index before = session.size();
+  begin_long_edit(session);
+  double share = 0;
+  int pieces = 0;
+  bool moves = true;
+  for (; session.preparing() != nullptr; ++pieces) {
+    REQUIRE(pieces < 1000);
+    moves = moves && session.preparing()->share() >= share && session.preparing()->share() <= 1;
+    share = session.preparing()->share();
+    CHECK(session.preparing()->says().find("Working on 3,000 points") == 0);
+    CHECK(session.size() == before);
+    g_step = 1e6;
+    REQUIRE(session.go_on(0).has_value());
+  }
+  CHECK(moves);
+  CHECK(pieces > 5);
+  CHECK(session.size() == 3'000);
+  // What was computed in pieces is what is computed at once.
+  REQUIRE(at_once.set_generator("cube", 3'000, 2, 3).has_value());
+  CHECK(session.trace_hash() == at_once.trace_hash());
+  REQUIRE(session.rivals().size() == at_once.rivals().size());
+  for (std::size_t i = 0; i < session.rivals().size(); ++i) {
+    CHECK(session.rivals()[i].method == at_once.rivals()[i].method);
+    CHECK(session.rivals()[i].size == at_once.rivals()[i].size);
+  }
+  session.undo();
+  CHECK(session.size() == before);
+  CHECK(session.is_own());
+}
+
+TEST_CASE("an edit that is given up changes nothing, and can be made again") {
+  Session session = open_small(&ticking);
+  const std::uint64_t trace = session.trace_hash();
+  begin_long_edit(session);
+  session.give_up();
+  CHECK(session.preparing() == nullptr);
+  CHECK(session.trace_hash() == trace);
+  CHECK(session.is_own());
+  CHECK_FALSE(session.can_undo());
+  g_step = 1;
+  CHECK(session.set_generator("cube", 3'000, 2, 3).has_value());
+  CHECK(session.size() == 3'000);
+}
+
+TEST_CASE("undo and redo of many points go in pieces as well, and giving one up keeps both ways") {
+  Session session = open_small(&ticking);
+  session.give_way(true);
+  g_step = 1;
+  REQUIRE(session.set_generator("cube", 3'000, 2, 3).has_value());
+  REQUIRE(session.set_generator("cube", 4'000, 2, 3).has_value());
+  g_step = 0.15e9;
+  session.undo();
+  REQUIRE(session.preparing() != nullptr);
+  session.give_up();
+  CHECK(session.size() == 4'000);
+  CHECK((session.can_undo() && !session.can_redo()));
+  g_step = 1;
+  session.undo();
+  CHECK(session.size() == 3'000);
+  session.redo();
+  CHECK(session.size() == 4'000);
+}
+
+TEST_CASE("one piece that would hold the page is refused, with how many points can be shown") {
+  Session session = open_small(&ticking);
+  session.give_way(true);
+  g_step = 0.1e9;  // of each piece at an eighth of the points: less than ten seconds for all, but too long for one
+  Done done = session.set_generator("cube", 3'000, 2, 3);
+  while (done && session.preparing() != nullptr) done = session.go_on(0);
+  REQUIRE_FALSE(done.has_value());
+  CAPTURE(done.error().what);
+  CHECK(done.error().what.find("would take about 3.2 s for 3,000 such points, and nothing would answer meanwhile") !=
+        std::string::npos);
+  CHECK(done.error().what.find("up to about 1,000 can be shown here") != std::string::npos);
+  CHECK(session.is_own());
+  CHECK_FALSE(session.can_undo());
 }

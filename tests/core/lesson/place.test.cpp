@@ -1,5 +1,6 @@
 #include "lesson/place.hpp"
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects.hpp"
@@ -185,7 +186,7 @@ TEST_CASE("another lesson begins where it begins") {
   Session before = open_small();
   before.jump(4);
   const Place place(before);
-  auto other = read_lesson(kSmallLesson, "other.toml");
+  auto other = check::checked_lesson(kSmallLesson, "other.toml");
   REQUIRE(other.has_value());
   auto now = Session::open(*std::move(other));
   REQUIRE(now.has_value());

@@ -1,6 +1,7 @@
 // What a lesson takes along to the playground.
 #include "lesson/playground.hpp"
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 
 using namespace snug;
@@ -26,7 +27,7 @@ text = "Prose."
 )";
 
 Session opened_text(std::string_view toml) {
-  auto lesson = read_lesson(toml, "test.toml");
+  auto lesson = check::checked_lesson(toml, "test.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   return *Session::open(*std::move(lesson));
 }

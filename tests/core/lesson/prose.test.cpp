@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/prose_figures.hpp"
 #include "lesson/search.hpp"
@@ -177,12 +178,12 @@ TEST_CASE("a mistake is told with its line and column, in prompts and hints too"
            {"\"Think.\"", "\"Think `twice.\"", "small.toml:65:15: \"hint\" has a ` without a partner"},
        })) {
     CAPTURE(one.to);
-    const Draft draft = read_draft(small_lesson_with(one.from, one.to), "small.toml");
+    const Draft draft = check::checked_draft(small_lesson_with(one.from, one.to), "small.toml");
     REQUIRE(draft.mistakes.size() == 1);
     const std::string message = draft.mistakes.front().message();
     CHECK_MESSAGE(message.substr(0, std::string_view(one.says).size()) == one.says, message);
   }
-  const Draft near = read_draft(small_lesson_with("over two lines.", "over {exces welzl}."), "small.toml");
+  const Draft near = check::checked_draft(small_lesson_with("over two lines.", "over {exces welzl}."), "small.toml");
   REQUIRE(near.mistakes.size() == 1);
   CHECK(near.mistakes.front().what.ends_with(": exces; did you mean excess?"));
 }

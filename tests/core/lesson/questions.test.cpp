@@ -1,3 +1,4 @@
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/say.hpp"
 
@@ -160,8 +161,8 @@ TEST_CASE("better: whether a candidate becomes the best") {
 }
 
 TEST_CASE("a question stays out where another one is not decided yet") {
-  const auto lesson =
-      read_lesson(small_lesson_with("before = \"radius_checked\"", "before = \"point_examined\"\nnth = 3"), "x.toml");
+  const auto lesson = check::checked_lesson(
+      small_lesson_with("before = \"radius_checked\"", "before = \"point_examined\"\nnth = 3"), "x.toml");
   REQUIRE_FALSE(lesson.has_value());
   CHECK(lesson.error().what == "the question comes while an earlier one is not decided yet: \"growth\", in line 32");
 }
@@ -236,7 +237,7 @@ TEST_CASE("a mesh's own words stand on that mesh alone") {
   const auto points = text.find("dim = 2\nlist"), end = text.find("[[section]]");
   text.replace(points, end - points, "mesh = \"bunny\"\n\n");
   text.erase(text.find("[[task]]"));
-  auto lesson = read_lesson(text, "mesh.toml");
+  auto lesson = check::checked_lesson(text, "mesh.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   const io::PointFile own{3, {{-2, 0, 0}, {2, 0, 0}, {0, 1, 0.5}, {0, 2.5, 0}}, {}};
   auto session = Session::open(*std::move(lesson), own);

@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/course.hpp"
 #include "lesson/kept_answers.hpp"
-#include "lesson/play.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 
@@ -112,7 +113,7 @@ constexpr BrokenLesson kBrokenLessons[] = {
 }  // namespace
 
 TEST_CASE("a lesson file is read whole") {
-  const auto lesson = read_lesson(kSmallLesson, "folder/small.toml");
+  const auto lesson = check::checked_lesson(kSmallLesson, "folder/small.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   CHECK(lesson->id == "small");
   CHECK(lesson->minutes == 3);
@@ -132,7 +133,7 @@ TEST_CASE("a lesson file is read whole") {
 }
 
 TEST_CASE("prose: paragraphs, joined lines and strong words") {
-  const auto lesson = read_lesson(kSmallLesson, "small.toml");
+  const auto lesson = check::checked_lesson(kSmallLesson, "small.toml");
   REQUIRE(lesson.has_value());
   const auto paragraphs = paragraphs_of(lesson->sections.at(0));
   REQUIRE(paragraphs.size() == 2);
@@ -149,7 +150,7 @@ TEST_CASE("each mistake in a lesson file is told with its line") {
   for (const BrokenLesson& broken : kBrokenLessons) {
     CAPTURE(broken.to);
     const std::string text = small_lesson_with(broken.from, broken.to);
-    const auto lesson = read_lesson(text, "small.toml");
+    const auto lesson = check::checked_lesson(text, "small.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().file == "small.toml");
     CHECK(lesson.error().unit == InputError::Unit::kLine);
@@ -158,18 +159,18 @@ TEST_CASE("each mistake in a lesson file is told with its line") {
     const bool in_table =
         broken.marker.substr(0, 4) == "id =";  // a question is named by its [[question]], the line above
     CHECK_MESSAGE(lesson.error().position == line - (in_table ? 1 : 0), lesson.error().message());
-    const std::vector<FileError> all = read_draft(text, "small.toml").mistakes;
+    const std::vector<FileError> all = check::checked_draft(text, "small.toml").mistakes;
     CHECK_MESSAGE(all.size() == 1, all.back().message());  // what follows from a mistake is not told as another
   }
 }
 
 TEST_CASE("a case without a section is refused, and not read beyond that") {
   const std::string text = small_lesson_with("minutes = 3", "minutes = 3\nsource = \"A page. https://example.org\"");
-  REQUIRE(read_lesson(text, "small.toml").has_value());
+  REQUIRE(check::checked_lesson(text, "small.toml").has_value());
   std::string bare = text;
   for (auto at = bare.find("[[section]]"); at != std::string::npos; at = bare.find("[[section]]"))
     bare.replace(at, 11, "[[sektion]]");
-  const auto refused = read_lesson(bare, "small.toml");
+  const auto refused = check::checked_lesson(bare, "small.toml");
   REQUIRE_FALSE(refused.has_value());
   CHECK_MESSAGE(refused.error().what.find("section") != std::string::npos, refused.error().what);
 }
@@ -193,7 +194,7 @@ TEST_CASE("all mistakes of a lesson file are told, in its order, each with line 
   put("answer = \"three\"", "answer = \"two\"");
   put("at_least = 5", "at_least = 50");
   put("hint = \"Think.\"", "hint = \"Think.\"\nhints = 2");
-  const Draft draft = read_draft(text, "small.toml");
+  const Draft draft = check::checked_draft(text, "small.toml");
   std::vector<std::string> said;
   for (const FileError& mistake : draft.mistakes) said.push_back(mistake.message());
   const std::vector<std::string> due{
@@ -254,7 +255,7 @@ TEST_CASE(
       {"look_at", "\"look_at\" names no handle: P77"},
       {"drives = ", "scael; did you mean scale?"},
       {"list = [[0, 0], [1", "must be a point of 2 finite numbers"}};
-  const Draft draft = read_draft(text, "small.toml");
+  const Draft draft = check::checked_draft(text, "small.toml");
   REQUIRE(draft.mistakes.size() == std::size(due));
   for (std::size_t i = 0; i < std::size(due); ++i) {
     CHECK(draft.mistakes[i].place.line == line_of(text, due[i].first));
@@ -265,7 +266,7 @@ TEST_CASE(
 TEST_CASE("a misspelt algorithm is one mistake, and the lesson is checked with the one that is meant") {
   std::string text = small_lesson_with("[\"ritter\", \"welzl\", \"brute_force\"]", "[\"riter\"]");
   text.replace(text.find("asks = \"grows\""), 14, "asks = \"grow\"");
-  const auto mistakes = read_draft(text, "small.toml").mistakes;
+  const auto mistakes = check::checked_draft(text, "small.toml").mistakes;
   REQUIRE(mistakes.size() == 2);
   CHECK(mistakes[0].what.find("riter; did you mean ritter?") != std::string::npos);
   CHECK(mistakes[1].what.find("did you mean grows?") != std::string::npos);
@@ -275,7 +276,8 @@ TEST_CASE("unknown keys and missing ones are told in pairs, each in a line where
   const auto said = [](std::string_view to) {
     std::string all;
     for (const FileError& mistake :
-         read_draft(small_lesson_with("prompt = \"Which pair?\"\nbecause = \"It is farther apart.\"", to), "small.toml")
+         check::checked_draft(small_lesson_with("prompt = \"Which pair?\"\nbecause = \"It is farther apart.\"", to),
+                              "small.toml")
              .mistakes)
       all += mistake.message() + "\n";
     return all;
@@ -293,18 +295,18 @@ TEST_CASE("what is allowed and probably not meant is warned of") {
   std::string words;
   for (int i = 0; i < 61; ++i) words += " word";
   const std::string text = small_lesson_with("Another paragraph.", "P99 is far, P4 is not." + words);
-  const Draft draft = read_draft(text, "small.toml");
+  const Draft draft = check::checked_draft(text, "small.toml");
   CHECK(draft.mistakes.empty());
   REQUIRE(draft.warnings.size() == 2);
   CHECK(draft.warnings[0].message() ==
         "small.toml:21:1: \"text\" speaks of P99, which is not there: the last one is P5");
   CHECK(draft.warnings[1].message() == "small.toml:21:1: a paragraph has 67 words: beside a stage at most 60 are read");
-  CHECK(read_draft(kSmallLesson, "small.toml").warnings.empty());
+  CHECK(check::checked_draft(kSmallLesson, "small.toml").warnings.empty());
   const Draft more =
-      read_draft(small_lesson_with("prompt = \"Make it fail.\"", "prompt = \"Move P6 alone.\""), "s.toml");
+      check::checked_draft(small_lesson_with("prompt = \"Make it fail.\"", "prompt = \"Move P6 alone.\""), "s.toml");
   REQUIRE(more.warnings.size() == 1);
   CHECK(more.warnings[0].what == "\"prompt\" speaks of P6, which is not there: the last one is P5");
-  const Draft wrong = read_draft(
+  const Draft wrong = check::checked_draft(
       small_lesson_with("because = \"It lies outside.\"", "because = \"So.\"\nwrong = { P2 = \"P8 is meant.\" }"),
       "s.toml");
   REQUIRE(wrong.warnings.size() == 1);
@@ -313,7 +315,7 @@ TEST_CASE("what is allowed and probably not meant is warned of") {
 
 TEST_CASE("a choice that is wrong and has no reason is warned of") {
   const Draft draft =
-      read_draft(small_lesson_with("wrong = { one = \"That one finds the extremes.\" }\n", ""), "s.toml");
+      check::checked_draft(small_lesson_with("wrong = { one = \"That one finds the extremes.\" }\n", ""), "s.toml");
   REQUIRE(draft.warnings.size() == 1);
   CHECK(draft.warnings[0].what == "\"wrong\" has no reason for \"one\"");
 }
@@ -376,20 +378,20 @@ TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, 
 }
 
 TEST_CASE("a figure of the run in the prose is warned of, and one that is asked of the run is not") {
-  const Draft draft =
-      read_draft(test::small_lesson_with("Another paragraph.", "Ritter's circle has radius 2.25."), "small.toml");
+  const Draft draft = check::checked_draft(
+      test::small_lesson_with("Another paragraph.", "Ritter's circle has radius 2.25."), "small.toml");
   REQUIRE(draft.warnings.size() == 1);
   CHECK(draft.warnings[0].message() ==
         "small.toml:21:28: \"text\" has 2.25, a figure of the run: {radius ritter} stays "
         "true when the student drags");
   for (const char* fine :
        {"It has radius {radius ritter}.", "It takes 6 points.", "$r = 2.25$ and `2.25`.", "It is 2.26."})
-    CHECK(read_draft(test::small_lesson_with("Another paragraph.", fine), "small.toml").warnings.empty());
+    CHECK(check::checked_draft(test::small_lesson_with("Another paragraph.", fine), "small.toml").warnings.empty());
 }
 
 TEST_CASE("a figure of the run in a question is warned of, unless its words are for the lesson's own run") {
   const auto warnings = [](std::string_view to) {
-    return read_draft(small_lesson_with("because = \"It lies outside.\"", to), "small.toml").warnings;
+    return check::checked_draft(small_lesson_with("because = \"It lies outside.\"", to), "small.toml").warnings;
   };
   const auto told = warnings("because = \"The radius is 2.25 in the end.\"");
   REQUIRE(told.size() == 1);
@@ -403,7 +405,7 @@ TEST_CASE("a fixed answer that the run contradicts makes a played lesson unsound
                   "prompt = \"Which point supports it?\"\nchoices = [\"P4\", \"P2\"]\nanswer = \"P2\"\nholds = "
                   "\"here\"\nbecause = \"So.\"\n[[task]]");
   Session session = test::open(text);
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played.has_value());
   REQUIRE(played->false_keys.size() == 1);
   CHECK(played->false_keys[0].question == "own");
@@ -416,19 +418,19 @@ TEST_CASE("no bytes make the reader fail otherwise than by an error") {
   for (const std::string_view text : {std::string_view(""), std::string_view("\0\0", 2), std::string_view("\xff\xfe"),
                                       std::string_view("[["), std::string_view("[[["), std::string_view("[[a]]\n[[="),
                                       std::string_view("a = 1"), std::string_view("version = 2")}) {
-    const auto lesson = read_lesson(text, "x.toml");
+    const auto lesson = check::checked_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().position >= 1);
   }
   std::string tables = "a";
   for (int level = 0; level < 1000000; ++level) tables += ".a";
-  const auto deep = read_lesson(tables + " = 1\n", "x.toml");
+  const auto deep = check::checked_lesson(tables + " = 1\n", "x.toml");
   REQUIRE_FALSE(deep.has_value());
   CHECK(deep.error().what.find("a lesson has at most 262144 bytes") != std::string::npos);
   // Cut short before its prose is whole, a file is no lesson, wherever it is cut.
   const std::size_t prose_ends = kSmallLesson.find("Another paragraph");
   for (std::size_t length = 0; length < prose_ends; ++length) {
-    const auto lesson = read_lesson(kSmallLesson.substr(0, length), "x.toml");
+    const auto lesson = check::checked_lesson(kSmallLesson.substr(0, length), "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK(lesson.error().unit == InputError::Unit::kLine);
   }
@@ -438,7 +440,7 @@ TEST_CASE("a key of more dots than a file needs is refused before it is read") {
   std::string dots;
   for (int i = 0; i < 100'000; ++i) dots += ".a";
   for (const std::string& deep : {"a" + dots + " = 1\n", "[a" + dots + "]\n", "x = {a" + dots + " = 1}\n"}) {
-    const Draft draft = read_draft("# A comment.\nversion = 2\n" + deep, "a.toml", Checked::kAsWritten);
+    const Draft draft = read_draft("# A comment.\nversion = 2\n" + deep, "a.toml");
     REQUIRE(!draft.mistakes.empty());
     CHECK(draft.mistakes.front().place.line == 3);
     CHECK(draft.mistakes.front().what == "a key has more than 64 dots");
@@ -457,7 +459,7 @@ TEST_CASE("a key of more dots than a file needs is refused before it is read") {
     const std::string_view summary = "summary = ";
     const std::size_t at = lesson.find(summary) + summary.size();
     lesson.replace(at, lesson.find('\n', at) - at, text);
-    CHECK(read_draft(lesson, "a.toml", Checked::kAsWritten).mistakes.empty());
+    CHECK(read_draft(lesson, "a.toml").mistakes.empty());
   }
 }
 

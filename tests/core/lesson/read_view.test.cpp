@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/speaking.hpp"
@@ -20,7 +21,7 @@ std::string with_view(const std::string& keys) {
 /// The first mistake, as "line: what", lines counted from that of [view].
 std::string mistake(const std::string& keys) {
   const std::string text = with_view(keys);
-  const auto draft = read_draft(text, "small.toml");
+  const auto draft = check::checked_draft(text, "small.toml");
   if (draft.mistakes.empty()) return "none";
   const auto before = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("[view]")), '\n');
   const FileError& first = draft.mistakes.front();
@@ -50,9 +51,9 @@ text = "A **term**."
 
 TEST_CASE("a lesson's file says how the stage shows it") {
   const auto lesson =
-      read_lesson(with_view("zoom = 2.5\nlook_at = [1, -0.5]\nnames = [\"Anna\", \"Ben\"]\noutline = true\n"
-                            "decimals = 2\npoint_size = 1.5\ninset = { at = \"Ben\", size = 0.2 }"),
-                  "small.toml");
+      check::checked_lesson(with_view("zoom = 2.5\nlook_at = [1, -0.5]\nnames = [\"Anna\", \"Ben\"]\noutline = true\n"
+                                      "decimals = 2\npoint_size = 1.5\ninset = { at = \"Ben\", size = 0.2 }"),
+                            "small.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   const StageView& view = lesson->view;
   CHECK(view.zoom == 2.5);
@@ -66,7 +67,7 @@ TEST_CASE("a lesson's file says how the stage shows it") {
   REQUIRE(view.inset);
   CHECK(view.inset->at.handle == "Ben");
   CHECK(view.inset->size == 0.2);
-  CHECK_FALSE(read_lesson(with_view("names = \"none\""), "small.toml")->view.named);
+  CHECK_FALSE(check::checked_lesson(with_view("names = \"none\""), "small.toml")->view.named);
 }
 
 TEST_CASE("what is wrong with it is told with its place and, where there is one, the name that is meant") {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <set>
 
+#include "check/check_lesson.hpp"
 #include "geometry/generate.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
@@ -219,7 +220,7 @@ std::vector<lesson::Session> update_sessions() {
                                  "\"]\n[points]\ngenerate = \"ball\"\ncount = 20\ndim = " + std::to_string(dim) +
                                  "\n[body]\nturn = " + (dim == 2 ? turn : std::string("[0, ") + turn + ", 0]") +
                                  "\n[[section]]\ntitle = \"First\"\ntext = \"A.\"\n";
-        auto lesson = lesson::read_lesson(text, "update.toml");
+        auto lesson = check::checked_lesson(text, "update.toml");
         REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
         auto session = lesson::Session::open(*std::move(lesson));
         REQUIRE(session.has_value());

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
-#include "lesson/play.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/trace_hash.hpp"
@@ -51,7 +52,7 @@ std::string at_line(const std::string& more, std::string_view words) {
 
 std::vector<std::string> mistakes_in(const std::string& more) {
   std::vector<std::string> all;
-  for (const FileError& mistake : read_draft(std::string(kSmallLesson) + more, "small.toml").mistakes)
+  for (const FileError& mistake : check::checked_draft(std::string(kSmallLesson) + more, "small.toml").mistakes)
     all.push_back(mistake.message());
   return all;
 }
@@ -194,7 +195,7 @@ TEST_CASE("the section about a situation is the one at hand there, and its steps
 
 TEST_CASE("all situations are played and hashed; without any the hash is as it was") {
   Session session = open(two_situations());
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played);
   CHECK(played->sound());
   CHECK(played->not_asked.empty());

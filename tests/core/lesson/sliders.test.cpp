@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/subjects/pair/pair.hpp"
@@ -46,7 +47,7 @@ steps = 72
 )";
 
 std::string only_mistake_of(const std::string& text) {
-  const auto mistakes = read_draft(text, "small.toml").mistakes;
+  const auto mistakes = check::checked_draft(text, "small.toml").mistakes;
   REQUIRE_MESSAGE(mistakes.size() == 1, (mistakes.empty() ? "none" : mistakes.back().message()));
   return mistakes.front().message();
 }
@@ -72,6 +73,19 @@ TEST_CASE("a slider shows a number of what stands on the stage, and drives it") 
   session.undo();
   CHECK(session.sliders()[0].text == "30°");
   CHECK(session.trace_hash() == before);
+}
+
+TEST_CASE("what is read without its checks opens, though a slider has nothing to drive: it is not shown") {
+  std::string text(kBoxes);
+  text.replace(text.find("B turn"), 6, "B trun");
+  auto lesson = read_lesson(text, "boxes.toml");
+  REQUIRE(lesson);
+  auto session = Session::open(*std::move(lesson));
+  REQUIRE(session);
+  CHECK(session->sliders().empty());
+  CHECK(session->slide_to_place(0, 3));
+  CHECK(session->is_own());
+  CHECK(only_mistake_of(text).find("did you mean B turn?") != std::string::npos);
 }
 
 TEST_CASE("from one end of a slider to the other and back, the lesson's own stands again") {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "check/check_lesson.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::test {
@@ -97,7 +98,7 @@ inline std::string small_lesson_with(std::string_view from, std::string_view to)
 
 /// The warnings of a lesson's text that has no mistake, a line each, without those of choices that have no reason.
 inline std::string warnings_of(const std::string& text) {
-  const lesson::Draft draft = lesson::read_draft(text, "small.toml");
+  const lesson::Draft draft = check::checked_draft(text, "small.toml");
   REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
   std::string all;
   for (const lesson::FileError& warning : draft.warnings)
@@ -106,7 +107,7 @@ inline std::string warnings_of(const std::string& text) {
 }
 
 inline lesson::Session open(const std::string& text) {
-  auto read = lesson::read_lesson(text, "small.toml");
+  auto read = check::checked_lesson(text, "small.toml");
   REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().message()));
   auto session = lesson::Session::open(*std::move(read));
   REQUIRE(session.has_value());

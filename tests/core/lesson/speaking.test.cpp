@@ -1,5 +1,6 @@
 #include "lesson/speaking.hpp"
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/prose.hpp"
 
@@ -37,7 +38,7 @@ void pass_question(Session& session) {
 }  // namespace
 
 TEST_CASE("links and formulas of the prose are stretches of their own") {
-  const auto lesson = read_lesson(speaking_lesson(), "small.toml");
+  const auto lesson = check::checked_lesson(speaking_lesson(), "small.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   const Paragraph& first = *paragraphs_of(lesson->sections.at(0)).at(0);
   std::vector<std::string> links;
@@ -78,7 +79,7 @@ TEST_CASE("a mistake in the prose is told with its own line") {
        })) {
     CAPTURE(one.text);
     const std::string text = small_lesson_with(test::kSmallText, one.text);
-    const auto lesson = read_lesson(text, "small.toml");
+    const auto lesson = check::checked_lesson(text, "small.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK_MESSAGE(lesson.error().what.find(one.says) != std::string::npos, lesson.error().what);
     const auto before = text.substr(0, text.find(one.text));
@@ -93,7 +94,7 @@ TEST_CASE("in a long text the line is that of the mistake, whatever the quotes")
         small_lesson_with("text = \"\"\"\nA **term** stands here\nover two lines.\n\nAnother paragraph.\n\"\"\"",
                           std::string("text = ") + quotes + "\n\nOne line.\nAnother [good](step:1).\n\n" +
                               "A third\nwith a [bad](mesh:cow) link.\nThe end.\n" + quotes);
-    const auto lesson = read_lesson(text, "small.toml");
+    const auto lesson = check::checked_lesson(text, "small.toml");
     REQUIRE_FALSE(lesson.has_value());
     const auto before = text.substr(0, text.find("with a [bad]"));
     CHECK(lesson.error().position == 1 + std::count(before.begin(), before.end(), '\n'));
@@ -101,10 +102,10 @@ TEST_CASE("in a long text the line is that of the mistake, whatever the quotes")
 }
 
 TEST_CASE("brackets before a link are brackets, and TeX stays as it was written") {
-  const auto lesson =
-      read_lesson(small_lesson_with(test::kSmallText,
-                                    "In [0, 1] the [pair](mark:pair_chosen).\n\n$$ r_A + r_B $$\n\nThe $r_A + r_B$."),
-                  "a.toml");
+  const auto lesson = check::checked_lesson(
+      small_lesson_with(test::kSmallText,
+                        "In [0, 1] the [pair](mark:pair_chosen).\n\n$$ r_A + r_B $$\n\nThe $r_A + r_B$."),
+      "a.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   const auto paragraphs = paragraphs_of(lesson->sections.at(0));
   CHECK(paragraphs.at(0)->at(0).text == "In [0, 1] the ");

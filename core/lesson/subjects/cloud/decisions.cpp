@@ -67,6 +67,19 @@ Truth truth_of_point(const Asked& asked, Index point, const std::string& says) {
   return {{}, {point}, name, name + ' ' + says + '.'};
 }
 
+/// "P3 is farthest from the centre, at 2.5.": each of the greatest is right, and the run goes on with one of them.
+Truth truth_of_greatest(const Asked& asked, const Scores& scores, Index taken, const std::string& from) {
+  const double most = scores.values[std::find(scores.of.begin(), scores.of.end(), taken) - scores.of.begin()];
+  const std::string at = ", at " + number_text(most);
+  Truth truth = truth_of_point(asked, taken, "is farthest from " + from + at);
+  for (std::size_t i = 0; i < scores.of.size(); ++i)
+    if (scores.values[i] == most && scores.of[i] != taken) truth.points.push_back(scores.of[i]);
+  if (truth.points.size() == 1) return truth;
+  truth.sentence = asked.names(truth.points) + " are equally far from " + from + at +
+                   ": each is right. The program takes " + truth.happened + ".";
+  return truth;
+}
+
 }  // namespace
 
 Scores reach_along(const Run& run, const Point3& direction) {
@@ -82,8 +95,7 @@ const char* offer_farthest(Asked& asked, const Run& run) {
 
 Truth farthest_truth(const Asked& asked, const Run& run) {
   const Scores from_center = distances(asked, run);
-  const int point = from_center.greatest();
-  return truth_of_point(asked, point, "is farthest from the centre, at " + number_text(from_center.values[point]));
+  return truth_of_greatest(asked, from_center, from_center.greatest(), "the centre");
 }
 
 double farthest_margin(const Asked& asked, const Run& run) { return share(asked, distances(asked, run).lead()); }
@@ -294,11 +306,23 @@ const char* offer_extremes(Asked& asked, const Run& run) {
 }
 
 Truth extremes_truth(const Asked& asked, const Run& run) {
-  const Answer right = extremes_along(run, directions(asked, run));
+  std::vector<int> all;
   Truth truth;
+  bool is_tied = false;
+  for (const Point3& axis : directions(asked, run))
+    for (const double sign : {1.0, -1.0}) {
+      const std::vector<int> ends = reach_along(run, sign * axis).all_greatest();
+      all.insert(all.end(), ends.begin(), ends.end());
+      truth.tied.emplace_back(ends.begin(), ends.end());
+      is_tied = is_tied || ends.size() > 1;
+    }
+  if (!is_tied) truth.tied.clear();
+  const Answer right = by_handles(std::move(all));
   truth.points.assign(right.list.begin(), right.list.end());
   truth.happened = asked.names(truth.points);
   truth.sentence = truth.happened + " reach farthest" + (asked.of.empty() ? "" : " along " + asked.of) + ".";
+  for (const std::vector<Index>& tied : truth.tied)
+    if (tied.size() > 1) truth.sentence += ' ' + asked.names(tied) + " reach equally far: one of them is enough.";
   return truth;
 }
 
@@ -359,7 +383,7 @@ double distance_from(const Point3& p, const std::vector<Point3>& corners) {
   const Point3 along = corners[1] - corners[0];
   const Point3 across =
       corners.size() == 3 ? Point3(along.cross(corners[2] - corners[0])) : Point3(along[1], -along[0], 0);
-  return std::abs((p - corners[0]).dot(across.normalized()));
+  return std::abs((p - corners[0]).dot(across)) / across.norm();  // in this order, what is equal stays equal
 }
 
 }  // namespace
@@ -375,10 +399,8 @@ const char* offer_eye(Asked& asked, const Run& run) {
 }
 
 Truth eye_truth(const Asked& asked, const Run& run) {
-  const auto& fact = fact_of<EyeChosen>(asked, run);
-  return truth_of_point(asked, fact.point,
-                        (asked.dim == 2 ? "is farthest from the edge " : "is farthest from the face ") + asked.of +
-                            ", at " + number_text(fact.distance));
+  return truth_of_greatest(asked, scores_of_facet(asked, run, &distance_from), fact_of<EyeChosen>(asked, run).point,
+                           (asked.dim == 2 ? "the edge " : "the face ") + asked.of);
 }
 
 /// A point that is alone outside leaves nothing to decide.

@@ -57,7 +57,18 @@ Truth axis_truth(const Asked& asked, const Run& run) {
   const auto& pair = fact_of<PairChosen>(asked, run);
   const std::string& choice = asked.choices[pair.axis];
   const std::vector<Index> ends{pair.a, pair.b};
-  return {{pair.axis}, ends, choice, asked.names(ends) + ", " + choice + ", lie farthest apart."};
+  Truth truth{{pair.axis}, ends, choice, asked.names(ends) + ", " + choice + ", lie farthest apart."};
+  const auto length = [&](const std::vector<Index>& of) {
+    return (asked.subject->at(of[0]) - asked.subject->at(of[1])).norm();
+  };
+  for (int axis = 0; axis < std::ssize(asked.choices); ++axis) {
+    const std::vector<Index>& other = asked.choice_handles[axis];
+    if (axis == pair.axis || length(other) != length(ends)) continue;
+    truth.choices.push_back(axis);
+    truth.points.insert(truth.points.end(), other.begin(), other.end());
+    truth.sentence += " " + asked.names(other) + " are equally far apart: either pair is right.";
+  }
+  return truth;
 }
 
 Truth grows_truth(const Asked& asked, const Run& run) {

@@ -5,7 +5,7 @@
 
 #include "fit/catalogue.hpp"
 #include "geometry/tolerance.hpp"
-#include "lesson/check_lesson.hpp"
+#include "lesson/check_solution.hpp"
 #include "lesson/point_subject.hpp"
 #include "lesson/subjects/cost/asks.hpp"
 #include "lesson/subjects/cost/criteria_words.hpp"

@@ -86,7 +86,13 @@ void read_criterion(TomlTable& table, Question& question) {
   check_name(table, "figure", question.figure, kCriterionNames);
 }
 
-constexpr Asking kLeast{.name = "least", .offer = &offer_volumes, .truth = &least_truth, .read = &read_criterion},
+constexpr std::string_view kLower = "Another one is lower.";
+constexpr Asking kLeast{.name = "least",
+                        .offer = &offer_volumes,
+                        .truth = &least_truth,
+                        .read = &read_criterion,
+                        .before = kLower,
+                        .after = kLower},
     kOrder{.name = "order", .offer = &offer_volumes_in_order, .truth = &volume_order_truth, .read = &read_criterion};
 
 }  // namespace

@@ -19,7 +19,13 @@ struct FieldReader {
   int dim;
   int k = 0;  // for a k-DOP
 
-  void operator()(std::string_view name, double& length) const { length = table.number(name, kLargest); }
+  /// A sphere of radius 0 is a point, a capsule a segment.
+  void operator()(std::string_view name, double& length) const {
+    length = table.has(name) ? table.any_number(name, 1) : table.number(name, kLargest);
+    if (length >= 0 && length <= kLargest) return;
+    table.wrong(name, "must be at least 0 and at most 1000000");
+    length = 1;
+  }
   void operator()(std::string_view name, Point3& point) const {
     const auto numbers = table.numbers(name);
     if (static_cast<int>(numbers.size()) != dim)
@@ -120,6 +126,11 @@ void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints) {
       reach = std::max(reach, (at_handle(held, handle) - at_handle(held, {})).norm());
   }
   for (HeldVolume& held : tables->pair.held) held.knob = 0.3 * reach;
+  for (const std::size_t which : {0, 1}) {
+    const char* key = which == 0 ? "right" : "yours";
+    if (const toml::table* volume = own.table(key))
+      tables->answers[which] = read_volume(*volume, std::string("[volumes] ") + key, dim, complaints);
+  }
   if (complaints.count() == before && own.has("a") && own.has("b") &&
       tables->pair.held[0].volume.index() > tables->pair.held[1].volume.index())
     own.wrong("a", "must be of the kind that comes first: " + one_of(kVolumeNames));

@@ -10,7 +10,9 @@ struct VolumeTables : Tables {
   VolumePair pair;
   bool in_float = false;         // whether the volumes are rounded to float, and tested in it
   std::array<bool, 2> stored{};  // whether the lesson shows how A and how B is stored (lesson/stored.hpp)
-  int line = 1;                  // that of the table
+  /// Answers to a question about the pair that stand beside it: the right one, and a wrong one.
+  std::array<std::optional<HeldVolume>, 2> answers;
+  int line = 1;  // that of the table
 };
 
 /// Reads a and b: each is a table with the kind of the volume, whose fields are named as in `snug overlap`. But an

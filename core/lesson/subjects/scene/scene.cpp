@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/sort.hpp"
-#include "lesson/check_lesson.hpp"
+#include "lesson/check_solution.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/scene/declared_effects.hpp"
@@ -337,6 +337,10 @@ Done SceneSubject::add(const Point3& at) {
 
 Done SceneSubject::load(const io::PointFile& file, std::string_view name) {
   return PointSubject::load(file, name).and_then([&] { return is_sound(); });
+}
+
+Done SceneSubject::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) {
+  return PointSubject::set_generator(kind, count, dim, seed, own).and_then([&] { return is_sound(); });
 }
 
 Rows SceneSubject::rows() const {

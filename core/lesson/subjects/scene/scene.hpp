@@ -92,6 +92,7 @@ class SceneSubject final : public PointSubject {
   Done move(Index i, const Point3& to) override;
   Done add(const Point3& at) override;
   Done load(const io::PointFile& file, std::string_view name) override;
+  Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override;
 
   [[nodiscard]] const SceneSet& set() const { return *set_; }
   /// Why the scene as it stands cannot run, as a sentence; empty if it can.

@@ -39,11 +39,11 @@ Index taken_up(const Asked& asked, const Run& run) {
   return std::find(waiting.begin(), waiting.end(), taken) == waiting.end() ? kNoIndex : taken;
 }
 
-Ray<double, 2> ray_of(const QueryPlaces& query) { return {query.at[0], (query.at[1] - query.at[0]).normalized()}; }
+Ray<double, 2> unit_ray_of(const QueryPlaces& query) { return {query.at[0], (query.at[1] - query.at[0]).normalized()}; }
 
 /// How far along the ray a box begins, scene units; none if it misses it.
 std::optional<double> enters(const Box2& box, const Run& run) {
-  return query::ray_enters(box, ray_of(tree_run(run).query()));
+  return query::ray_enters(box, unit_ray_of(tree_run(run).query()));
 }
 
 /// How far a ray is from meeting a box, or from missing it, along the ray.
@@ -119,7 +119,7 @@ double left_out_margin(const Asked& asked, const Run& run) {
   const std::string_view method = asked.question->gate.algorithm;
   const double gap = method == "point_query"                      ? outside_of(node, own.query().at[0])
                      : method == "box_query"                      ? gap_between(node, box_of(own.query()))
-                     : shape_of_query(method) == QueryShape::kRay ? ray_gap(node, ray_of(own.query()))
+                     : shape_of_query(method) == QueryShape::kRay ? ray_gap(node, unit_ray_of(own.query()))
                                                                   : 0;
   return std::abs(gap) / extent_of(*asked.subject);
 }

@@ -51,6 +51,13 @@ Point3 TreeSubject::at(Index i) const {
 
 std::string TreeSubject::name_of(Index i) const { return i < boxes() ? box_name(i) : i == boxes() ? "Q" : "R"; }
 
+std::vector<fit::Volume3> TreeSubject::on_paper() const {
+  std::vector<fit::Volume3> all;
+  for (const Box2& box : stage_.aabbs())
+    all.push_back(Aabb<double, 3>{{box.min[0], box.min[1], 0}, {box.max[0], box.max[1], 0}});
+  return all;
+}
+
 std::vector<NumberGroup> TreeSubject::numbers() const {
   const std::vector<std::string_view> axes{"x", "y"};
   constexpr std::array<std::string_view, kMostBoxes> kHeadings{"Box A", "Box B", "Box C", "Box D", "Box E",

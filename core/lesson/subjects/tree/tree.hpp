@@ -26,6 +26,7 @@ class TreeSubject final : public Subject {
   [[nodiscard]] Point3 at(Index i) const override;
   [[nodiscard]] std::string name_of(Index i) const override;
   [[nodiscard]] std::array<std::string_view, 2> handle_words() const override { return {"box", "boxes"}; }
+  [[nodiscard]] std::vector<fit::Volume3> on_paper() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "boxes and the nodes around them"; }
   [[nodiscard]] Tools tools() const override { return {"Boxes", "Boxes"}; }
   [[nodiscard]] std::vector<NumberGroup> numbers() const override;

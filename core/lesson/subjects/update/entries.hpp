@@ -20,6 +20,25 @@ std::optional<Answer> first_higher(const Asked& asked, const Run& run);
 std::optional<Answer> always_on(const Asked& asked, const Run& run);
 inline constexpr std::array kClimbRules{WrongRule{"first_higher", &first_higher}, WrongRule{"goes_on", &always_on}};
 
+/// Which of the AABBs of the lesson's updates, told by their widths, is that of one update.
+inline constexpr std::array<std::string_view, 4> kToldApart{"loose", "rebuild", "hill_climb", "rotated_box"};
+const char* offer_boxes(Asked& asked, const Run& run);
+template <std::size_t kUpdate>
+Truth box_truth(const Asked& asked, const Run& run);
+template <std::size_t kUpdate>
+double box_margin(const Asked& asked, const Run& run);
+std::optional<Answer> tightest_box(const Asked& asked, const Run& run);
+std::optional<Answer> loosest_box(const Asked& asked, const Run& run);
+inline constexpr std::array kBoxRules{WrongRule{"tightest", &tightest_box}, WrongRule{"loosest", &loosest_box}};
+template <std::size_t kUpdate>
+constexpr Asking box_asking(std::string_view name) {
+  return {.name = name,
+          .offer = &offer_boxes,
+          .truth = &box_truth<kUpdate>,
+          .margin = &box_margin<kUpdate>,
+          .rules = kBoxRules};
+}
+
 template <>
 struct Entry<fit::ReachFound> : EntryDefaults {
   static std::string sentence(const fit::ReachFound& fact, const UpdateWhere& where);
@@ -75,6 +94,8 @@ struct Entry<fit::AxesTurned> : EntryDefaults {
 
 template <>
 struct Entry<VolumeUpdated> : EntryDefaults {
+  static constexpr std::array kAskings{box_asking<0>("loose_box"), box_asking<1>("rebuilt_box"),
+                                       box_asking<2>("climbed_box"), box_asking<3>("rotated_box")};
   static std::string sentence(const VolumeUpdated& fact, const UpdateWhere& where);
   static std::vector<Index> handles(const VolumeUpdated& fact, const UpdateWhere&) { return fact.support; }
   static std::string predicate(const VolumeUpdated&, const UpdateWhere& where, bool plural) {

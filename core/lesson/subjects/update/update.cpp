@@ -251,6 +251,11 @@ fit::UpdatedFrame UpdateSubject::updated(const Method& method) const {
   return record_update(strategy_of(method), *points(), was_, pose_).frame;
 }
 
+Aabb<double, 3> UpdateSubject::box_of(const Method& method) const {
+  const UpdateRecording recording = record_update(strategy_of(method), *points(), was_, pose_);
+  return std::get<Aabb<double, 3>>(recording.steps.back().step.volume);
+}
+
 std::vector<Rival> UpdateSubject::rivals(const Lesson& lesson, const View&) const {
   std::vector<Rival> rivals;
   for (const std::string& name : lesson.algorithms) {

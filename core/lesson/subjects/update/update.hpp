@@ -57,6 +57,8 @@ class UpdateSubject final : public PointSubject {
   [[nodiscard]] std::int64_t operations(const Method& method) const override;
 
   [[nodiscard]] const Pose3& pose() const { return pose_; }
+  /// The AABB that a method's update ends with.
+  [[nodiscard]] Aabb<double, 3> box_of(const Method& method) const;
   /// The distance of the farthest point from the pivot; 1 if all points are there.
   [[nodiscard]] double reach() const { return reach_; }
   /// What a handle after the points does.

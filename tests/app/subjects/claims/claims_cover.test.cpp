@@ -44,6 +44,10 @@ lesson::Session opened(std::string_view text = kClaimsLesson) {
 double no_time() { return 0; }
 
 void answer_and_measure(ClaimsCover& cover, lesson::Session& session) {
+  CHECK(session.asked() == nullptr);  // first seen, then asked
+  REQUIRE(cover.command(session, "measure"));
+  CHECK_FALSE(cover.running());
+  CHECK_FALSE(cover.command(session, "measure"));
   REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
   REQUIRE(cover.command(session, "measure"));
   while (cover.running()) cover.work(session, -1);
@@ -54,6 +58,8 @@ void answer_and_measure(ClaimsCover& cover, lesson::Session& session) {
 TEST_CASE("nothing is tried before the predictions, and nothing can be saved") {
   lesson::Session session = opened();
   ClaimsCover cover({.clock = no_time});
+  REQUIRE(cover.command(session, "measure"));  // which asks
+  CHECK_FALSE(cover.running());
   CHECK_FALSE(cover.work_buttons(session)[0].enabled);
   CHECK_FALSE(cover.command(session, "measure"));
   CHECK(cover.file("csv").empty());
@@ -102,6 +108,7 @@ TEST_CASE("keys walk along a line and from line to line, and wrap around") {
 TEST_CASE("a run that is stopped shows its clouds and decides nothing") {
   lesson::Session session = opened();
   ClaimsCover cover({.clock = no_time});
+  session.ask_predictions();
   REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
   REQUIRE(cover.command(session, "measure"));
   for (int i = 0; i < 50; ++i) cover.work(session, -1);
@@ -119,6 +126,7 @@ TEST_CASE("the chart is that of the question that is asked, until another is cho
   lesson::Session session = opened(text);
   ClaimsCover cover({.clock = no_time});
   CHECK(cover.claim().name == "four_points");
+  session.ask_predictions();
   cover.work(session, 0);
   CHECK(cover.claim().name == "kdop_tighter");
   REQUIRE(cover.command(session, "show_welzl_growth"));

@@ -62,6 +62,11 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   Costs costs({.clock = now, .here = {.version = "9"}});
   lesson::Session session = opened();
   CHECK(costs.shown());  // empty
+  CHECK(costs.caption(session) == "Press Measure: first you predict, then it is measured.");
+  CHECK(costs.status(session) == costs.caption(session));
+  CHECK(session.asked() == nullptr);  // first seen, then asked
+  REQUIRE(costs.command(session, "measure"));
+  CHECK_FALSE(costs.running());
   CHECK(costs.caption(session) == "Predict first, then measure.");
   CHECK_FALSE(costs.command(session, "measure"));
   REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 1}));
@@ -106,6 +111,7 @@ TEST_CASE("a front with a time that could not be measured reliably is told with 
 TEST_CASE("what is ready stays when it is stopped, and other points are other figures") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
+  session.ask_predictions();
   session.answer({});
   REQUIRE(costs.command(session, "measure"));
   for (int slices = 0; costs.accuracy().rows.empty() && slices < 10'000; ++slices) costs.work(session, 0);
@@ -129,6 +135,7 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
 TEST_CASE("a large file is measured whole and shown in part; above two million points it is refused") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
+  session.ask_predictions();
   session.answer({});
   REQUIRE(costs.load(session, cloud(6000), "large.xyz").has_value());
   CHECK(session.size() == 5000);
@@ -184,6 +191,7 @@ TEST_CASE("the other charts are not to be had before the predictions, whose answ
   cost::GrowthRow row{.volume = "sphere", .algorithm = "ritter", .points = 10, .time = {.median = 5}};
   CHECK_FALSE(costs.lay_over(session, GrowthTable{{}, {row}}));
   CHECK(costs.view() == CostView::kAccuracy);
+  session.ask_predictions();
   session.answer({});
   CHECK(costs.command(session, "show_other"));
   CHECK(costs.view() == CostView::kGrowth);
@@ -195,6 +203,7 @@ TEST_CASE("the other charts are not to be had before the predictions, whose answ
 TEST_CASE("growth is measured on a kind of points; what is ready stays, and figures are to be had by key") {
   Costs costs({.clock = now, .longest_run = 2e4, .here = {}});
   lesson::Session session = opened();
+  session.ask_predictions();
   session.answer({});
   REQUIRE(costs.command(session, "show_growth"));
   CHECK(costs.shown());
@@ -226,6 +235,7 @@ TEST_CASE("growth is measured on a kind of points; what is ready stays, and figu
 TEST_CASE("a generated set grows as its kind, a large file's by samples of itself") {
   Costs costs({.clock = now, .longest_run = 1e4, .here = {}});
   lesson::Session session = opened();
+  session.ask_predictions();
   session.answer({});
   REQUIRE(costs.command(session, "show_growth"));
   REQUIRE(session.set_generator("gaussian", 50, 2, 7).has_value());
@@ -243,6 +253,7 @@ TEST_CASE("a generated set grows as its kind, a large file's by samples of itsel
 TEST_CASE("a turn has each update at every angle; another chart can be looked at while it is measured") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
+  session.ask_predictions();
   session.answer({});
   REQUIRE(costs.command(session, "show_turn"));
   REQUIRE(costs.command(session, "measure"));

@@ -1,8 +1,9 @@
 // The lesson kind with the charts of claims: asked before they are tried, decided by all clouds, graded on the stage.
 #include "lesson/subjects/claims/claims.hpp"
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
-#include "lesson/play.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -63,7 +64,7 @@ std::string with(std::string_view old_words, std::string_view new_words) {
 }
 
 Session opened() {
-  auto lesson = read_lesson(kClaims, "claims.toml");
+  auto lesson = check::checked_lesson(kClaims, "claims.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
@@ -81,6 +82,8 @@ Answer choice(int i) { return {Answer::Kind::kChoice, i}; }
 TEST_CASE("the answers wait for the clouds, and no edit of the stage changes them") {
   Session session = opened();
   CHECK(session.lesson().subject == &kClaimsRow);
+  CHECK(session.asked() == nullptr);  // first seen, then asked
+  session.ask_predictions();
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->choices.size() == 3);
   REQUIRE(session.answer(choice(2)));
@@ -111,7 +114,7 @@ TEST_CASE("a cloud of a row is the one that its kind, number and seed scatter") 
 
 TEST_CASE("its model answers are sound, and its task is graded on the points") {
   Session session = opened();
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->sound());
   session.start_task(0);
@@ -120,7 +123,7 @@ TEST_CASE("its model answers are sound, and its task is graded on the points") {
 
 TEST_CASE("a claim that there is not, and an algorithm that no claim can do without, are told with their place") {
   const auto refusal = [](const std::string& text) {
-    const auto lesson = read_lesson(text, "claims.toml");
+    const auto lesson = check::checked_lesson(text, "claims.toml");
     return lesson ? std::string() : lesson.error().message();
   };
   CHECK(refusal(with("claim = \"four_points\"", "claim = \"five_points\"")).find("five_points") != std::string::npos);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "check/check_lesson.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects/cloud/calipers_turn.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
@@ -24,7 +25,7 @@ std::string lesson_of(const std::string& points, const std::string& algorithm, c
 }
 
 Session opened(const std::string& text) {
-  Draft draft = read_draft(text, "own.toml");
+  Draft draft = check::checked_draft(text, "own.toml");
   REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
   auto session = Session::open(*std::move(draft.lesson));
   REQUIRE(session.has_value());
@@ -114,7 +115,7 @@ TEST_CASE("a slab: the narrowest, and each of several that are") {
 
 TEST_CASE("they are refused of steps that have no edge or slab") {
   const auto refused = [](const std::string& text, const std::string& why) {
-    const Draft draft = read_draft(text, "own.toml");
+    const Draft draft = check::checked_draft(text, "own.toml");
     REQUIRE(draft.mistakes.size() == 1);
     CHECK_MESSAGE(draft.mistakes.front().what.find(why) != std::string::npos, draft.mistakes.front().message());
   };

@@ -1,6 +1,7 @@
 // Lessons whose algorithms are of several volumes, and the one reference that sizes are compared with.
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
@@ -47,7 +48,7 @@ const Figure* figure_of(const std::vector<Figure>& figures, std::string_view key
 }
 
 std::string refusal(const std::string& text) {
-  const Draft draft = read_draft(text, "mixed.toml");
+  const Draft draft = check::checked_draft(text, "mixed.toml");
   return draft.mistakes.empty() ? "" : draft.mistakes.front().message();
 }
 
@@ -115,7 +116,7 @@ TEST_CASE("what a lesson of several volumes says wrongly is told") {
             .find(":6:13: \"reference\"") != std::string::npos);
   CHECK(refusal(mixed_with("[\"aabb/min_max\", \"kdop/k8\"", "[\"kdop/k14\", \"aabb/min_max\", \"kdop/k8\""))
             .find("14-DOP is for points in space") != std::string::npos);
-  const Draft draft = read_draft(mixed_with("\"obb/exact\"]", "\"obb/exact\", \"kdop/k14\"]"), "mixed.toml");
+  const Draft draft = check::checked_draft(mixed_with("\"obb/exact\"]", "\"obb/exact\", \"kdop/k14\"]"), "mixed.toml");
   CHECK(draft.mistakes.empty());
   REQUIRE(draft.warnings.size() == 1);
   CHECK(draft.warnings[0].message() == "mixed.toml:5:14: 14-DOP is for points in space, and is not offered for these");

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "fit/catalogue.hpp"
 #include "geometry/random.hpp"
@@ -109,7 +110,7 @@ TEST_CASE("a lesson's file chooses the scalar of its points, for a cloud alone")
   REQUIRE(session.set_float(false));
   session.reset();
   CHECK(session.subject().in_float());
-  const Draft draft = read_draft(with(in_float, "\"float\"", "\"half\""), "small.toml");
+  const Draft draft = check::checked_draft(with(in_float, "\"float\"", "\"half\""), "small.toml");
   REQUIRE(draft.mistakes.size() == 1);
   CHECK(draft.mistakes[0].message().find("\"float\" or \"double\"") != std::string::npos);
 }

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "check/play.hpp"
 #include "core/exact.hpp"
 #include "core/lesson/lesson_files.hpp"
 #include "geometry/random.hpp"
-#include "lesson/play.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects/cloud/fit_run.hpp"
 

@@ -1,8 +1,9 @@
 // The lesson kind with the chart of costs: read, asked before it is measured, decided by what was measured, graded.
 #include "lesson/subjects/cost/cost.hpp"
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
-#include "lesson/play.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -56,7 +57,7 @@ at_least = 5
 )";
 
 Session opened() {
-  auto lesson = read_lesson(kChart, "chart.toml");
+  auto lesson = check::checked_lesson(kChart, "chart.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
@@ -94,7 +95,7 @@ TEST_CASE("a lesson with the chart is read, and its model answers are sound by o
     CHECK(figure.key != "excess");  // the chart tells it, and what it costs
   session.first();
   CHECK(session.rivals().empty());
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->sound());
   CHECK(played->algorithms.front().outcomes.size() == 3);
@@ -104,10 +105,11 @@ TEST_CASE("a chart can be asked a choice of one's own, which waits for the measu
   const std::string text = with("[[question]]\nid = \"front\"\nasks = \"on_front\"",
                                 "[[question]]\nid = \"own\"\nasks = \"choice\"\nchoices = [\"Yes\", \"No\"]\n"
                                 "answer = \"No\"\nholds = \"always\"");
-  auto lesson = read_lesson(text, "chart.toml");
+  auto lesson = check::checked_lesson(text, "chart.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
+  session->ask_predictions();
   REQUIRE(session->answer({Answer::Kind::kChoice, 1}));
   CHECK(session->outcomes()[0].pending);
   measured(*session, rows());
@@ -116,7 +118,7 @@ TEST_CASE("a chart can be asked a choice of one's own, which waits for the measu
 
 TEST_CASE("what is decided by counted operations speaks of them, and what is measured of time") {
   Session session = opened();
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->algorithms.front().outcomes[1].says.find(" times as many operations as ") != std::string::npos);
   CHECK(played->grades[0].says.find(" times the operations. Done.") != std::string::npos);
@@ -130,7 +132,7 @@ TEST_CASE("what is decided by counted operations speaks of them, and what is mea
 
 TEST_CASE("what such a lesson gets wrong is said with its line") {
   const auto line = [](const std::string& text) {
-    const auto lesson = read_lesson(text, "chart.toml");
+    const auto lesson = check::checked_lesson(text, "chart.toml");
     REQUIRE_FALSE(lesson.has_value());
     return lesson.error().message();
   };
@@ -144,6 +146,8 @@ TEST_CASE("what such a lesson gets wrong is said with its line") {
 TEST_CASE(
     "predictions stand until all is measured, wherever the player is, and then what happened stands beside them") {
   Session session = opened();
+  CHECK(session.asked() == nullptr);  // first seen, then asked
+  session.ask_predictions();
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->many);
   CHECK(session.asked()->choices.size() == 3);
@@ -175,6 +179,7 @@ TEST_CASE(
 
 TEST_CASE("a later measurement decides anew, and a front with an unreliable time is not decided") {
   Session session = opened();
+  session.ask_predictions();
   session.answer({Answer::Kind::kChoice, 0b110});
   session.answer({Answer::Kind::kChoice, 2});
   session.answer({Answer::Kind::kSkipped, 0});
@@ -204,6 +209,7 @@ TEST_CASE("a later measurement decides anew, and a front with an unreliable time
 
 TEST_CASE("what was measured on fewer points is never on the front, and its time is that of all") {
   Session session = opened();
+  session.ask_predictions();
   session.answer({Answer::Kind::kChoice, 0b011});
   session.answer({Answer::Kind::kChoice, 2});
   session.answer({Answer::Kind::kChoice, 3});

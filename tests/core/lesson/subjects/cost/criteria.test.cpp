@@ -1,8 +1,9 @@
 // Which volume when: the model, what is known of shapes, predictions and tasks.
 #include "lesson/subjects/cost/criteria.hpp"
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
-#include "lesson/play.hpp"
 #include "lesson/subjects/cost/criteria_words.hpp"
 #include "measure/report.hpp"
 
@@ -93,7 +94,7 @@ at_least = 25
 )";
 
 Session opened_criteria() {
-  auto lesson = read_lesson(kCriteria, "criteria.toml");
+  auto lesson = check::checked_lesson(kCriteria, "criteria.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   return *Session::open(*std::move(lesson));
 }
@@ -204,7 +205,7 @@ TEST_CASE("predictions wait for the measurement, and are judged by the situation
 
 TEST_CASE("it is played, and its task is done by the model alone") {
   Session session = opened_criteria();
-  const auto played = play(session);
+  const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->sound());
   session = opened_criteria();

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
-#include "lesson/play.hpp"
 #include "lesson/subjects/field/field.hpp"
 
 using namespace snug;
@@ -21,7 +22,7 @@ TEST_CASE("the lessons on a field play to their ends, with their tasks solved by
     CAPTURE(id);
     Session session = test::session_of(id);
     for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task) CHECK_FALSE(session.grade(task).done);
-    const auto played = play(session);
+    const auto played = check::play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
     for (std::uint64_t seed = 2; seed <= 5; ++seed) {
@@ -66,7 +67,7 @@ TEST_CASE("each mistake about a field is told with its line") {
     const auto at = text.find(broken.from);
     REQUIRE(at != std::string::npos);
     text.replace(at, broken.from.size(), broken.to);
-    const auto lesson = read_lesson(text, "x.toml");
+    const auto lesson = check::checked_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK_MESSAGE(lesson.error().message().find(broken.says) != std::string::npos, lesson.error().message());
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(broken.marker));

@@ -5,10 +5,11 @@
 
 #include <set>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
 #include "geometry/frustum_corners.hpp"
 #include "lesson/grade.hpp"
-#include "lesson/play.hpp"
 #include "lesson/subjects.hpp"
 
 using namespace snug;
@@ -79,7 +80,7 @@ TEST_CASE("the lessons on the frustum play to their end; three questions and mor
     CHECK(session.lesson().sections.size() <= 5);
     REQUIRE(session.grade().has_value());
     CHECK_FALSE(session.grade()->done);
-    const auto played = play(session);
+    const auto played = check::play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
     CHECK(played->algorithms.size() == 3);
@@ -375,7 +376,7 @@ TEST_CASE("each mistake about a frustum is told with its line") {
     const auto at = text.find(broken.from);
     REQUIRE(at != std::string::npos);
     text.replace(at, broken.from.size(), broken.to);
-    const auto lesson = read_lesson(text, "x.toml");
+    const auto lesson = check::checked_lesson(text, "x.toml");
     REQUIRE_FALSE(lesson.has_value());
     CHECK_MESSAGE(lesson.error().message().find(broken.says) != std::string::npos, lesson.error().message());
     const auto line =

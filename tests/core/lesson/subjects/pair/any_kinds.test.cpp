@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"
@@ -58,7 +59,7 @@ because = "Because."
 )";
 
 Session open(std::string text) {
-  auto lesson = read_lesson(text, "any.toml");
+  auto lesson = check::checked_lesson(text, "any.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
@@ -189,7 +190,7 @@ TEST_CASE("the outline of A - B contains every difference of two vertices, and h
 
 TEST_CASE("which test is cheaper is counted, and only asked of a pair that has a test of its own") {
   std::string text = std::string(kHead) + std::string(kAny) + std::string(kCheaper);
-  CHECK_FALSE(read_lesson(text, "any.toml").has_value());  // two hulls have none
+  CHECK_FALSE(check::checked_lesson(text, "any.toml").has_value());  // two hulls have none
   const auto first = text.find("a = {"), last = text.find("[[section]]");
   text.replace(first, last - first,
                "a = { obb = { center = [-1, 0], half_extents = [0.9, 0.4], turn = 20 } }\n"

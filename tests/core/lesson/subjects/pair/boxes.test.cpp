@@ -6,9 +6,10 @@
 
 #include <numbers>
 
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
 #include "geometry/convert.hpp"
-#include "lesson/play.hpp"
+#include "lesson/kept_answers.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects/pair/box_figures.hpp"
 
@@ -87,7 +88,7 @@ TEST_CASE("the lessons on boxes play to their end, and their models do the task"
     Session session = session_of(id);
     REQUIRE(session.grade().has_value());
     CHECK_FALSE(session.grade()->done);
-    const auto played = play(session);
+    const auto played = check::play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
     std::size_t asked = 0;
@@ -168,11 +169,28 @@ TEST_CASE("a task that was done is said to be solved before where another situat
   CHECK(task_says(session, 1) == "Solved before. " + session.grade(1).says);
 }
 
+TEST_CASE("what solved a task is kept, and put on the stage again") {
+  Session session = session_of("obb-axes");
+  session.start_task(1);
+  REQUIRE(set_boxes(session, model(session, 1)).has_value());
+  REQUIRE(session.grade(1).done);
+  CHECK_FALSE(session.can_solve_again(1));  // it stands there
+  const Rows solved = session.subject().rows();
+  const KeptAnswers kept = kept_answers_of(kept_text(answers_of(session)));
+  Session later = session_of("obb-axes");
+  take_up(later, kept);
+  REQUIRE(later.can_solve_again(1));
+  CHECK_FALSE(later.can_solve_again(0));
+  REQUIRE(later.solve_again(1).has_value());
+  CHECK(later.subject().rows() == solved);
+  CHECK(later.grade(1).done);
+}
+
 TEST_CASE("a lesson that is opened again goes on with the first task that was not done") {
   Session session = session_of("obb-sat");
-  session.take_up_tasks({0});
+  session.take_up_tasks({{.task = 0}});
   CHECK(session.task() == 1);
-  session.take_up_tasks({1});
+  session.take_up_tasks({{.task = 1}});
   CHECK(session.task() == 1);  // there is none left
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 
@@ -13,7 +14,7 @@ using namespace snug::lesson;
 namespace {
 
 Session opened(const std::string& algorithm, const std::string& volumes) {
-  auto lesson = read_lesson(
+  auto lesson = check::checked_lesson(
       "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\nalgorithms = [\"" +
           algorithm + "\"]\n[volumes]\n" + volumes + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n",
       "two.toml");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "check/check_lesson.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
 #include "geometry/volume_bytes.hpp"
@@ -62,13 +63,13 @@ Obb<double, 3> from_vertices(const std::vector<double>& numbers) {
 }
 
 Session stored_session(const std::string& stored) {
-  auto lesson =
-      read_lesson("version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
-                  "algorithms = [\"min_max\"]\n[volumes]\n" +
-                      stored +
-                      "a = { aabb = { min = [-1, -2], max = [3, 4] } }\nb = { aabb = { min = [5, 5], max = [6, 7] } }\n"
-                      "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n",
-                  "two.toml");
+  auto lesson = check::checked_lesson(
+      "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
+      "algorithms = [\"min_max\"]\n[volumes]\n" +
+          stored +
+          "a = { aabb = { min = [-1, -2], max = [3, 4] } }\nb = { aabb = { min = [5, 5], max = [6, 7] } }\n"
+          "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n",
+      "two.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
@@ -196,12 +197,12 @@ TEST_CASE("a lesson shows how a volume is stored if it asks for that, and the nu
 }
 
 TEST_CASE("a lesson that stores no volume of its own says so") {
-  const auto lesson =
-      read_lesson("version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
-                  "algorithms = [\"min_max\"]\n[volumes]\nstored = [\"c\"]\n"
-                  "a = { aabb = { min = [-1, -2], max = [3, 4] } }\nb = { aabb = { min = [5, 5], max = [6, 7] } }\n"
-                  "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n",
-                  "two.toml");
+  const auto lesson = check::checked_lesson(
+      "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
+      "algorithms = [\"min_max\"]\n[volumes]\nstored = [\"c\"]\n"
+      "a = { aabb = { min = [-1, -2], max = [3, 4] } }\nb = { aabb = { min = [5, 5], max = [6, 7] } }\n"
+      "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n",
+      "two.toml");
   REQUIRE_FALSE(lesson.has_value());
   CHECK(lesson.error().message().find("is none of a or b: c") != std::string::npos);
 }

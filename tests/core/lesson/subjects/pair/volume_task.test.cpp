@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "check/check_lesson.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
 
@@ -12,7 +13,7 @@ using namespace snug::lesson;
 namespace {
 
 Session task_session(const std::string& algorithm, const std::string& volumes, const std::string& more = "") {
-  auto lesson = read_lesson(
+  auto lesson = check::checked_lesson(
       "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\nalgorithms = [\"" +
           algorithm + "\"]\n[volumes]\n" + volumes + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n" + more,
       "two.toml");
@@ -114,11 +115,11 @@ TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no 
     put(session, 1.5, 1.5, 2, 2), session.jump(0);
     CHECK(truth() == 0);
   }
-  const auto lesson =
-      read_lesson("version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
-                  "algorithms = [\"gjk\"]\n[volumes]\n" +
-                      std::string(kBoxes) + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n" + asking("gjk"),
-                  "two.toml");
+  const auto lesson = check::checked_lesson(
+      "version = 2\ntitle = \"Two\"\nsummary = \"Two.\"\nminutes = 1\nvolume = \"volume_pair\"\n"
+      "algorithms = [\"gjk\"]\n[volumes]\n" +
+          std::string(kBoxes) + "[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n" + asking("gjk"),
+      "two.toml");
   REQUIRE_FALSE(lesson.has_value());
   CHECK(lesson.error().message().find("\"first_axis\" can only be asked of") != std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "check/check_lesson.hpp"
 #include "core/lesson/lesson_files.hpp"
 #include "lesson/session.hpp"
 #include "lesson/volume_rows.hpp"
@@ -55,7 +56,7 @@ std::string own_test(std::size_t a, std::size_t b) {
 Session pair_session(std::size_t a, std::size_t b, int dim) {
   const std::string test = own_test(a, b);
   const std::string both = test == "gjk" ? "\"gjk\"" : "\"" + test + "\", \"gjk\"";
-  auto lesson = read_lesson(lesson_text(a, b, dim, both), "two.toml");
+  auto lesson = check::checked_lesson(lesson_text(a, b, dim, both), "two.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
@@ -223,7 +224,7 @@ TEST_CASE("the rows of two volumes that hands have changed bring them back, to t
 
 TEST_CASE("a file on two volumes says what is wrong in it, and where") {
   const auto error_of = [](std::string text) {
-    const auto lesson = read_lesson(text, "two.toml");
+    const auto lesson = check::checked_lesson(text, "two.toml");
     return lesson ? std::string() : lesson.error().message();
   };
   const auto has = [](const std::string& error, std::string_view part) {
@@ -297,7 +298,7 @@ TEST_CASE("in float both volumes are rounded, whatever their kinds, and in doubl
 TEST_CASE("a lesson's file has its volumes in float, and what float cannot hold is refused in float alone") {
   std::string text = lesson_text(0, 0, 2, "\"spheres\"");
   text.replace(text.find("[volumes]\n"), 10, "[volumes]\nscalar = \"float\"\n");
-  auto lesson = read_lesson(text, "two.toml");
+  auto lesson = check::checked_lesson(text, "two.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   Session session = *Session::open(*std::move(lesson));
   CHECK(session.subject().in_float());

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
-#include "lesson/play.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 
 using namespace snug;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/place.hpp"
 #include "lesson/subjects/scene/declared_effects.hpp"
@@ -101,7 +102,7 @@ at_most = 3
 )";
 
 lesson::Session piles() {
-  auto read = lesson::read_lesson(kPiles, "piles.toml");
+  auto read = check::checked_lesson(kPiles, "piles.toml");
   INFO((read ? "" : read.error().message()));
   REQUIRE(read.has_value());
   auto session = lesson::Session::open(*std::move(read));
@@ -447,7 +448,7 @@ TEST_CASE("a scene's file keeps bodies at the places that are dragged") {
 TEST_CASE("a lesson's file is told of every broken setting of its scene at once") {
   std::string broken = with_changed(kPiles, "restitution = 0", "restitution = 7\nglue = 2");
   broken = with_changed(broken, "effect = \"trail\"", "effect = \"trail\"\nlength = 1");
-  const lesson::Draft draft = lesson::read_draft(broken, "piles.toml");
+  const lesson::Draft draft = check::checked_draft(broken, "piles.toml");
   std::vector<std::string> says;
   for (const lesson::FileError& mistake : draft.mistakes) says.push_back(mistake.what);
   CHECK(says == std::vector<std::string>{"bounce: \"restitution\" is out of range", "bounce: has no setting \"glue\"",

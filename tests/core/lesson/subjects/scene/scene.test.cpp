@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
-#include "lesson/play.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/scene/scene.hpp"
 #include "lesson/subjects/scene/scene_figures.hpp"
@@ -70,6 +71,10 @@ TEST_CASE("a scene takes no more points than it shows within seconds, and says h
   CHECK(refused.starts_with("this scene can show at most "));
   CHECK(refused.find(" points, and here are 300: ") != std::string::npos);
   CHECK(load_pile(20).empty());
+  lesson::Session session = opened_lesson("scene-effects");
+  const lesson::Done made = session.set_generator("sphere", 2000, 3, 3);
+  REQUIRE_FALSE(made.has_value());
+  CHECK(made.error().what.starts_with("this scene can show at most "));
 }
 
 TEST_CASE("effects are timed by the clock that is passed in, and no trace knows of it") {
@@ -311,7 +316,7 @@ TEST_CASE("moving a body makes the scene anew, and undo brings the old one back"
 TEST_CASE("questions on figures have the range that holds them as their answer") {
   for (const char* id : {"scene-broad", "scene-updates"}) {
     lesson::Session session = opened_lesson(id);
-    const auto played = lesson::play(session);
+    const auto played = check::play(session);
     REQUIRE(played.has_value());
     CHECK(played->sound());
     CHECK(played->not_asked.empty());
@@ -373,7 +378,7 @@ std::string with_mesh(const std::string& more, const std::string& points = "mesh
 }
 
 tl::expected<lesson::Session, InputError> opened_with_mesh(const std::string& more) {
-  auto lesson = lesson::read_lesson(with_mesh(more), "meshy.toml");
+  auto lesson = check::checked_lesson(with_mesh(more), "meshy.toml");
   REQUIRE(lesson.has_value());
   const std::vector<Vector<double, 3>> corners{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}};
   return lesson::Session::open(*std::move(lesson),
@@ -404,14 +409,14 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
   CHECK(refused.error().position ==
         std::count(before.begin(), before.end(), '\n'));  // of the table's head, the line above
 
-  const auto nameless = lesson::read_lesson(with_mesh("", "generate = \"stick\"\ncount = 80"), "nameless.toml");
+  const auto nameless = check::checked_lesson(with_mesh("", "generate = \"stick\"\ncount = 80"), "nameless.toml");
   REQUIRE_FALSE(nameless.has_value());
   CHECK(nameless.error().what.find("is a mesh, and [points] names none") != std::string::npos);
 }
 
 TEST_CASE("of a scene on a mesh no mistake hides another") {
   const std::string two = effect_called("shadow") + "glue = 2\n" + effect_called("trail") + "length = 2.5\n";
-  auto lesson = lesson::read_lesson(with_mesh(two), "meshy.toml");
+  auto lesson = check::checked_lesson(with_mesh(two), "meshy.toml");
   REQUIRE(lesson.has_value());
   const io::PointFile mesh{
       3, {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};

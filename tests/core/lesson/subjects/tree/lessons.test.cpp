@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "core/lesson/lesson_files.hpp"
-#include "lesson/play.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 #include "lesson/subjects/tree/tree.hpp"
 
@@ -26,7 +27,7 @@ void check_broken(const std::string& good, const Broken& broken) {
   const auto at = text.find(broken.from);
   REQUIRE(at != std::string::npos);
   text.replace(at, broken.from.size(), broken.to);
-  const auto lesson = read_lesson(text, "x.toml");
+  const auto lesson = check::checked_lesson(text, "x.toml");
   REQUIRE_FALSE(lesson.has_value());
   CHECK_MESSAGE(lesson.error().message().find(broken.says) != std::string::npos, lesson.error().message());
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(broken.marker));
@@ -42,7 +43,7 @@ TEST_CASE("the lessons on trees play to their ends, with their tasks solved by t
     Session session = session_of(id);
     CHECK(session.lesson().sections.size() <= 5);
     for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task) CHECK_FALSE(session.grade(task).done);
-    const auto played = play(session);
+    const auto played = check::play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
     for (const auto& algorithm : played->algorithms) CHECK(algorithm.steps > 0);

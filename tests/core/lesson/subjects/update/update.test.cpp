@@ -7,8 +7,9 @@
 #include <cmath>
 #include <string>
 
+#include "check/check_lesson.hpp"
+#include "check/play.hpp"
 #include "geometry/turn.hpp"
-#include "lesson/play.hpp"
 #include "lesson/session.hpp"
 
 using namespace snug;
@@ -40,7 +41,7 @@ text = "A **term**."
 }
 
 lesson::Session opened(const std::string& algorithm, const std::string& more = "") {
-  auto lesson = lesson::read_lesson(text('"' + algorithm + '"', more), "small.toml");
+  auto lesson = check::checked_lesson(text('"' + algorithm + '"', more), "small.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = lesson::Session::open(*std::move(lesson));
   REQUIRE(session.has_value());

@@ -1,0 +1,57 @@
+# Sources of others that are compiled here, each file pinned by SHA-256: so it does not matter where they came from.
+
+# snug_are_pinned(FOLDER LIST OUT): whether FOLDER holds just the files that LIST, a file of sha256sum's lines, pins.
+function(snug_are_pinned folder list out)
+  file(STRINGS ${list} lines)
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "^([0-9a-f]+)  (.+)$" unused "${line}")
+    set(hash "none")
+    if(EXISTS ${folder}/${CMAKE_MATCH_2})
+      file(SHA256 ${folder}/${CMAKE_MATCH_2} hash)
+    endif()
+    if(NOT hash STREQUAL CMAKE_MATCH_1)
+      set(${out} FALSE PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  set(${out} TRUE PARENT_SCOPE)
+endfunction()
+
+# snug_pinned(NAME VERSION VARIABLE LIST URL FOLDER DEBIAN SUITE): sets the cache variable VARIABLE, which a user may give,
+# to where the sources are: the copy in .cache, else upstream's archive, else Debian's source package of SUITE. FOLDER: what
+# the archives unpack to.
+function(snug_pinned name version variable list url folder debian suite)
+  set(${variable} "" CACHE PATH "${name} ${version}'s sources, if you have them")
+  if(${variable})
+    return()
+  endif()
+  set(cache ${PROJECT_SOURCE_DIR}/.cache)
+  set(${variable} ${cache}/${folder} PARENT_SCOPE)
+  file(MAKE_DIRECTORY ${cache})
+  file(LOCK ${cache}/${debian}.lock GUARD FUNCTION TIMEOUT 300) # two presets may configure at once
+  snug_are_pinned(${cache}/${folder} ${list} pinned)
+  set(archive ${cache}/${debian}.tar)
+  if(NOT pinned)
+    message(STATUS "Fetching ${name} ${version}")
+    file(DOWNLOAD ${url} ${archive} TIMEOUT 60 INACTIVITY_TIMEOUT 8 STATUS status)
+    list(GET status 0 failed)
+    if(NOT failed)
+      file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${cache})
+      snug_are_pinned(${cache}/${folder} ${list} pinned)
+    endif()
+  endif()
+  if(NOT pinned)
+    message(STATUS "Upstream cannot be reached from here: trying Debian's source package")
+    execute_process(COMMAND ${PROJECT_SOURCE_DIR}/cmake/fetch_debian.sh
+      ${debian} ${version} ${suite} ${cache}/${debian}-debian ${archive} RESULT_VARIABLE failed)
+    if(NOT failed)
+      file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${cache})
+      snug_are_pinned(${cache}/${folder} ${list} pinned)
+    endif()
+  endif()
+  file(REMOVE ${archive})
+  if(NOT pinned)
+    message(FATAL_ERROR "${name} ${version} could not be fetched: connect to a network, "
+      "or unpack that version yourself and pass -D${variable}=FOLDER.")
+  endif()
+endfunction()

@@ -1,0 +1,17 @@
+// A case as a lesson that stands on a stage, so that a counter-example can be seen, stepped and moved.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "write/judge.hpp"
+
+namespace snug::write {
+
+/// The file of a lesson with this input on its stage. told: a text below it, a line for each of its lines. answer: a
+/// wrong one, which stands on the stage of two volumes beside the right one if it is a place or a volume. Empty if no
+/// stage shows what the function is about.
+[[nodiscard]] std::string lesson_of(const Function& function, const Numbers& input, const Answered& answer,
+                                    std::string_view told);
+
+}  // namespace snug::write

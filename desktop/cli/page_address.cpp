@@ -1,0 +1,39 @@
+#include "desktop/cli/page_address.hpp"
+
+#include "desktop/cli/defaults.hpp"
+#include "desktop/cli/lesson_files.hpp"
+#include "lesson/demo_now.hpp"
+#include "lesson/qr.hpp"
+
+namespace snug::desktop {
+
+std::string page_address(const lesson::Session& session, std::vector<double> camera) {
+  auto state = lesson::state_now(session, mesh_named);
+  if (!state) return "";
+  state->camera = std::move(camera);
+  return defaults().page + lesson::address_of(*state);
+}
+
+CodeWords code_words(const lesson::Session& session) {
+  CodeWords words{.letters = lesson::fingerprint(session.trace_hash())};
+  if (defaults().page.empty()) {
+    words.says = "There is no code: a line page = \"https://...\" in snug.toml says where the class finds Snug's page.";
+    return words;
+  }
+  auto state = lesson::state_now(session, mesh_named);
+  if (!state) return words.says = state.error().message(), words;
+  const auto address = [&](bool same) {
+    return defaults().page + lesson::address_of(*state) + (same ? "&mark=" + words.letters : "");
+  };
+  words.address = address(true);
+  if (state->rows.size() <= lesson::kMostPlainRows && lesson::qr_code(words.address)) {
+    words.says = address(false);
+    return words;
+  }
+  state->rows.clear(), state->moved.clear();
+  words.address = words.says = address(false);
+  words.says += " It opens this lesson without what was edited here, which is too much for a code.";
+  return words;
+}
+
+}  // namespace snug::desktop

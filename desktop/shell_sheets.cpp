@@ -1,0 +1,71 @@
+// The window's lab sheets: what is measured, built and written is kept, and handed in as one file.
+#include "app/cover.hpp"
+#include "desktop/cli/files.hpp"
+#include "desktop/cli/result_file.hpp"
+#include "desktop/shell.hpp"
+
+namespace snug::desktop {
+
+const lesson::Sheet* Shell::sheet() const {
+  return app_.session() != nullptr && app_.sitting() == nullptr ? lessons_[open_].sheet.get() : nullptr;
+}
+
+SheetWork& Shell::sheet_work() { return kept_.sheet(sheet()->lesson.id); }
+
+/// Keeps what stands on the stage, if it solves a task and is smaller than what was kept.
+void Shell::see_built() {
+  for (std::size_t i = 0; i < sheet()->lesson.tasks.size(); ++i) {
+    const lesson::Rows rows = session().subject().rows();
+    const auto found = sheet_work().built.find(i);
+    if (found != sheet_work().built.end() && !lesson::is_smaller(rows, found->second)) continue;
+    if (!session().grade(i).done) continue;
+    sheet_work().built[i] = rows;
+    sheet_changed();
+  }
+}
+
+/// Takes the table of a measurement that has come to its end.
+void Shell::see_measured(const lesson::Sheet& sheet) {
+  const app::Cover* const cover = app_.cover();
+  if (cover == nullptr || cover->version() == cover_seen_) return;
+  if (cover->running()) return;
+  cover_seen_ = cover->version();
+  const Json table = Json::parse(cover->file("json"), nullptr, false);
+  if (!table.is_object() || table["rows"].size() != sheet.lesson.algorithms.size()) return;
+  const lesson::Measured* const part =
+      measurement_of(sheet, table["table"].get<std::string>(), table["provenance"]["points"].get<std::string>());
+  if (part == nullptr) return;
+  const auto before = sheet_work().measured.find(part->id);
+  if (before != sheet_work().measured.end() && before->second.table == table) return;
+  sheet_work().measured[part->id] = {today(), table};
+  sheet_changed();
+}
+
+void Shell::sheet_changed() {
+  kept_.sheet_changed(sheet()->lesson.id);
+  kept_.write();
+}
+
+std::string Shell::sheet_lacks() {
+  const lesson::Sheet& of = *sheet();
+  const SheetWork& work = sheet_work();
+  std::size_t there = work.measured.size() + work.built.size();
+  const std::size_t all = of.measured.size() + of.written.size() + of.lesson.tasks.size();
+  for (const lesson::Written& one : of.written) {
+    const auto answer = work.written.find(one.id);
+    there += answer != work.written.end() && !answer->second.empty() ? 1 : 0;
+  }
+  return there >= all ? std::string()
+                      : std::to_string(all - there) + " of " + std::to_string(all) +
+                            (all - there == 1 ? " parts is missing." : " parts are missing.");
+}
+
+void Shell::hand_in_sheet() {
+  const std::string lacks = sheet_lacks();
+  const std::string path = new_file(sheet()->lesson.id, ".json");
+  if (path.empty()) return;
+  const std::string text = result_text(student(), {}, {json_of(sheet()->lesson.id, sheet()->hash, sheet_work())});
+  if (tell(write_file(path, text))) notice = "Saved as " + path + "." + (lacks.empty() ? "" : " " + lacks);
+}
+
+}  // namespace snug::desktop

@@ -1,0 +1,129 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "lesson/lesson.hpp"
+#include "lesson/session.hpp"
+#include "write/judge.hpp"
+#include "write/shape.hpp"
+#include "write/stage.hpp"
+
+namespace snug {
+namespace {
+
+std::vector<write::Answered> right_answers(const write::Function& function, const std::vector<write::Case>& cases) {
+  std::vector<write::Answered> answers;
+  for (const write::Case& one : cases) answers.emplace_back(function.right(one.input));
+  return answers;
+}
+
+}  // namespace
+
+TEST_CASE("each function's cases have its shape, and the right answers earn every mark") {
+  for (const write::Function* function : write::all_functions()) {
+    CAPTURE(function->id);
+    for (const std::uint64_t seed : {1u, 2u}) {
+      const auto cases = write::cases_of(*function, seed);
+      for (const write::Case& one : cases) {
+        REQUIRE(write::fits(function->takes, one.input));
+        REQUIRE(write::fits(function->gives, function->right(one.input)));
+      }
+      const auto judged = write::judge(*function, cases, right_answers(*function, cases));
+      CHECK(judged.mark() == judged.of());
+      CHECK(!judged.first);
+      for (const auto& [kind, passed, of] : judged.kinds) CHECK(of >= write::kNamedCases);
+    }
+    CHECK(write::cases_of(*function, 1).front().input != write::cases_of(*function, 2).front().input);
+  }
+}
+
+TEST_CASE("one answer for all cases earns nothing") {
+  for (const write::Function* function : write::all_functions()) {
+    if (function->gives != "b") continue;
+    CAPTURE(function->id);
+    const auto cases = write::cases_of(*function, 1);
+    for (const double same : {0.0, 1.0})
+      CHECK(write::judge(*function, cases, std::vector<write::Answered>(cases.size(), write::Numbers{same})).mark() ==
+            0);
+  }
+}
+
+TEST_CASE("an answer that is missing, thrown, of another shape or no number is wrong") {
+  const write::Function& grow = *write::find_function("grow-sphere");
+  const write::Numbers input{0, 0, 0, 1, 3, 0, 0};
+  CHECK(write::is_right(grow, input, write::Numbers{1, 0, 0, 2}));
+  CHECK_FALSE(write::is_right(grow, input, write::Numbers{1, 0, 0, 2 + 1e-9}));
+  CHECK_FALSE(write::is_right(grow, input, write::Numbers{1, 0, 0}));
+  CHECK_FALSE(write::is_right(grow, input, write::Numbers{1, 0, 0, std::numeric_limits<double>::quiet_NaN()}));
+  const auto read = write::read_answers("1 0 0 2\n!it threw\nx\n\n", 5);
+  CHECK(read[0] == write::Numbers{1, 0, 0, 2});
+  CHECK(read[1].error() == "it threw");
+  for (const std::size_t i : {2, 3, 4}) CHECK_FALSE(read[i]);
+}
+
+TEST_CASE("an input is written as JSON, also -0 and an empty list") {
+  CHECK(write::json_of("{a:2n,b:*{c:i},d:b,e:one|two}", {-0.0, 1e-300, 1, 7, 1, 1}) ==
+        R"({"a":[-0,1e-300],"b":[{"c":7}],"d":true,"e":"two"})");
+  CHECK(write::json_of("{b:*3n,c:n}", {0, 4}) == R"({"b":[],"c":4})");
+  CHECK_FALSE(write::fits("*n", {3, 1, 2}));
+  CHECK_FALSE(write::fits("*n", {0.5, 1}));
+  CHECK_FALSE(write::fits("one|two", {2}));
+}
+
+TEST_CASE("what is shorter is shorter, and valid") {
+  for (const write::Function* function : write::all_functions()) {
+    const auto cases = write::cases_of(*function, 1);
+    for (std::size_t i = 0; i < cases.size(); i += 97)
+      for (const write::Numbers& one : write::shorter(*function, cases[i].input)) {
+        REQUIRE(write::fits(function->takes, one));
+        REQUIRE((function->valid == nullptr || function->valid(one)));
+        REQUIRE(write::json_of(function->takes, one).size() < write::json_of(function->takes, cases[i].input).size());
+      }
+  }
+}
+
+TEST_CASE("the first case of each kind opens on a stage, and so does what is shorter; with answers that are volumes") {
+  const auto is_on_stage = [](std::string_view id) { return id == "grow-sphere" || id == "closest-on-segment"; };
+  for (const write::Function* function : write::all_functions()) {
+    const auto cases = write::cases_of(*function, 1);
+    for (std::size_t kind = 0; kind < function->kinds.size(); ++kind) {
+      CAPTURE(function->id);
+      CAPTURE(function->kinds[kind].name);
+      write::Numbers input = std::find_if(cases.begin(), cases.end(), [&](const write::Case& one) {
+                               return one.kind == static_cast<int>(kind);
+                             })->input;
+      for (int round = 0; round < 3; ++round) {
+        write::Numbers answer = function->right(input);
+        answer.front() += 1;
+        const std::string text = write::lesson_of(*function, input, answer, "Right: 1\nYours: 2");
+        for (const std::string_view answered : {"\nright = {", "\nyours = {"})  // far away they may be too large
+          if (kind == 0) CHECK((text.find(answered) != std::string::npos) == is_on_stage(function->id));
+        CAPTURE(text);
+        const auto read = lesson::read_lesson(text, "case.toml");
+        REQUIRE_MESSAGE(read, (read ? "" : read.error().message()));
+        const auto opened = lesson::Session::open(*read);
+        REQUIRE_MESSAGE(opened, (opened ? "" : opened.error().message()));
+        const auto next = write::shorter(*function, input);
+        if (next.empty()) break;
+        input = next[next.size() / 2];
+      }
+    }
+  }
+}
+
+TEST_CASE("functions have names of their own, and what they are judged by has a hash") {
+  std::set<std::string_view> names;
+  std::set<std::uint64_t> hashes;
+  for (const write::Function* function : write::all_functions()) {
+    CHECK(names.insert(function->id).second);
+    CHECK(hashes.insert(write::hash_of(*function)).second);
+    CHECK(write::find_function(function->id) == function);
+  }
+  CHECK(write::find_function("no-such-function") == nullptr);
+}
+
+}  // namespace snug

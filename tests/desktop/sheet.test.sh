@@ -1,0 +1,54 @@
+# The lab sheets, done as a new student would: a measurement, an example and written answers go into one file, which
+# snug grade reads; all of it is kept until then.
+. tests/desktop/support.sh
+snug=$(realpath "$snug")
+mkdir "$work/own" && cd "$work/own"
+
+write_into() { # field words
+    tab_to "$1"
+    sleep 0.3
+    xdotool type --delay 40 "$2"
+    sleep 0.5
+}
+
+open_window --lesson break-float
+until_state 's.sheet.sheet === "break-float" && Object.keys(s.sheet.built).length === 0'
+printf '0\t0\n1\t1\n' | xclip -selection clipboard -loops 0 >/dev/null 2>&1
+xdotool key Escape sleep 0.3 key ctrl+v # from a spreadsheet
+until_state 's.points === 2'
+until_state 's.sheet.built[1] === "b0,0;1,1@0.0"'
+tab_to "Hand in"
+xdotool key Return
+write_into "Answer 1" "The square root."
+write_into "Your name" "Ada"
+until_state 's.sheet.written.where === "The square root."'
+close_window
+
+open_window --lesson break-float # as it was left
+until_state 's.sheet.written.where === "The square root." && s.sheet.built[1] === "b0,0;1,1@0.0"'
+tab_to "Hand in"
+xdotool key Return sleep 0.5
+tab_to "Your name"
+tab_to "Hand in"
+xdotool key Return
+until_state 's.notice.startsWith("Saved as") && s.notice.includes("2 of 4 parts are missing.")'
+"$snug" grade break-float.json >graded || fail "it is graded: $(cat graded)"
+grep -q 'Ada  *break-float  *1  *1  *ok$' graded || fail "it is graded: $(cat graded)"
+grep -q 'Example of 2 points' graded || fail "the example is not judged: $(cat graded)"
+grep -q 'The square root\.' graded || fail "the answer is not printed: $(cat graded)"
+close_window
+
+opened='s.lesson === "break-even"' open_window --lesson break-even # a measurement
+xdotool key m # it asks first
+until_state 's.asked !== null'
+xdotool key s
+until_state 's.asked === null'
+xdotool key m
+for i in 1 2 3; do
+    (until_state 's.sheet.measured.body?.table.rows.length === 4') 2>/dev/null && break
+done
+until_state 's.sheet.measured.body?.table.rows.length === 4 && /^20\d\d-/.test(s.sheet.measured.body.date)'
+close_window
+node -e 'const kept = JSON.parse(require("fs").readFileSync(process.argv[1]));
+if (kept.student !== "Ada" || kept.sheets["break-even"].measured.body.table.table !== "which") throw Error(JSON.stringify(kept))' \
+    "$work/snug/course.json" || fail "what was measured is not kept"

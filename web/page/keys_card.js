@@ -1,0 +1,54 @@
+// The card of keys: what each does in a lesson, in a presentation, and in a demo, with those of a clicker.
+import { button, element } from "./dom.js";
+import { bring_style, show_dialog } from "./sheet.js";
+
+const kLesson = [
+  ["→  ←", "next, previous"],
+  ["Space", "play or pause"],
+  ["Home  End", "the first step, the last step"],
+  ["Page Down, Page Up", "the next mark, the previous one; at a question, Page Down twice skips it"],
+  ["<  >", "slower, faster"],
+  ["[  ]", "select the previous or the next point"],
+  ["↑ ↓ ← →", "move what is selected; with Shift by a tenth"],
+  ["1  2  3", "choose an answer to the question; Enter gives it"],
+  ["S", "skip the question"],
+  ["H  R", "in an exercise: a hint; at its end, from the right run to yours, and back"],
+  ["Ctrl Z, Ctrl Y", "undo, redo"],
+  ["+  −  0", "zoom in, zoom out, show everything"],
+  ["Shift D", "add what stands here to a demo’s file"],
+  ["Q", "this state as a code that a phone scans"],
+  ["F5, Shift P", "present, and end the presentation"],
+];
+const kPresenting = [
+  ["N  P", "the next lesson, the previous one"],
+  ["T", "the lesson’s text"],
+  ["L", "the pointer as a spotlight"],
+  ["W", "the pointer as a pen, whose strokes fade"],
+  ["R", "a ruler for the height of type"],
+  ["Esc", "lays those down; then ends the presentation"],
+];
+const kDemo = [
+  ["Page Down, →", "the next reveal, or the next state"],
+  ["Page Up, ←", "back, to what was shown then"],
+  ["Home, H", "this state as it was, after any drag"],
+  ["B  .", "black, and the picture again"],
+  ["F", "the picture stands while you prepare another"],
+  ["S", "the notes, in a second window"],
+  ["F5", "the whole screen"],
+  ["V, a number", "a vote: the hands for each answer, Enter after each; or “B 31”. V again: the second vote"],
+  ["L  W  R  Q", "spotlight, pen, ruler, and the code to scan"],
+];
+
+const list = (/** @type {string} */ title, /** @type {string[][]} */ rows) =>
+  [element("h3", {}, title), element("dl", {}, ...rows.flatMap(([keys, does]) =>
+    [element("dt", {}, keys), element("dd", {}, does)]))];
+
+export function show_keys() {
+  if (document.querySelector(".keys-card")) return;
+  bring_style("hall.css");
+  const dialog = show_dialog("keys-card", "Keys",
+    ...list("In a lesson", kLesson), ...list("In a presentation", kPresenting), ...list("In a demo", kDemo),
+    button("Close", () => dialog.close(), { class: "button primary" }));
+  dialog.addEventListener("keydown", (event) => event.key === "?" && dialog.close());
+  dialog.querySelector("h2")?.focus(); // not the button at its end, which would scroll there
+}
