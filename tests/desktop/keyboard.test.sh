@@ -69,7 +69,7 @@ xdotool key space # which chooses it, and does not play
 until_state 's.asked.says.endsWith("Choose it again or press Enter to answer.") && s.step === 0'
 tab_to Answer
 xdotool key Return
-until_state 's.outcome !== null || s.asked.says === "Not that one. Try once more."'
+until_state 's.outcome !== null || s.asked.says.startsWith("Not that one. Try once more.")'
 if [[ $(state 's.asked !== null') == true ]]; then
     tab_to Skip
     xdotool key Return
