@@ -60,14 +60,17 @@ bool is_header(const Fields& fields) {
   return true;
 }
 
-/// What is wrong with a header of three columns or more; empty if the first three are x, y and z. Another order would
-/// give other points, silently.
+/// What is wrong with a header; empty if the first columns are x, y and z. Other columns would be taken for
+/// coordinates, silently. Two columns may have other names, such as u and v, if neither is called x, y or z.
 std::string wrong_columns(const Fields& fields) {
   const std::string_view names = "xyz";
-  for (std::size_t i = 0; i < std::min<std::size_t>(fields.count, 3); ++i) {
-    const std::string name = lower_case(fields.at[i]);
-    const bool other = name.size() == 1 && names.find(name) != std::string_view::npos && name[0] != names[i];
-    if (other || (fields.count >= 3 && name.find(names[i]) == std::string::npos))
+  const auto columns = std::span(fields.at).first(std::min<std::size_t>(fields.count, 3));
+  const auto is_axis = [&](std::string_view field) {
+    return field.size() == 1 && names.find(lower_case(field)) != std::string_view::npos;
+  };
+  if (columns.size() < 3 && std::none_of(columns.begin(), columns.end(), is_axis)) return {};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (lower_case(columns[i]).find(names[i]) == std::string::npos)
       return "column " + std::to_string(i + 1) + " is " + quoted(fields.at[i]) +
              ": the first columns must be x, y and z";
   }
