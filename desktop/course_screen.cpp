@@ -137,7 +137,7 @@ void CourseScreen::draw_start(Shell& shell, const app::Rect& place, float& y) {
   std::string to = std::to_string(lead + 1) + " · " + lesson.title;
   const float x = place.x + width + 16, room = place.x + place.width - x;
   const auto lines = app::lines_of(look, Face::kSemiBold, 15, to, room);
-  const KeptLesson* const kept = shell.kept().lesson(lesson.id);
+  const KeptLesson* const kept = shell.kept_lesson(lesson.id);
   const bool begun = kept != nullptr && !kept->done;
   const float all = look.px(21) * static_cast<float>(lines.size() + (begun ? 1 : 0));
   const float top = y + std::max(0.0f, (height - all) / 2);
@@ -190,7 +190,7 @@ void CourseScreen::draw_card(Shell& shell, std::size_t lesson, const app::Rect& 
   app::text(list, look, Face::kRegular, 13, {x, foot}, look->muted,
             file.lesson.minutes > 0 ? std::to_string(file.lesson.minutes) + " min" : "Draft");
   draw_progress(list, look, {card.x + card.width - 12, foot},
-                progress_of(look, file, shell.kept().lesson(file.lesson.id)));
+                progress_of(look, file, shell.kept_lesson(file.lesson.id)));
   outline(list, card, touch.hovered ? look->current : look->line, 1);
   if (touch.clicked) shell.open_at_place(lesson);
 }
@@ -222,7 +222,7 @@ void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from
   std::vector<std::size_t> shown;
   int done = 0;
   for (std::size_t i = from; i < to; ++i) {
-    const KeptLesson* const kept = shell.kept().lesson(lessons[i].lesson.id);
+    const KeptLesson* const kept = shell.kept_lesson(lessons[i].lesson.id);
     done += kept != nullptr && kept->done ? 1 : 0;
     if (lesson::is_found(text_of(shell, i), asked())) shown.push_back(i);
   }

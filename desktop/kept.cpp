@@ -51,6 +51,7 @@ int count(const Json& object, const char* key) {
 
 KeptLesson lesson_of(const Json& object) {
   KeptLesson lesson;
+  lesson.hash = member<std::uint64_t>(object, "hash", 0, &Json::is_number_unsigned);
   lesson.seed = member<std::uint64_t>(object, "seed", 0, &Json::is_number_unsigned);
   lesson.step = count(object, "step"), lesson.steps = count(object, "steps");
   lesson.situation = member<std::string>(object, "situation", "", &Json::is_string);
@@ -104,7 +105,9 @@ fs::path beside(fs::path path, const char* ending) { return path += ending; }
 
 }  // namespace
 
-Kept::Kept() : path_(path_of_state()) {
+Kept::Kept(const std::string& folder) : path_(path_of_state()) {
+  std::error_code error;
+  if (!folder.empty()) folder_ = (fs::weakly_canonical(folder, error) / "").string();
   works_ = !path_.empty();
   if (auto file = read()) {
     last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
@@ -161,7 +164,7 @@ void Kept::merge(State file) {
   recent_read_ = recent;
   for (auto& [id, work] : file.sheets)
     if (changed_.count("sheet:" + id) == 0) sheets_[id] = std::move(work);
-  if (changed_.empty()) last_ = file.last;
+  if (changed_.empty() || !folder_.empty()) last_ = file.last;
   for (auto& [id, exercise] : file.exercises)
     if (changed_.count("exercise:" + id) == 0) exercises_[id] = std::move(exercise);
   for (auto& [id, lesson] : file.lessons) {
@@ -169,22 +172,24 @@ void Kept::merge(State file) {
       lessons_[id] = std::move(lesson);
       continue;
     }
-    KeptLesson& own = lessons_[id];  // a lesson once done stays done
-    own.done = own.done || lesson.done, own.task = own.task || lesson.task;
+    KeptLesson& own = lessons_[id];
+    if (own.hash != lesson.hash) continue;
+    own.done = own.done || lesson.done, own.task = own.task || lesson.task;  // a lesson once done stays done
   }
 }
 
-const KeptLesson* Kept::lesson(const std::string& id) const {
-  const auto found = lessons_.find(id);
-  return found != lessons_.end() ? &found->second : nullptr;
+const KeptLesson* Kept::lesson(const std::string& id, std::uint64_t hash) const {
+  const auto found = lessons_.find(key(id));
+  return found != lessons_.end() && found->second.hash == hash ? &found->second : nullptr;
 }
 
-void Kept::keep(const lesson::Session& session) {
+void Kept::keep(const lesson::Session& session, std::uint64_t hash) {
   const std::string& id = session.lesson().id;
   const lesson::Progress progress = lesson::progress_of(session);
-  const KeptLesson* before = lesson(id);
+  const KeptLesson* before = lesson(id, hash);
   if (!progress.begun && before == nullptr) return;
   KeptLesson now;
+  now.hash = hash;
   now.seed = session.seed();
   now.step = session.step(), now.steps = session.steps();
   if (session.situation() != lesson::kOwnSituation) now.situation = session.situation();
@@ -199,20 +204,21 @@ void Kept::keep(const lesson::Session& session) {
   const auto file = session.subject().file(), own = session.own().file();
   if (file && own && (file->runs != own->runs || file->typed != file->runs))
     now.file = {own->runs, file->runs, file->typed};
-  lessons_[id] = std::move(now);
-  changed_.insert(id);
-  last_ = id;
+  lessons_[key(id)] = std::move(now);
+  changed_.insert(key(id));
+  if (folder_.empty()) last_ = id;
 }
 
 const KeptExercise* Kept::exercise(const std::string& id) const {
-  const auto found = exercises_.find(id);
+  const auto found = exercises_.find(key(id));
   return found != exercises_.end() ? &found->second : nullptr;
 }
 
 void Kept::keep(lesson::Attempt attempt, double mark, int of, bool finished, bool counts) {
   if (attempt.made.empty()) return;
-  KeptExercise& own = exercises_[attempt.exercise];
-  changed_.insert("exercise:" + attempt.exercise);
+  const std::string id = key(attempt.exercise);
+  KeptExercise& own = exercises_[id];
+  changed_.insert("exercise:" + id);
   if (!finished) return static_cast<void>(own.now = std::move(attempt));
   own.tries += counts ? 1 : 0;
   own.now.reset();
@@ -249,6 +255,7 @@ std::string Kept::text() const {
                             {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
                             {"answered", lesson.answered}, {"done", lesson.done},           {"task", lesson.task},
                             {"answers", lesson.answers}};
+    if (lesson.hash != 0) state["lessons"][id]["hash"] = lesson.hash;
     if (lesson.file.own.empty()) continue;
     state["lessons"][id]["file_own"] = lesson.file.own;
     state["lessons"][id]["file_runs"] = lesson.file.runs;

@@ -1,7 +1,6 @@
 // What the window keeps until it is opened again: how it looks, the progress in each lesson, the place in it, and the
-// answers. It is
-// a separate file beside other programs' state. Several windows may keep it at once: each writes its own lessons and
-// leaves the others'. A damaged file is set aside, and everything starts anew.
+// answers. It is a separate file beside other programs' state. Several windows may keep it at once: each writes its own
+// lessons and leaves the others'. A damaged file is set aside, and everything starts anew.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +23,7 @@ namespace snug::desktop {
 inline constexpr std::string_view kNone = "none";
 
 struct KeptLesson {
+  std::uint64_t hash = 0;  // of the file, for a lesson of one's own: once it says something else, it starts anew
   std::uint64_t seed = 0;
   int step = 0, steps = 0;
   std::string situation;          // empty: the lesson's own
@@ -53,18 +53,19 @@ struct KeptView {
 class Kept {
  public:
   /// Reads course.json in $XDG_STATE_HOME/snug, or else in ~/.local/state/snug. If neither variable names a folder,
-  /// nothing is kept.
-  Kept();
-  /// Keeps nothing: pictures and previewed lessons leave no trace.
+  /// nothing is kept. folder: that of lessons of one's own, which are kept apart from the course's; empty for the
+  /// course.
+  explicit Kept(const std::string& folder = "");
+  /// Keeps nothing: pictures leave no trace.
   struct Nothing {};
   explicit Kept(Nothing) : invited(lesson::Invitations::kAll), works_(false) {}
 
   /// The last lesson; empty before the first.
   [[nodiscard]] const std::string& last() const { return last_; }
-  /// A lesson's state; null if it was not begun.
-  [[nodiscard]] const KeptLesson* lesson(const std::string& id) const;
+  /// A lesson's state; null if it was not begun, or if its file had another hash.
+  [[nodiscard]] const KeptLesson* lesson(const std::string& id, std::uint64_t hash) const;
   /// Keeps a session's state, once something was done in it; in memory until write.
-  void keep(const lesson::Session& session);
+  void keep(const lesson::Session& session, std::uint64_t hash);
   /// An exercise's state; null if it was not begun.
   [[nodiscard]] const KeptExercise* exercise(const std::string& id) const;
   /// Keeps an attempt, once something was decided in it; in memory until write.
@@ -105,12 +106,15 @@ class Kept {
   };
   /// What the file says; none if it is not there, or set aside.
   [[nodiscard]] std::optional<State> read();
+  /// What a lesson or an exercise is kept by.
+  [[nodiscard]] std::string key(const std::string& id) const { return folder_.empty() ? id : folder_ + id + ".toml"; }
   void put_aside();
   /// Takes the lessons that this window has not changed from the file, and what was done in either window.
   void merge(State file);
   [[nodiscard]] std::string text() const;
 
   std::filesystem::path path_;  // empty: nothing is written
+  std::string folder_;          // with a slash at its end; empty for the course
   bool works_ = true, erased_ = false;
   std::string last_, written_, set_aside_;
   Lessons lessons_;

@@ -40,7 +40,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
       side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear();
       waited_for_.clear();
       if (drafts_) opened_version_ = drafts_->find(id)->version, drafts_->play(file.lesson.id);
-      if (open_ == 0) app_.invite(kept_.invited);
+      if (open_ == 0) app_.invite(drafts_ ? lesson::Invitations::kAll : kept_.invited);
     }
     tell(opened);
     if (!opened && drafts_ && app_.session() == nullptr) waited_for_ = id, course_shown = true;
@@ -49,13 +49,18 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
   return tl::unexpected(InputError{.what = "there is no lesson \"" + id + "\"; `snug lesson list` lists them"});
 }
 
+std::uint64_t Shell::hash_of(const std::string& id) const {
+  const DraftFile* const draft = drafts_ ? drafts_->find(id) : nullptr;
+  return draft != nullptr ? draft->hash : 0;
+}
+
 std::pair<std::size_t, std::string> Shell::lead() const {
   std::size_t last = lessons_.size();
   for (std::size_t i = 0; i < course_size(); ++i)
-    if (lessons_[i].lesson.id == kept_.last() && kept_.lesson(kept_.last()) != nullptr) last = i;
+    if (lessons_[i].lesson.id == kept_.last() && kept_lesson(kept_.last()) != nullptr) last = i;
   if (last == lessons_.size()) return {0, std::string(lesson::kStartWord)};
   const auto done = [&](std::size_t i) {
-    const KeptLesson* const kept = kept_.lesson(lessons_[i].lesson.id);
+    const KeptLesson* const kept = kept_lesson(lessons_[i].lesson.id);
     return kept != nullptr && kept->done;
   };
   if (!done(last)) return {last, std::string(lesson::kContinueWord)};
@@ -65,7 +70,7 @@ std::pair<std::size_t, std::string> Shell::lead() const {
 }
 
 void Shell::go_to_kept_place() {
-  const KeptLesson* const kept = kept_.lesson(session().lesson().id);
+  const KeptLesson* const kept = kept_lesson(session().lesson().id);
   if (kept == nullptr) return;
   const lesson::AtOnce at_once(session());  // each part is of what the last one left
   // A situation that the lesson no longer has is left out, as is a method.
@@ -84,7 +89,7 @@ void Shell::open_at_place(std::size_t lesson) {
   if (app_.session() != nullptr) keep();
   const std::string id = lessons_[lesson].lesson.id;
   if (waits_for(id)) return;
-  const KeptLesson* const kept = kept_.lesson(id);
+  const KeptLesson* const kept = kept_lesson(id);
   if (kept != nullptr) app_.keep_answers(id, lesson::kept_answers_of(kept->answers));
   if (!open(id)) return;
   if (kept != nullptr) go_to_kept_place();
@@ -160,7 +165,7 @@ bool Shell::fit_words(float width, float height) {
 void Shell::keep(bool dragging) {
   if (app_.session() == nullptr || demo) return;  // a demo is nobody's work
   if (const lesson::Sheet* const of = sheet()) see_measured(*of);
-  if (const int followed = app_.invitations_followed(); open_ == 0 && followed > kept_.invited) {
+  if (const int followed = app_.invitations_followed(); open_ == 0 && !drafts_ && followed > kept_.invited) {
     kept_.invited = followed;
     kept_.write();
   }
@@ -170,7 +175,7 @@ void Shell::keep(bool dragging) {
   kept_revision_ = session().revision(), kept_changes_ = changes;
   if (sheet() != nullptr) see_built();
   if (app_.sitting() != nullptr) return keep_exercise();
-  kept_.keep(session());
+  kept_.keep(session(), hash_of(session().lesson().id));
   kept_.write();
 }
 

@@ -47,6 +47,8 @@ class Shell {
   [[nodiscard]] std::string chapter() const { return app_.sitting() != nullptr ? "Exercise" : lessons_[open_].chapter; }
 
   [[nodiscard]] const Kept& kept() const { return kept_; }
+  /// What is kept of a lesson; null if it was not begun, or if the file of one's own says something else by now.
+  [[nodiscard]] const KeptLesson* kept_lesson(const std::string& id) const { return kept_.lesson(id, hash_of(id)); }
 
   /// The lesson to start or continue with, and the words for it.
   [[nodiscard]] std::pair<std::size_t, std::string> lead() const;
@@ -229,6 +231,8 @@ class Shell {
   }
 
  private:
+  /// The hash of the file of a lesson of one's own; 0 for the course's.
+  [[nodiscard]] std::uint64_t hash_of(const std::string& id) const;
   std::string recorded_;  // the file of the demo that record() adds to; empty before the first state
   void take_files();
   void keep_exercise();

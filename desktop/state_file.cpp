@@ -48,7 +48,7 @@ Json course_state(Shell& shell) {
       state["cases"].push_back(lesson.id);
       continue;
     }
-    const KeptLesson* const kept = shell.kept().lesson(lesson.id);
+    const KeptLesson* const kept = shell.kept_lesson(lesson.id);
     state["course"].push_back({{"id", lesson.id},
                                {"number", i + 1},
                                {"title", lesson.title},

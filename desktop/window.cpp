@@ -632,7 +632,7 @@ int open_first(Shell& shell, const WindowOptions& options) {
   const bool bare = options.at.empty() && !options.seed && options.points_file.empty() && !picture;
   const bool begins = begins_with_defaults(shell);
   const std::string id = first_lesson(shell, options);
-  if (const KeptLesson* kept = shell.kept().lesson(id))
+  if (const KeptLesson* kept = shell.kept_lesson(id))
     shell.app().keep_answers(id, lesson::kept_answers_of(kept->answers));
   if (shell.waits_for(id)) return 0;
   if (const auto opened = shell.open(id); !opened)
@@ -680,6 +680,13 @@ int take_pictures(GlfwHost& host, Shell& shell, const std::string& to) {
       return status;
   }
   return bound ? write_picture(to, book.pdf()) : 0;
+}
+
+/// The folder of the lessons, if they are one's own; empty for the course.
+std::string folder_of(const WindowOptions& options) {
+  if (!options.folder.empty() || !is_own(options)) return options.folder;
+  const std::string folder = std::filesystem::path(options.lesson).parent_path().string();
+  return folder.empty() ? "." : folder;
 }
 
 /// The lessons, and where they are one's own, the drafts that they come from.
@@ -740,8 +747,7 @@ int run_window(const WindowOptions& options) {
   }
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
   const bool shown = options.screenshot.empty() && options.pictures.empty();
-  const bool keeps = shown && !is_own(options);
-  Kept kept = keeps ? Kept() : Kept(Kept::Nothing{});
+  Kept kept = shown ? Kept(folder_of(options)) : Kept(Kept::Nothing{});
   GlfwHost::Size size{options.width, options.height, options.sized, chart ? app::picture_scale(width, height) : 1.0f};
   if (kept.view && !options.sized && kept.view->width >= kLeastWidth && kept.view->height >= kLeastHeight)
     size.width = kept.view->width, size.height = kept.view->height;

@@ -6,6 +6,7 @@
 
 #include "check/check_lesson.hpp"
 #include "desktop/cli/files.hpp"
+#include "lesson/read_lesson.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -22,13 +23,11 @@ std::string stamp_of(const std::string& path) {
 }
 
 /// played: whether to play the lesson as well, which takes up to seconds.
-lesson::Draft draft_of(const std::string& path, bool played) {
-  const auto text = read_start(path, lesson::kMostLessonBytes);
-  if (!text) return {{}, {{1, text.error().what, path}}, {}};
-  lesson::Draft draft = check::checked_draft(*text, path);
+lesson::Draft draft_of(const std::string& text, const std::string& path, bool played) {
+  lesson::Draft draft = check::checked_draft(text, path);
   tl::expected<std::optional<io::PointFile>, InputError> mesh;
   if (played && draft.lesson) mesh = mesh_of(*draft.lesson);
-  if (mesh && *mesh) draft = check::checked_draft(*text, path, &**mesh);
+  if (mesh && *mesh) draft = check::checked_draft(text, path, &**mesh);
   check::check_names_beside(draft, path, beside(path));
   if (!mesh) draft.mistakes.push_back({1, mesh.error().what, path});
   else if (played) check::check_played(draft, path, *std::move(mesh));
@@ -36,11 +35,15 @@ lesson::Draft draft_of(const std::string& path, bool played) {
 }
 
 void read_into(DraftFile& draft, bool played) {
-  lesson::Draft read = draft_of(draft.file.path, played);
-  draft.says = check::text_of(read, fs::path(draft.file.path).filename().string());
+  const std::string& path = draft.file.path;
+  const auto text = read_start(path, lesson::kMostLessonBytes);
+  lesson::Draft read = text ? draft_of(*text, path, played) : lesson::Draft{{}, {{1, text.error().what, path}}, {}};
+  draft.says = check::text_of(read, fs::path(path).filename().string());
   draft.played = played;
   draft.draws = read.lesson.has_value();
-  if (draft.draws) draft.file.lesson = *std::move(read.lesson), draft.drawn = true;
+  if (!draft.draws) return;
+  draft.file.lesson = *std::move(read.lesson), draft.drawn = true;
+  draft.hash = lesson::hash_of_text(*text);
 }
 
 /// Reads it if it has changed. names: of the files beside it. Returns whether it has.

@@ -12,13 +12,14 @@
 namespace snug::desktop {
 
 struct DraftFile {
-  LessonFile file;        // with the last lesson that could be drawn; before there is one, with an id and title alone
-  bool drawn = false;     // whether there was one
-  bool draws = false;     // whether the file as it reads now is one
-  int version = 0;        // how often the file was read
-  check::DraftText says;  // what is wrong with the file
-  std::string stamp;      // changes with the file, and with the names of those beside it
-  bool played = false;    // whether `says` has what playing shows
+  LessonFile file;         // with the last lesson that could be drawn; before there is one, with an id and title alone
+  bool drawn = false;      // whether there was one
+  bool draws = false;      // whether the file as it reads now is one
+  std::uint64_t hash = 0;  // of the text that the last lesson was read from
+  int version = 0;         // how often the file was read
+  check::DraftText says;   // what is wrong with the file
+  std::string stamp;       // changes with the file, and with the names of those beside it
+  bool played = false;     // whether `says` has what playing shows
 };
 
 class Drafts {

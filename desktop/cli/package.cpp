@@ -79,11 +79,11 @@ tl::expected<void, InputError> write_folder(const fs::path& folder, const SiteFi
   return {};
 }
 
-/// Each file with what a host sends in its place to a browser that unpacks it. A picture is packed already.
+/// Each file with what a host sends in its place to a browser that unpacks it; some send nothing else.
 SiteFiles with_packed(SiteFiles files) {
   SiteFiles all;
   for (auto& [path, bytes] : files) {
-    if (!path.ends_with(".png")) all[path + ".gz"] = gzip_of(bytes), all[path + ".br"] = brotli_of(bytes);
+    all[path + ".gz"] = gzip_of(bytes), all[path + ".br"] = brotli_of(bytes);
     all[path] = std::move(bytes);
   }
   return all;

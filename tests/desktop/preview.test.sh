@@ -1,5 +1,6 @@
 # Lessons of one's own in the window: a save is followed within a second at the same place, what is wrong with a file
-# stands in the strip, and idle it draws nothing and uses next to no processor.
+# stands in the strip, and idle it draws nothing and uses next to no processor. What is done in them is kept apart from the
+# course's lessons, as long as the file says the same.
 . tests/desktop/support.sh
 folder=$work/lessons
 mkdir "$folder"
@@ -17,6 +18,7 @@ within_a_second() { # expression: a save is followed so fast
 
 open_window --size 1280x800 --lessons "$folder" mine
 [[ $(state 's.lesson') == mine && $(state 's.mistakes.length') == 0 ]] || fail "it opened $(state 's.lesson')"
+opens_at=$(state 's.step')
 xdotool key Right
 until_state 's.step === 1'
 xdotool key Right
@@ -73,13 +75,19 @@ open_window --lessons "$folder" late
 cat lessons/examples/pair.toml | write late
 within_a_second 's.lesson === "late" && s.mistakes.length === 0'
 close_window
-[[ ! -e $work/snug/course.json ]] || fail "a preview was kept among the student's lessons"
+kept() { python3 -c 'import json, sys; print(*json.load(open(sys.argv[1]))["lessons"])' "$work/snug/course.json"; }
+[[ $(kept) == "$folder/mine.toml" ]] || fail "kept: $(kept)"
 
 # A file alone.
 opened=
 open_window "$folder/mine.toml"
 [[ $(state 's.lesson') == mine ]] || fail "it opened $(state 's.lesson')"
+[[ $(state 's.step') == "$step" ]] || fail "it opened at step $(state 's.step'), and was left at $step"
 text | sed 's/Who sets the radius/Who decides/' | write mine
 within_a_second 's.lesson === "mine" && s.mistakes.length === 0'
 for i in $(seq 20); do xdotool getwindowname "$window" | grep -q '^Who decides' && break; sleep 0.05; done
 xdotool getwindowname "$window" | grep -q '^Who decides' || fail "the title is $(xdotool getwindowname "$window")"
+close_window
+text >"$folder/mine.toml" # by another editor, while no window is open
+open_window "$folder/mine.toml"
+[[ $(state 's.step') == "$opens_at" ]] || fail "a lesson that says something else opened at step $(state 's.step')"
