@@ -41,11 +41,11 @@ for (const text of ["{", "[1, 2]", '"x"', "{}"])
     assert.deepEqual(JSON.parse(texts.get("snug-course") ?? ""), now);
   });
 
-test("an entry that cannot be understood counts as not begun, a damaged place in a question as none", () => {
+test("an entry that cannot be understood is set aside, a damaged place in a question counts as none", () => {
   const lessons = { a: { ...kEntry, told: 7, tried: { question: "q", choices: "x" } }, b: { address: 3 }, c: null };
   storage(JSON.stringify({ version: 1, last: 7, invited: "x", lessons }).replace('"b"', '"__proto__":{},"b"'));
   const kept = new Kept();
-  assert.deepEqual([kept.last, kept.invited, kept.set_aside], [null, 0, false]);
+  assert.deepEqual([kept.last, kept.invited, kept.set_aside], [null, 0, true]);
   assert.deepEqual(kept.lesson("a"), kWhole);
   for (const id of ["b", "c", "__proto__", "toString"]) assert.equal(kept.lesson(id), null);
   storage('{"version":1}');

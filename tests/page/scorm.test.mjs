@@ -87,7 +87,7 @@ test("the API is found around a window of another origin, and by the one that op
 });
 
 /** A session, with a clock that the test moves.
- *  @param {any} api @param {{ reaches?: () => boolean }} of */
+ *  @param {any} api @param {{ reaches?: () => boolean | Promise<boolean> }} of */
 function session(api, { reaches = () => true } = {}) {
   const clock = { now: 0, timers: [] };
   const scorm = new Scorm(api, {
@@ -184,6 +184,19 @@ test("a site that logs out says true; it is asked itself, and what it missed is 
   for (let i = 0; i < 3 && scorm.state !== "course"; ++i) await pass(20_000);
   assert.deepEqual([scorm.state, scorm.failed], ["course", false]);
   assert.deepEqual(arrived(site), [100, "completed"]);
+});
+
+test("a site that never answers counts as one that cannot be reached, and is tried again", async () => {
+  const site = new WorstSite({});
+  const { scorm, pass } = session(site.open(), { reaches: () => new Promise(() => {}) });
+  scorm.save(wanted(25));
+  await pass(9000);
+  assert.deepEqual([scorm.state, scorm.failed], ["device", false]);
+  await pass(1000);
+  assert.deepEqual([scorm.state, scorm.failed], ["device", true]);
+  const before = site.requests;
+  await pass(20_000);
+  assert.ok(site.requests > before);
 });
 
 test("a score never falls; a status that a teacher gave stays", async () => {

@@ -96,14 +96,16 @@ const both_lessons = (one, other) => ({
   task: one.task || other.task,
 });
 
+const size = (/** @type {any} */ entries) => Object.keys(Object(entries)).length;
+
 /** Exercises came later: what is kept of lessons alone is kept. */
 export function exercises_in(/** @type {any} */ data) {
   const entries = Object.entries(Object(data.exercises)).filter(([, entry]) => Boolean(entry) && is_count(entry.tries));
   return Object.fromEntries(entries.map(([id, entry]) => [id, whole_exercise(entry)]));
 }
 
-/** The stored data, without entries that cannot be understood; null if it is a later version's. If nothing of it is any
- *  version's, it is set aside, and everything starts anew.
+/** The stored data, without entries that cannot be understood; null if it is a later version's. What cannot be
+ *  understood is set aside, and starts anew.
  *  @param {string | null} text @returns {KeptData | null} */
 function understood(text) {
   let data = null;
@@ -117,16 +119,18 @@ function understood(text) {
     if (text) localStorage.setItem(kAside, text);
     return nothing();
   }
-  const lessons = Object.entries(Object(data.lessons))
-    .filter(([, entry]) => is_entry(entry))
-    .map(([id, entry]) => [id, whole(entry)]);
+  const all = Object.entries(Object(data.lessons));
+  const lessons = all.filter(([, entry]) => is_entry(entry)).map(([id, entry]) => [id, whole(entry)]);
+  const exercises = exercises_in(data);
+  const lost = all.length - lessons.length + size(data.exercises) - size(exercises);
+  if (text && lost > 0) localStorage.setItem(kAside, text);
   return {
     version: kVersion,
     count: is_count(data.count) ? data.count : 0,
     last: is_text(data.last) ? data.last : null,
     invited: is_count(data.invited) ? data.invited : 0,
     lessons: Object.fromEntries(lessons),
-    exercises: exercises_in(data),
+    exercises,
     student: is_text(data.student) ? data.student : "",
   };
 }

@@ -153,7 +153,8 @@ export function join(of, exercises, kept, saving, save_file) {
   const link = new Link(of, kept, begun?.scorm ?? null);
   if (begun?.kept) kept.merge(begun.kept);
   saving.link = link;
-  by_id("exercises-say").after(saving.line());
+  const marked = of.exercises.length > 0;
+  by_id(marked ? "exercises-say" : "practise").after(saving.line(marked));
   set_text(by_id("exercises-say"), kDecide);
   set_text(by_id("course-foot-says"), begun ? kGoes : "");
   if (!begun) say_alone(of, save_file);

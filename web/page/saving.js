@@ -1,5 +1,5 @@
-// Where what a student does is kept, in a line on the card of an exercise: on this device, or as a course's site or the
-// page around this one has it (packaged.js, splice.js).
+// Where what a student does is kept, in a line on the card of an exercise or under a lesson: on this device, or as a
+// course's site or the page around this one has it (packaged.js, splice.js).
 import { element, set_text } from "./dom.js";
 /** @import { Kept } from "./kept.js" */
 
@@ -26,12 +26,12 @@ export class Saving {
     return this.#kept.works ? "Kept on this device" : "Kept nowhere: save the file before you leave";
   }
 
-  /** A line that stays true. */
-  line() {
+  /** A line that stays true. file: whether there are marks, which a file can hold. */
+  line(file = true) {
     const says = element("span", { role: "status" }, this.#words);
     const to_file = { type: "button", class: "quiet", onclick: this.#save_file };
     this.#lines = [...this.#lines.filter((line) => line.isConnected), says];
-    return element("p", { class: "saved" }, says, " ", element("button", to_file, "Save the file"));
+    return element("p", { class: "saved" }, says, file && " ", file && element("button", to_file, "Save the file"));
   }
 
   show() {

@@ -4,6 +4,7 @@
 import { unpack, whole_text } from "./course_text.js";
 
 const kBetween = 3000; // milliseconds between two commits: more freeze some sites
+const kPatience = 10_000; // milliseconds in which a site answers
 const kRetry = 20_000; // milliseconds until a site that did not answer is tried again
 const kMostWindows = 20;
 const kFinal = ["completed", "passed", "failed"];
@@ -171,6 +172,11 @@ export class Scorm {
     return all.every(Boolean);
   }
 
+  /** Whether the site answers in time. */
+  #reached() {
+    return Promise.race([this.#with.reach(), new Promise((late) => this.#with.later(() => late(false), kPatience))]);
+  }
+
   async #commit() {
     this.#with.forget(this.#timer);
     this.#timer = null;
@@ -180,7 +186,7 @@ export class Scorm {
     if (this.failed && this.#wanted.complete && this.#set("cmi.core.lesson_status", "incomplete"))
       this.#call("LMSCommit", "");
     const taken = this.#set_all() && this.#call("LMSCommit", "");
-    const reached = taken && (await this.#with.reach());
+    const reached = taken && (await this.#reached());
     if (handed !== this.#handed) return; // a later one says how it stands
     this.failed = !reached;
     if (reached) this.#taken = handed;
