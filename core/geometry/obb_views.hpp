@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
 #include "geometry/obb.hpp"
 #include "geometry/plane.hpp"
@@ -59,25 +58,5 @@ template <class Scalar, int Dim>
   }
   return planes;
 }
-
-/// One representation of an oriented box, and what it makes cheap or expensive.
-struct ObbForm {
-  std::string_view name;
-  int numbers_2d, numbers_3d;  // how many are stored, each of a Scalar's bytes
-  std::string_view cheap;
-  std::string_view dear;
-};
-
-inline constexpr std::array<ObbForm, 4> kObbForms{
-    ObbForm{"vertices", 8, 24, "Drawing it, moving it, the farthest point in a direction: the vertices are there.",
-            "Space, and whatever needs a face: whether a point is inside takes three axes that must be found first."},
-    ObbForm{"planes", 12, 24, "Whether a point is inside: one dot product a face, and the first that fails ends it.",
-            "Each direction is stored twice with opposite signs, and a vertex is where three planes meet: a solve."},
-    ObbForm{"slabs", 8, 15, "A ray, or a point: each direction once, with two bounds.",
-            "A turn changes every bound too, and the centre and the vertices have to be solved for."},
-    ObbForm{"center, axes, half extents", 8, 15,
-            "Moving it changes the centre alone, turning it the axes; the separating-axis test takes it as it is.",
-            "A vertex or a face has to be put together from it, though by sums alone."},
-};
 
 }  // namespace snug

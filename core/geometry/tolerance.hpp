@@ -152,10 +152,6 @@ inline constexpr Scalar kObbAxes = 24 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kParallelAxes = 32 * kRoundoff<Scalar>;
 
-/// The same, seen from a frame that may itself be off by 36u: what is below it is within 48u.
-template <class Scalar>
-inline constexpr Scalar kParallelInFrame = 8 * kRoundoff<Scalar>;
-
 /// The error bound of a gap in the separating-axis test, times the axis's length, in units of the distance of the
 /// centres and all half extents. With axes off by kObbAxes a frame is off by up to 36u from a true one; that enters an
 /// edge-edge axis and either side of each of its products: 160u with 4u for each rounded dot product. True normals and
@@ -297,11 +293,6 @@ inline constexpr double kLozengeCorner = 4 * kRoundoff<double>;
 /// off by 12u in each entry, as much again, 21u of the extents and of the distance. 64u leaves room for terms in u^2.
 /// Held by the same.
 inline constexpr double kMergedBox = 64 * kRoundoff<double>;
-
-/// The extent of centres up to which a tree tells them apart by index alone: they are floats in a frame where their
-/// boxes together are 2^-8 to 2 wide, so that each is off by 2^-23 or so. Held by "bodies in one place are divided by
-/// index".
-inline constexpr float kSameCenter = 0x1p-20f;
 
 /// Where a ray meets a plane across an axis: u for the difference, u for the quotient, each way, which makes 4u between
 /// where it enters one slab and leaves another; and as much again for terms in u^2 and the bound's own rounding. Held

@@ -93,12 +93,6 @@ inline constexpr pair_table::Tests kPairTests = pair_table::all_tests();
   return kPairTests[a][b] == PairTest::kSlabs && (a == kKdop || b == kKdop);
 }
 
-/// Whether such a test finds the distance; the others only find an axis.
-[[nodiscard]] constexpr bool has_distance(PairTest test) {
-  return test == PairTest::kSpheres || test == PairTest::kSphereBox || test == PairTest::kSweptSpheres ||
-         test == PairTest::kGjk;
-}
-
 template <class A, class B>
 inline constexpr PairTest kPairTest = kPairTests[VolumeKind<A>::kIndex][VolumeKind<B>::kIndex];
 

@@ -94,26 +94,4 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard]] bool overlaps(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);
 
-template <class A, class B>
-concept Testable = requires(const A& a, const B& b) {
-  { test_overlap(a, b).overlap } -> std::convertible_to<bool>;
-  { overlaps(a, b) } -> std::same_as<bool>;
-};
-
-namespace pair_table {
-
-/// Whether each of these volumes can be tested against each.
-template <class... Kinds>
-constexpr bool are_all_testable(const std::variant<Kinds...>*) {
-  const auto with_each = []<class A>(const A*) { return (Testable<A, Kinds> && ...); };
-  return (with_each(static_cast<const Kinds*>(nullptr)) && ...);
-}
-
-}  // namespace pair_table
-
-static_assert(pair_table::are_all_testable(static_cast<const Volume<double, 2>*>(nullptr)));
-static_assert(pair_table::are_all_testable(static_cast<const Volume<double, 3>*>(nullptr)));
-static_assert(pair_table::are_all_testable(static_cast<const Volume<float, 2>*>(nullptr)));
-static_assert(pair_table::are_all_testable(static_cast<const Volume<float, 3>*>(nullptr)));
-
 }  // namespace snug::query

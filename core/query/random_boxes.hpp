@@ -1,13 +1,9 @@
-// Generates pairs of boxes from a seed until one has a wanted property.
+// Boxes from a seed.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
+#include "geometry/obb.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/random.hpp"
-#include "query/obb_sat.hpp"
-#include "query/wrong_steps.hpp"
 
 namespace snug::query {
 
@@ -24,17 +20,6 @@ template <class Scalar, int Dim>
     box.half_extents[axis] = static_cast<Scalar>(random.between(0.05, 1));
   }
   return box;
-}
-
-/// The first pair with wanted(a, b, whether they overlap); none if no pair has it in that many tries.
-template <class Scalar, int Dim, class Wanted>
-[[nodiscard]] std::optional<CounterExample<Scalar, Dim>> find_boxes(std::uint64_t seed, int tries, Wanted wanted) {
-  Random random(seed);
-  for (int i = 0; i < tries; ++i) {
-    const auto a = random_box<Scalar, Dim>(random), b = random_box<Scalar, Dim>(random);
-    if (wanted(a, b, obb_sat(a, b).overlap)) return CounterExample<Scalar, Dim>{a, b, i};
-  }
-  return std::nullopt;
 }
 
 }  // namespace snug::query

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "query/contains.hpp"
-#include "query/random_boxes.hpp"
 #include "query/wrong_steps.hpp"
 #include "trace/observer.hpp"
 
@@ -39,13 +37,6 @@ bool corners_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
   }
   observe(WrongStep{3, Claimed{false}});
   return false;
-}
-
-/// A pair that overlaps with every vertex outside the other box; none if there is none in that many tries.
-template <class Scalar, int Dim>
-[[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_corners_only(std::uint64_t seed, int tries) {
-  return find_boxes<Scalar, Dim>(
-      seed, tries, [](const auto& a, const auto& b, bool overlap) { return overlap && !corners_only(a, b); });
 }
 
 }  // namespace snug::query

@@ -4,13 +4,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <string_view>
 
-#include "geometry/random.hpp"
 #include "query/classify_corners.hpp"
-#include "query/random_boxes.hpp"
 
 namespace snug::query {
 
@@ -45,19 +41,5 @@ CullResult corners_outside(const Frustum<Scalar, Dim>& frustum, const Box& box, 
   observe(Step{inside == 0 ? 3 : 2, Classified{result}});
   return result;
 }
-
-/// A box that is called outside although it shares a point with the frustum.
-template <class Scalar, int Dim>
-struct LostBox {
-  Obb<Scalar, Dim> box;
-  int tries = 0;  // how many boxes were tried before
-};
-
-/// The lecture's counter-example: a box that crosses the frustum with every vertex outside it. Tries boxes of up to the
-/// frustum's size near its middle, in random orientations; none if that many tries find none, or if the frustum has no
-/// vertices.
-template <class Scalar, int Dim>
-[[nodiscard]] std::optional<LostBox<Scalar, Dim>> against_corners_outside(const Frustum<Scalar, Dim>& frustum,
-                                                                          std::uint64_t seed, int tries);
 
 }  // namespace snug::query

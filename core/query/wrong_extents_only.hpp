@@ -3,10 +3,8 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
-#include "query/random_boxes.hpp"
 #include "query/wrong_steps.hpp"
 #include "trace/observer.hpp"
 
@@ -36,13 +34,6 @@ bool extents_only(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, Observer
   }
   observe(WrongStep{2, Claimed{true}});
   return true;
-}
-
-/// A pair that is apart though the AABBs overlap; none if there is none in that many tries.
-template <class Scalar, int Dim>
-[[nodiscard]] std::optional<CounterExample<Scalar, Dim>> against_extents_only(std::uint64_t seed, int tries) {
-  return find_boxes<Scalar, Dim>(
-      seed, tries, [](const auto& a, const auto& b, bool overlap) { return !overlap && extents_only(a, b); });
 }
 
 }  // namespace snug::query

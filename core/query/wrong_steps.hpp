@@ -6,9 +6,6 @@
 #include <tuple>
 #include <variant>
 
-#include "geometry/obb.hpp"
-#include "geometry/vector.hpp"
-
 namespace snug::query {
 
 /// The boxes' AABBs were compared along a coordinate axis.
@@ -46,13 +43,6 @@ struct WrongStep {
   using Fact = std::variant<OutlinesCompared, CornerTried, Claimed>;
   int line = 0;
   Fact fact;
-};
-
-/// Two boxes on which a wrong test disagrees with the right one.
-template <class Scalar, int Dim>
-struct CounterExample {
-  Obb<Scalar, Dim> a, b;
-  int tries = 0;  // how many pairs were tried before
 };
 
 }  // namespace snug::query

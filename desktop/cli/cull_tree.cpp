@@ -45,11 +45,11 @@ CulledByTree cull_kind(const TreeRule& rule, const Frustum<Scalar, Dim>& frustum
     return CullCost{culled.counts.volume_tests(), culled.planes_tested};
   };
 
-  const hierarchy::Culled culled = hierarchy::cull(tree, all, frustum, nullptr, take, {}, going);
+  const hierarchy::Culled culled = hierarchy::cull(tree, all, frustum, take, going);
   result.nodes_visited = culled.counts.nodes_visited;
   result.by_tree = cost_of(culled);
-  result.without_masks =
-      cost_of(hierarchy::cull(tree, all, frustum, nullptr, [](Index, query::Culling) {}, {.masking = false}));
+  result.without_masks = cost_of(hierarchy::cull(
+      tree, all, frustum, [](Index, query::Culling) {}, Ignore(), false));
   for (const Kind& volume : volumes) {
     ++result.one_by_one.volume_tests;
     result.one_by_one.planes_tested += query::classify(frustum, volume).planes_tested;

@@ -1,4 +1,4 @@
-// A million boxes and spheres against a frustum: at once, against a plain summing pass over the same arrays and against
+// A million boxes against a frustum: at once, against a plain summing pass over the same arrays and against
 // one by one. Prints the tables that RESULTS.md keeps.
 #include <cstdint>
 #include <cstdio>
@@ -21,13 +21,13 @@ constexpr int kRounds = 41;
 
 /// The unit of measure: every number of the arrays once, each lane of a line into a sum of its own, so that no sum
 /// waits for the one before.
-template <class Array>
-double sum_of(const Array& array) {
-  using Scalar = std::remove_cvref_t<decltype(array.reach()[0])>;
-  Scalar sums[Array::kBlock]{};
+template <class Scalar>
+double sum_of(const query::AabbArray<Scalar>& array) {
+  constexpr std::size_t kBlock = query::AabbArray<Scalar>::kBlock;
+  Scalar sums[kBlock]{};
   for (const auto& block : array.blocks())
     for (const auto& field : block.fields)
-      for (std::size_t i = 0; i < Array::kBlock; ++i) sums[i] += field[i];
+      for (std::size_t i = 0; i < kBlock; ++i) sums[i] += field[i];
   double sum = 0;
   for (const Scalar each : sums) sum += static_cast<double>(each);
   return sum;
@@ -56,18 +56,8 @@ std::vector<Aabb<Scalar, 3>> some_boxes(double spread) {
 }
 
 template <class Scalar>
-std::vector<Sphere<Scalar, 3>> some_spheres(double spread) {
-  Random random(2);
-  std::vector<Sphere<Scalar, 3>> spheres(kCount);
-  for (auto& sphere : spheres) {
-    for (int i = 0; i < 3; ++i) sphere.center[i] = static_cast<Scalar>(random.between(-spread, spread));
-    sphere.radius = static_cast<Scalar>(random.between(0.1, 1));
-  }
-  return spheres;
-}
-
-template <class Scalar, class Shape, class Array>
-void measure(const char* name, const std::vector<Shape>& shapes, const Array& array) {
+void measure(const char* name, const std::vector<Aabb<Scalar, 3>>& boxes) {
+  const query::AabbArray<Scalar> array(boxes);
   const auto frustum = some_frustum<Scalar>();
   std::vector<query::Culling> verdicts(kCount);
   const auto at_once = [&] {
@@ -75,7 +65,7 @@ void measure(const char* name, const std::vector<Shape>& shapes, const Array& ar
     bench::keep(verdicts);
   };
   const auto one_by_one = [&] {
-    for (std::size_t i = 0; i < kCount; ++i) verdicts[i] = query::classify(frustum, shapes[i]).verdict;
+    for (std::size_t i = 0; i < kCount; ++i) verdicts[i] = query::classify(frustum, boxes[i]).verdict;
     bench::keep(verdicts);
   };
   const auto summing = [&] { bench::keep(sum_of(array)); };
@@ -94,13 +84,8 @@ void measure(const char* name, const std::vector<Shape>& shapes, const Array& ar
 
 template <class Scalar>
 void measure_all() {
-  for (const double spread : {100.0, 30.0}) {
-    const auto boxes = some_boxes<Scalar>(spread);
-    const auto spheres = some_spheres<Scalar>(spread);
-    measure<Scalar>(spread > 50 ? "boxes, spread out" : "boxes, near", boxes, query::AabbArray<Scalar>(boxes));
-    measure<Scalar>(spread > 50 ? "spheres, spread out" : "spheres, near", spheres,
-                    query::SphereArray<Scalar>(spheres));
-  }
+  for (const double spread : {100.0, 30.0})
+    measure(spread > 50 ? "boxes, spread out" : "boxes, near", some_boxes<Scalar>(spread));
 }
 
 }  // namespace

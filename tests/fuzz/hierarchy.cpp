@@ -70,9 +70,9 @@ void check_search(const hierarchy::Tree<Kind>& tree, const std::vector<Kind>& bo
 
 template <class Kind>
 void check_cull(const hierarchy::Tree<Kind>& tree, const std::vector<Kind>& bodies,
-                const Frustum<typename Of<Kind>::Scalar, Of<Kind>::kDim>& frustum, hierarchy::LastRejected* last) {
+                const Frustum<typename Of<Kind>::Scalar, Of<Kind>::kDim>& frustum) {
   std::vector<query::Culling> verdicts(bodies.size(), query::Culling::kOutside);
-  hierarchy::cull(tree, bodies, frustum, last, [&](Index body, query::Culling verdict) {
+  hierarchy::cull(tree, bodies, frustum, [&](Index body, query::Culling verdict) {
     require(verdicts[body] == query::Culling::kOutside);  // once each
     verdicts[body] = verdict;
   });
@@ -111,7 +111,6 @@ void check(fuzz::Bytes& bytes) {
   std::array<hierarchy::Tree<Kind>, 4> trees{
       hierarchy::build_median<Kind>(bodies, options), hierarchy::build_surface_area<Kind>(bodies, options),
       hierarchy::build_bottom_up<Kind>(bodies), hierarchy::build_by_insertion<Kind>(bodies)};
-  std::array<hierarchy::LastRejected, 4> last;
   const unsigned proven = bytes.below(4);  // rationals take long
   for (int round = 0; round < 2; ++round) {
     if (round > 0)
@@ -120,7 +119,7 @@ void check(fuzz::Bytes& bytes) {
       if (i == proven) check_nodes(trees[i], bodies);
       check_search(trees[i], bodies, sought);
       check_pairs(trees[i], trees[(i + 1) % trees.size()], bodies);
-      if (frustum) check_cull(trees[i], bodies, *frustum, bytes.below(2) == 0 ? nullptr : &last[i]);
+      if (frustum) check_cull(trees[i], bodies, *frustum);
     }
     for (Kind& body : bodies)
       if (bytes.below(2) == 0) body = any_body<Kind>(bytes);

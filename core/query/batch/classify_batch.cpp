@@ -1,5 +1,6 @@
 #include "query/batch/classify_batch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
@@ -81,9 +82,10 @@ struct Blocks {
   using Groups = Vec[kGroups];
   typedef std::uint8_t Bytes __attribute__((vector_size(kLanes)));
   using Verdicts = std::array<Culling, kBlock>;
+  using Block = typename AabbArray<Scalar>::Block;
 
   /// The greatest distance, over all planes, of the point in three fields.
-  template <class Fields, class Block>
+  template <class Fields>
   SNUG_INLINE static void farthest(const UnitPlanes<Scalar>& all, const Block& block, Fields fields, Groups& most) {
     for (std::size_t p = 0; p < 6; ++p) {
       const auto& plane = all.planes[p];
@@ -99,8 +101,8 @@ struct Blocks {
   }
 
   /// Judges boxes: most need no more than their n-vertices.
-  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename AabbArray<Scalar>::Block& block,
-                                Scalar doubt, Verdicts& verdicts) {
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const Block& block, Scalar doubt,
+                                Verdicts& verdicts) {
     Groups low, high;
     farthest(
         planes, block, [](const auto& plane, std::size_t i) { return plane.n_vertex[i]; }, low);
@@ -112,20 +114,6 @@ struct Blocks {
     }
     farthest(
         planes, block, [](const auto& plane, std::size_t i) { return plane.p_vertex[i]; }, high);
-    return settle(low, high, doubt, verdicts);
-  }
-
-  /// Judges spheres, by the plane that the centre is farthest outside of.
-  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const typename SphereArray<Scalar>::Block& block,
-                                Scalar doubt, Verdicts& verdicts) {
-    Groups low, high;
-    farthest(
-        planes, block, [](const auto&, std::size_t i) { return i; }, high);
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      const Vec radius = load<Vec>(block.fields[3] + g * kLanes);
-      low[g] = high[g] - radius;
-      high[g] += radius;
-    }
     return settle(low, high, doubt, verdicts);
   }
 
@@ -153,8 +141,9 @@ struct Blocks {
   }
 };
 
-template <class Scalar, std::size_t kBytes, class Array>
-SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+template <class Scalar, std::size_t kBytes>
+SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const AabbArray<Scalar>& array,
+                             std::span<Culling> verdicts) {
   using Own = Blocks<Scalar, kBytes>;
   const UnitPlanes<Scalar> planes(frustum);
   for (std::size_t block = 0; block < array.blocks().size(); ++block) {
@@ -176,68 +165,53 @@ SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const Array& arr
 #define SNUG_FULL_WIDTH ",prefer-vector-width=512"
 #endif
 // Each lane does the same operations, so the bits are the same: this target has no fused multiply-add.
-template <class Scalar, class Array>
-[[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const Array& array,
+template <class Scalar>
+[[gnu::target("avx2")]] void classify_in_32_bytes(const Frustum<Scalar, 3>& frustum, const AabbArray<Scalar>& array,
                                                   std::span<Culling> verdicts) {
   classify_in<Scalar, 32>(frustum, array, verdicts);
 }
-template <class Scalar, class Array>
+template <class Scalar>
 [[gnu::target("avx512f,avx512bw,avx512dq,avx512vl" SNUG_FULL_WIDTH)]] void
-classify_in_64_bytes(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
+classify_in_64_bytes(const Frustum<Scalar, 3>& frustum, const AabbArray<Scalar>& array, std::span<Culling> verdicts) {
   classify_in<Scalar, 64>(frustum, array, verdicts);
 }
 #endif
 
-template <class Scalar, class Array>
-void classify_array(const Frustum<Scalar, 3>& frustum, const Array& array, std::span<Culling> verdicts) {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-    return classify_in_64_bytes(frustum, array, verdicts);
-  if (__builtin_cpu_supports("avx2")) return classify_in_32_bytes(frustum, array, verdicts);
-#endif
-  classify_in<Scalar, 16>(frustum, array, verdicts);
-}
-
 }  // namespace
 
 template <class Scalar>
+AabbArray<Scalar>::AabbArray(std::span<const Aabb<Scalar, 3>> boxes)
+    : size_(boxes.size()), blocks_((boxes.size() + kBlock - 1) / kBlock), reach_(blocks_.size(), Scalar(0)) {
+  for (std::size_t i = 0; i < size_; ++i) set(i, boxes[i]);
+}
+template <class Scalar>
 Aabb<Scalar, 3> AabbArray<Scalar>::operator[](std::size_t i) const {
-  return {{this->at(i, 0), this->at(i, 1), this->at(i, 2)}, {this->at(i, 3), this->at(i, 4), this->at(i, 5)}};
+  const auto at = [&](std::size_t field) { return blocks_[i / kBlock].fields[field][i % kBlock]; };
+  return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
 }
 template <class Scalar>
 void AabbArray<Scalar>::set(std::size_t i, const Aabb<Scalar, 3>& box) {
+  auto& fields = blocks_[i / kBlock].fields;
   for (int k = 0; k < 3; ++k) {
-    this->at(i, k) = box.min[k];
-    this->at(i, k + 3) = box.max[k];
+    fields[k][i % kBlock] = box.min[k];
+    fields[k + 3][i % kBlock] = box.max[k];
   }
-  this->reaches(i, size_of(box));
-}
-
-template <class Scalar>
-Sphere<Scalar, 3> SphereArray<Scalar>::operator[](std::size_t i) const {
-  return {{this->at(i, 0), this->at(i, 1), this->at(i, 2)}, this->at(i, 3)};
-}
-template <class Scalar>
-void SphereArray<Scalar>::set(std::size_t i, const Sphere<Scalar, 3>& sphere) {
-  for (int k = 0; k < 3; ++k) this->at(i, k) = sphere.center[k];
-  this->at(i, 3) = sphere.radius;
-  this->reaches(i, size_of(sphere));
+  reach_[i / kBlock] = std::max(reach_[i / kBlock], size_of(box));
 }
 
 template <class Scalar>
 void classify_all(const Frustum<Scalar, 3>& frustum, const AabbArray<Scalar>& boxes, std::span<Culling> verdicts) {
-  classify_array(frustum, boxes, verdicts);
-}
-template <class Scalar>
-void classify_all(const Frustum<Scalar, 3>& frustum, const SphereArray<Scalar>& spheres, std::span<Culling> verdicts) {
-  classify_array(frustum, spheres, verdicts);
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return classify_in_64_bytes(frustum, boxes, verdicts);
+  if (__builtin_cpu_supports("avx2")) return classify_in_32_bytes(frustum, boxes, verdicts);
+#endif
+  classify_in<Scalar, 16>(frustum, boxes, verdicts);
 }
 
 #define SNUG_INSTANTIATE(Scalar)                                                                                       \
   template class AabbArray<Scalar>;                                                                                    \
-  template class SphereArray<Scalar>;                                                                                  \
-  template void classify_all(const Frustum<Scalar, 3>&, const AabbArray<Scalar>&, std::span<Culling>);                 \
-  template void classify_all(const Frustum<Scalar, 3>&, const SphereArray<Scalar>&, std::span<Culling>);
+  template void classify_all(const Frustum<Scalar, 3>&, const AabbArray<Scalar>&, std::span<Culling>);
 SNUG_INSTANTIATE(float)
 SNUG_INSTANTIATE(double)
 #undef SNUG_INSTANTIATE

@@ -128,17 +128,3 @@ TEST_CASE("bytes are those that the lectures count") {
   hull.vertices.resize(4), hull.indices.resize(4), hull.facets.resize(4);
   CHECK(bytes_of(hull) == 4 * 12 + 4 * 4 + 4 * 12);
 }
-
-TEST_CASE("the table of an oriented box's forms counts the numbers that the forms have") {
-  const auto check = [](const ObbForm& form, std::size_t plane, std::size_t space) {
-    CAPTURE(form.name);
-    CHECK(plane == static_cast<std::size_t>(form.numbers_2d) * sizeof(float));
-    CHECK(space == static_cast<std::size_t>(form.numbers_3d) * sizeof(float));
-    CHECK(!form.cheap.empty());
-    CHECK(!form.dear.empty());
-  };
-  check(kObbForms[0], bytes_of(ObbVertices<float, 2>{}), bytes_of(ObbVertices<float, 3>{}));
-  check(kObbForms[1], bytes_of(ObbPlanes<float, 2>{}), bytes_of(ObbPlanes<float, 3>{}));
-  check(kObbForms[2], bytes_of(ObbSlabs<float, 2>{}), bytes_of(ObbSlabs<float, 3>{}));
-  check(kObbForms[3], bytes_of(Obb<float, 2>{}), bytes_of(Obb<float, 3>{}));
-}

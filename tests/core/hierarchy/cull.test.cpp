@@ -41,11 +41,10 @@ std::vector<Culling> one_by_one(const std::vector<Box>& boxes, const Frustum<dou
 }
 
 std::vector<Culling> by_tree(const hierarchy::Tree<Box>& tree, const std::vector<Box>& boxes,
-                             const Frustum<double, 3>& frustum, hierarchy::LastRejected* last,
-                             hierarchy::Culled& culled, const hierarchy::CullSavings& savings = {}) {
+                             const Frustum<double, 3>& frustum, hierarchy::Culled& culled, bool masks = true) {
   std::vector<Culling> verdicts(boxes.size(), Culling::kOutside);
   culled = hierarchy::cull(
-      tree, boxes, frustum, last, [&](Index body, Culling verdict) { verdicts[body] = verdict; }, savings);
+      tree, boxes, frustum, [&](Index body, Culling verdict) { verdicts[body] = verdict; }, Ignore(), masks);
   return verdicts;
 }
 
@@ -55,43 +54,33 @@ TEST_CASE("a tree's culling says of every body what testing it alone says") {
   const std::vector<Box> boxes = bodies(3000, 1);
   for (const auto& tree : {hierarchy::build_median<Box>(boxes), hierarchy::build_surface_area<Box>(boxes),
                            hierarchy::build_by_insertion<Box>(boxes)}) {
-    hierarchy::LastRejected last;
     for (const double sideways : {0.0, 0.5, -3.0, 40.0}) {
       hierarchy::Culled culled;
       const auto right = one_by_one(boxes, view(sideways));
-      CHECK(by_tree(tree, boxes, view(sideways), nullptr, culled) == right);
-      CHECK(by_tree(tree, boxes, view(sideways), &last, culled) == right);
-      CHECK(by_tree(tree, boxes, view(sideways), &last, culled, {.masking = false, .coherence = false}) == right);
+      CHECK(by_tree(tree, boxes, view(sideways), culled) == right);
+      CHECK(by_tree(tree, boxes, view(sideways), culled, false) == right);
       for (const Culling verdict : {Culling::kInside, Culling::kIntersecting, Culling::kOutside})
         CHECK(std::count(right.begin(), right.end(), verdict) > 0);
     }
   }
 }
 
-TEST_CASE(
-    "culling 20,000 bodies by a tree makes far fewer tests than there are bodies, and each saving spares planes") {
+TEST_CASE("culling 20,000 bodies by a tree makes far fewer tests than there are bodies, and masking spares planes") {
   const std::vector<Box> boxes = bodies(20'000, 2);
   const auto tree = hierarchy::build_surface_area<Box>(boxes);
-  const auto planes = [&](const hierarchy::CullSavings& savings, hierarchy::LastRejected* last) {
+  const auto planes = [&](bool masks) {
     hierarchy::Culled culled;
-    by_tree(tree, boxes, view(0.1), last, culled, savings);
+    by_tree(tree, boxes, view(0.1), culled, masks);
     CHECK(culled.counts.volume_tests() < 20'000 / 3);
     CHECK(culled.counts.volume_tests() > 100);
     return culled.planes_tested;
   };
-  hierarchy::LastRejected last;
-  hierarchy::Culled before;
-  by_tree(tree, boxes, view(0), &last, before);
-  const auto plain = planes({.masking = false, .coherence = false}, nullptr);
-  const auto masked = planes({.masking = true, .coherence = false}, nullptr);
-  const auto both = planes({}, &last);
-  CHECK(masked < plain);
-  CHECK(both < masked);
+  CHECK(planes(true) < planes(false));
 }
 
 TEST_CASE("a tree without bodies has nothing to cull") {
   const std::vector<Box> none;
   hierarchy::Culled culled;
-  CHECK(by_tree(hierarchy::build_median<Box>(none), none, view(0), nullptr, culled).empty());
+  CHECK(by_tree(hierarchy::build_median<Box>(none), none, view(0), culled).empty());
   CHECK(culled.counts.nodes_visited == 0);
 }

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include "query/obb_sat.hpp"
+#include "query/random_boxes.hpp"
 #include "query/wrong_corners_only.hpp"
 #include "query/wrong_extents_only.hpp"
 
@@ -9,16 +11,6 @@ namespace {
 
 template <class Scalar, int Dim>
 void check_both() {
-  const auto outlines = query::against_extents_only<Scalar, Dim>(1, 1000);
-  REQUIRE(outlines.has_value());
-  CHECK(query::extents_only(outlines->a, outlines->b));
-  CHECK_FALSE(query::obb_sat(outlines->a, outlines->b).overlap);
-
-  const auto corners = query::against_corners_only<Scalar, Dim>(1, 1000);
-  REQUIRE(corners.has_value());
-  CHECK_FALSE(query::corners_only(corners->a, corners->b));
-  CHECK(query::obb_sat(corners->a, corners->b).overlap);
-
   // Each errs to one side alone, and often enough that nobody should trust it.
   Random random(7);
   int empty_corners = 0, crossings = 0;

@@ -233,7 +233,7 @@ QueryResult run_query(std::string_view method, const QueryPlaces& query, const T
   if (finds_first(method)) {
     result = first_box(method, query, tree, boxes, choices, recorder);
   } else if (shape == QueryShape::kFrustum) {
-    const auto culled = hierarchy::cull(tree, boxes, frustum_of(query).value(), nullptr, take, {}, recorder);
+    const auto culled = hierarchy::cull(tree, boxes, frustum_of(query).value(), take, recorder);
     result.counts = culled.counts, result.planes_tested = culled.planes_tested;
   } else {
     const auto visit = [&](const Box2& box, const int&) { return answer_of(shape, query, box); };

@@ -12,14 +12,14 @@ using query::Culling;
 
 namespace {
 
-template <class Array, class Scalar, class Shape>
-std::array<int, 3> check_batch(const Frustum<Scalar, 3>& frustum, const std::vector<Shape>& shapes) {
-  std::vector<Culling> verdicts(shapes.size() + 1, static_cast<Culling>(7));
-  query::classify_all<Scalar>(frustum, Array(shapes), std::span(verdicts).first(shapes.size()));
+template <class Scalar>
+std::array<int, 3> check_batch(const Frustum<Scalar, 3>& frustum, const std::vector<Aabb<Scalar, 3>>& boxes) {
+  std::vector<Culling> verdicts(boxes.size() + 1, static_cast<Culling>(7));
+  query::classify_all<Scalar>(frustum, query::AabbArray<Scalar>(boxes), std::span(verdicts).first(boxes.size()));
   std::array<int, 3> counts{};
   std::size_t wrong = 0;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Culling right = query::classify(frustum, shapes[i]).verdict;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Culling right = query::classify(frustum, boxes[i]).verdict;
     wrong += verdicts[i] != right;
     ++counts[static_cast<std::size_t>(right)];
   }
@@ -40,75 +40,49 @@ std::vector<Aabb<Scalar, 3>> boxes_about(const test::Scene<Scalar, 3>& scene, in
   }
   return boxes;
 }
-template <class Scalar>
-std::vector<Sphere<Scalar, 3>> spheres_about(const test::Scene<Scalar, 3>& scene, int n, bool grazing, Random& random) {
-  std::vector<Sphere<Scalar, 3>> spheres;
-  for (int i = 0; i < n; ++i) {
-    const Vector<double, 3> center = scene.middle + test::any_vector<3>(random, 1.5 * scene.size);
-    spheres.push_back({center.template cast<Scalar>(), static_cast<Scalar>(random.between(0.01, 0.5) * scene.size)});
-    if (grazing && i % 3 == 0) test::graze(scene.frustum[static_cast<int>(random.below(6))], spheres.back(), random);
-  }
-  return spheres;
-}
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("boxes and spheres at once have the verdicts that they have one by one", Scalar, float, double) {
+TEST_CASE_TEMPLATE("boxes at once have the verdicts that they have one by one", Scalar, float, double) {
   Random random(1);
-  std::array<int, 3> boxes{}, spheres{};
+  std::array<int, 3> all{};
   for (int round = 0; round < 60; ++round) {
     const auto scene = test::any_scene<Scalar, 3>(round % test::kFrustumKinds, random);
     const bool grazing = round % 2 == 0;
-    const auto of_boxes =
-        check_batch<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, 500, grazing, random));
-    const auto of_spheres =
-        check_batch<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, 500, grazing, random));
-    for (std::size_t i = 0; i < 3; ++i) boxes[i] += of_boxes[i], spheres[i] += of_spheres[i];
+    const auto some = check_batch(scene.frustum, boxes_about(scene, 500, grazing, random));
+    for (std::size_t i = 0; i < 3; ++i) all[i] += some[i];
   }
-  for (const int count : boxes) CHECK(count > 200);
-  for (const int count : spheres) CHECK(count > 200);
+  for (const int count : all) CHECK(count > 200);
 }
 
 TEST_CASE_TEMPLATE("none, one, and any number up to more than a block", Scalar, float, double) {
   Random random(2);
   const auto scene = test::any_scene<Scalar, 3>(1, random);
-  for (int n = 0; n < 40; ++n) {
-    check_batch<query::AabbArray<Scalar>>(scene.frustum, boxes_about(scene, n, false, random));
-    check_batch<query::SphereArray<Scalar>>(scene.frustum, spheres_about(scene, n, false, random));
-  }
+  for (int n = 0; n < 40; ++n) check_batch(scene.frustum, boxes_about(scene, n, false, random));
 }
 
-TEST_CASE_TEMPLATE("arrays give back what they were given, and know how far it reaches", Scalar, float, double) {
+TEST_CASE_TEMPLATE("an array gives back what it was given, and knows how far it reaches", Scalar, float, double) {
   Random random(3);
   const auto scene = test::any_scene<Scalar, 3>(0, random);
   auto boxes = boxes_about(scene, 37, false, random);
-  auto spheres = spheres_about(scene, 37, false, random);
-  query::AabbArray<Scalar> box_array(boxes);
-  query::SphereArray<Scalar> sphere_array(spheres);
-  boxes[20] = {{-100, 0, 0}, {1, 2, 3}}, spheres[20] = {{1, -90, 2}, 20};
-  box_array.set(20, boxes[20]), sphere_array.set(20, spheres[20]);
+  query::AabbArray<Scalar> array(boxes);
+  boxes[20] = {{-100, 0, 0}, {1, 2, 3}};
+  array.set(20, boxes[20]);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    CHECK(box_array[i].min == boxes[i].min);
-    CHECK(box_array[i].max == boxes[i].max);
-    CHECK(sphere_array[i].center == spheres[i].center);
-    CHECK(sphere_array[i].radius == spheres[i].radius);
+    CHECK(array[i].min == boxes[i].min);
+    CHECK(array[i].max == boxes[i].max);
   }
-  CHECK(box_array.reach()[20 / query::AabbArray<Scalar>::kBlock] == 100);
-  CHECK(sphere_array.reach()[20 / query::SphereArray<Scalar>::kBlock] == 110);
+  CHECK(array.reach()[20 / query::AabbArray<Scalar>::kBlock] == 100);
 }
 
 TEST_CASE_TEMPLATE("a wall of cubes around the frustum touches it exactly", Scalar, float, double) {
   std::vector<Aabb<Scalar, 3>> cubes;
-  std::vector<Sphere<Scalar, 3>> balls;
   for (int x = -3; x <= 3; ++x)
     for (int y = -3; y <= 3; ++y)
       for (int z = -3; z <= 3; ++z) {
         const Vector<Scalar, 3> center{Scalar(x), Scalar(y), Scalar(z)}, half{Scalar(0.5), Scalar(0.5), Scalar(0.5)};
         cubes.push_back({center - half, center + half});
-        balls.push_back({center, Scalar(1)});
       }
-  const auto of_cubes = check_batch<query::AabbArray<Scalar>>(Frustum<Scalar, 3>(), cubes);
+  const auto of_cubes = check_batch(Frustum<Scalar, 3>(), cubes);
   CHECK(of_cubes == std::array<int, 3>{1, 26, 343 - 27});
-  const auto of_balls = check_batch<query::SphereArray<Scalar>>(Frustum<Scalar, 3>(), balls);
-  CHECK(of_balls == std::array<int, 3>{1, 124, 343 - 125});
 }

@@ -113,7 +113,7 @@ TEST_CASE("a frustum goes through the tree as hierarchy::cull does") {
     const TreeOfBoxes tree = build_tree("top_down_sah", boxes);
     const auto result = run_query("frustum_query", *stage.query, tree, boxes);
     std::vector<Index> seen;
-    const auto culled = hierarchy::cull(tree, boxes, frustum_of(*stage.query).value(), nullptr,
+    const auto culled = hierarchy::cull(tree, boxes, frustum_of(*stage.query).value(),
                                         [&](Index box, query::Culling) { seen.push_back(box); });
     std::sort(seen.begin(), seen.end());
     CHECK(result.found == seen);
