@@ -4,10 +4,10 @@
 
 #include <array>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -17,8 +17,7 @@ struct ExtremesFound {
   static constexpr std::string_view kName = "extremes_found";
   std::array<Index, Dim> least{};
   std::array<Index, Dim> greatest{};
-  static constexpr std::array<std::string_view, 2> kFields{"least", "greatest"};
-  static auto tie(auto& own) { return std::tie(own.least, own.greatest); }
+  SNUG_FIELDS(least, greatest);
 };
 
 /// Two points chosen as the first diameter. axis: 0 .. Dim - 1 for a coordinate axis, kNoIndex for another direction.
@@ -27,16 +26,14 @@ struct PairChosen {
   Index a = kNoIndex, b = kNoIndex;
   int axis = kNoIndex;
   double distance = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"a", "b", "axis", "distance"};
-  static auto tie(auto& own) { return std::tie(own.a, own.b, own.axis, own.distance); }
+  SNUG_FIELDS(a, b, axis, distance);
 };
 
 template <class Scalar, int Dim>
 struct MeanFound {
   static constexpr std::string_view kName = "mean_found";
   Vector<Scalar, Dim> mean;
-  static constexpr std::array<std::string_view, 1> kFields{"mean"};
-  static auto tie(auto& own) { return std::tie(own.mean); }
+  SNUG_FIELDS(mean);
 };
 
 /// covariance: in scene units squared, divided by n.
@@ -45,8 +42,7 @@ struct CovarianceFound {
   static constexpr std::string_view kName = "covariance_found";
   Vector<Scalar, Dim> mean;
   Matrix<Scalar, Dim> covariance;
-  static constexpr std::array<std::string_view, 2> kFields{"mean", "covariance"};
-  static auto tie(auto& own) { return std::tie(own.mean, own.covariance); }
+  SNUG_FIELDS(mean, covariance);
 };
 
 /// Eigenvectors as columns, by rising eigenvalue; variances: the eigenvalues, in scene units squared.
@@ -56,16 +52,14 @@ struct AxesFound {
   Vector<Scalar, Dim> mean;
   Matrix<Scalar, Dim> axes;
   Vector<Scalar, Dim> variances;
-  static constexpr std::array<std::string_view, 3> kFields{"mean", "axes", "variances"};
-  static auto tie(auto& own) { return std::tie(own.mean, own.axes, own.variances); }
+  SNUG_FIELDS(mean, axes, variances);
 };
 
 /// The last step of every run: the volume is the result, and these points support it.
 struct Finished {
   static constexpr std::string_view kName = "finished";
   std::vector<Index> support;
-  static constexpr std::array<std::string_view, 1> kFields{"support"};
-  static auto tie(auto& own) { return std::tie(own.support); }
+  SNUG_FIELDS(support);
 };
 
 }  // namespace snug::fit

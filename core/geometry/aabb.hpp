@@ -1,13 +1,10 @@
 // The axis-aligned bounding box, in its working form.
 #pragma once
 
-#include <array>
-#include <string_view>
-#include <tuple>
-
 #include "geometry/core.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -16,8 +13,7 @@ template <class Scalar, int Dim>
 struct Aabb {
   Vector<Scalar, Dim> min = Vector<Scalar, Dim>::Zero();
   Vector<Scalar, Dim> max = Vector<Scalar, Dim>::Zero();  // >= min
-  static constexpr std::array<std::string_view, 2> kFields{"min", "max"};
-  static auto tie(auto& own) { return std::tie(own.min, own.max); }
+  SNUG_FIELDS(min, max);
 };
 
 /// Area (2-D) or volume (3-D).

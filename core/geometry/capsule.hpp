@@ -1,15 +1,13 @@
 // The capsule: a sphere swept along a segment.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
-#include <tuple>
 
 #include "geometry/core.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -19,8 +17,7 @@ struct Capsule {
   Vector<Scalar, Dim> a = Vector<Scalar, Dim>::Zero();
   Vector<Scalar, Dim> b = Vector<Scalar, Dim>::Zero();
   Scalar radius = 0;  // >= 0
-  static constexpr std::array<std::string_view, 3> kFields{"a", "b", "radius"};
-  static auto tie(auto& own) { return std::tie(own.a, own.b, own.radius); }
+  SNUG_FIELDS(a, b, radius);
 };
 
 /// Area (2-D) or volume (3-D).

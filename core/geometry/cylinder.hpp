@@ -2,12 +2,9 @@
 // capsule on the same axis, to be compared with it.
 #pragma once
 
-#include <array>
-#include <string_view>
-#include <tuple>
-
 #include "geometry/core.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -18,8 +15,7 @@ struct Cylinder {
   Vector<Scalar, Dim> a = Vector<Scalar, Dim>::Zero();
   Vector<Scalar, Dim> b = Vector<Scalar, Dim>::UnitX();
   Scalar radius = 0;  // >= 0
-  static constexpr std::array<std::string_view, 3> kFields{"a", "b", "radius"};
-  static auto tie(auto& own) { return std::tie(own.a, own.b, own.radius); }
+  SNUG_FIELDS(a, b, radius);
 };
 
 template <class Scalar, int Dim>

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <array>
-#include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "geometry/core.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -22,8 +21,7 @@ struct ConvexHull {
   std::vector<Index> indices;  // each vertex's index in the point set
   std::vector<std::array<Index, Dim>> facets;
   int affine_dim = Dim;
-  static constexpr std::array<std::string_view, 4> kFields{"vertices", "indices", "facets", "affine_dim"};
-  static auto tie(auto& own) { return std::tie(own.vertices, own.indices, own.facets, own.affine_dim); }
+  SNUG_FIELDS(vertices, indices, facets, affine_dim);
 };
 
 template <class Scalar, int Dim>

@@ -3,13 +3,12 @@
 
 #include <array>
 #include <span>
-#include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "geometry/core.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -41,8 +40,7 @@ struct Kdop {
   int k = 2 * Dim;                            // 2-D: 4, 6, 8; 3-D: 6, 14, 18, 26
   std::array<Scalar, kMostSlabs<Dim>> min{};  // only the first k/2 are used
   std::array<Scalar, kMostSlabs<Dim>> max{};  // >= min
-  static constexpr std::array<std::string_view, 3> kFields{"k", "min", "max"};
-  static auto tie(auto& own) { return std::tie(own.k, own.min, own.max); }
+  SNUG_FIELDS(k, min, max);
 };
 
 /// The corners, each once, relative to an origin (subtracted before anything is rounded, so that far k-DOPs lose no

@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
-#include <tuple>
 
 #include "geometry/core.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -20,8 +19,7 @@ struct Lozenge {
   Vector<Scalar, Dim> origin = Vector<Scalar, Dim>::Zero();
   std::array<Vector<Scalar, Dim>, 2> edges{Vector<Scalar, Dim>::Zero(), Vector<Scalar, Dim>::Zero()};  // perpendicular
   Scalar radius = 0;                                                                                   // >= 0
-  static constexpr std::array<std::string_view, 3> kFields{"origin", "edges", "radius"};
-  static auto tie(auto& own) { return std::tie(own.origin, own.edges, own.radius); }
+  SNUG_FIELDS(origin, edges, radius);
 };
 
 /// Area (2-D) or volume (3-D).

@@ -1,14 +1,11 @@
 // The oriented bounding box, in its working form.
 #pragma once
 
-#include <array>
-#include <string_view>
-#include <tuple>
-
 #include "geometry/core.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -18,8 +15,7 @@ struct Obb {
   Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();
   Matrix<Scalar, Dim> axes = Matrix<Scalar, Dim>::Identity();      // columns: unit, perpendicular, right-handed
   Vector<Scalar, Dim> half_extents = Vector<Scalar, Dim>::Zero();  // >= 0, scene units
-  static constexpr std::array<std::string_view, 3> kFields{"center", "axes", "half_extents"};
-  static auto tie(auto& own) { return std::tie(own.center, own.axes, own.half_extents); }
+  SNUG_FIELDS(center, axes, half_extents);
 };
 
 /// Area (2-D) or volume (3-D).

@@ -1,17 +1,15 @@
 // The sphere (in 2-D the circle), and whether it contains a point, decided exactly.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "geometry/core.hpp"
 #include "geometry/point_set.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug {
 
@@ -19,8 +17,7 @@ template <class Scalar, int Dim>
 struct Sphere {
   Vector<Scalar, Dim> center = Vector<Scalar, Dim>::Zero();
   Scalar radius = 0;  // >= 0
-  static constexpr std::array<std::string_view, 2> kFields{"center", "radius"};
-  static auto tie(auto& own) { return std::tie(own.center, own.radius); }
+  SNUG_FIELDS(center, radius);
 };
 
 /// -1, 0 or +1: whether a point lies inside, on or outside a sphere, in exact arithmetic on the numbers as they are.

@@ -1,13 +1,12 @@
 // The steps of building, refitting and traversing a tree.
 #pragma once
 
-#include <array>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::hierarchy {
 
@@ -21,8 +20,7 @@ struct SplitChosen {
   double position = 0;
   Index left = 0, right = 0;
   double cost = 0;
-  static constexpr std::array<std::string_view, 6> kFields{"node", "axis", "position", "left", "right", "cost"};
-  static auto tie(auto& own) { return std::tie(own.node, own.axis, own.position, own.left, own.right, own.cost); }
+  SNUG_FIELDS(node, axis, position, left, right, cost);
 };
 
 /// The surface-area heuristic priced every border between bins, for a node. axis and border: the cheapest; border is
@@ -38,8 +36,7 @@ struct SplitsPriced {
   [[nodiscard]] double position(int along, int at) const {
     return low[along] + at * (high[along] - low[along]) / (borders() + 1);
   }
-  static constexpr std::array<std::string_view, 6> kFields{"node", "axis", "border", "low", "high", "costs"};
-  static auto tie(auto& own) { return std::tie(own.node, own.axis, own.border, own.low, own.high, own.costs); }
+  SNUG_FIELDS(node, axis, border, low, high, costs);
 };
 
 /// A node became a leaf. bodies: how many it has.
@@ -47,8 +44,7 @@ struct LeafMade {
   static constexpr std::string_view kName = "leaf_made";
   Index node = 0;
   Index bodies = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"node", "bodies"};
-  static auto tie(auto& own) { return std::tie(own.node, own.bodies); }
+  SNUG_FIELDS(node, bodies);
 };
 
 /// Two groups were merged. Group i is body i if i is below the number n of bodies; merged groups are numbered from n
@@ -59,8 +55,7 @@ struct NodesMerged {
   Index merged = 0;
   Index left = 0, right = 0;
   double area = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"merged", "left", "right", "area"};
-  static auto tie(auto& own) { return std::tie(own.merged, own.left, own.right, own.area); }
+  SNUG_FIELDS(merged, left, right, area);
 };
 
 /// A body was inserted beside a group, and both are now children of the new group made (kNoIndex and kNoIndex: it is
@@ -71,8 +66,7 @@ struct BodyInserted {
   Index body = 0;
   Index beside = kNoIndex, made = kNoIndex;
   double growth = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"body", "beside", "made", "growth"};
-  static auto tie(auto& own) { return std::tie(own.body, own.beside, own.made, own.growth); }
+  SNUG_FIELDS(body, beside, made, growth);
 };
 
 /// One child of a group and a grandchild below its other child changed places, which made that other child smaller.
@@ -81,16 +75,14 @@ struct Rotated {
   Index group = 0;
   Index down = 0, up = 0;  // the former child, the former grandchild
   double gain = 0;         // half surface
-  static constexpr std::array<std::string_view, 4> kFields{"group", "down", "up", "gain"};
-  static auto tie(auto& own) { return std::tie(own.group, own.down, own.up, own.gain); }
+  SNUG_FIELDS(group, down, up, gain);
 };
 
 /// A node got its volume: the merged volumes of its bodies or of both children.
 struct VolumeMade {
   static constexpr std::string_view kName = "volume_made";
   Index node = 0;
-  static constexpr std::array<std::string_view, 1> kFields{"node"};
-  static auto tie(auto& own) { return std::tie(own.node); }
+  SNUG_FIELDS(node);
 };
 
 /// What to do with a node or a body after the test of its volume, and with everything below it.
@@ -101,8 +93,7 @@ struct NodeVisited {
   static constexpr std::string_view kName = "node_visited";
   Index node = 0;
   Answer answer = Answer::kPrune;
-  static constexpr std::array<std::string_view, 2> kFields{"node", "answer"};
-  static auto tie(auto& own) { return std::tie(own.node, own.answer); }
+  SNUG_FIELDS(node, answer);
 };
 
 /// A body's own volume was tested.
@@ -110,8 +101,7 @@ struct BodyTested {
   static constexpr std::string_view kName = "body_tested";
   Index body = 0;
   Answer answer = Answer::kPrune;
-  static constexpr std::array<std::string_view, 2> kFields{"body", "answer"};
-  static auto tie(auto& own) { return std::tie(own.body, own.answer); }
+  SNUG_FIELDS(body, answer);
 };
 
 /// A node of one tree was tested against a node of another; if bodies is set, a body against a body.
@@ -120,8 +110,7 @@ struct PairTested {
   Index a = 0, b = 0;
   bool bodies = false;
   bool overlap = false;
-  static constexpr std::array<std::string_view, 4> kFields{"a", "b", "bodies", "overlap"};
-  static auto tie(auto& own) { return std::tie(own.a, own.b, own.bodies, own.overlap); }
+  SNUG_FIELDS(a, b, bodies, overlap);
 };
 
 /// The end: how many nodes were built, or how many a traversal visited.
@@ -129,8 +118,7 @@ struct Done {
   static constexpr std::string_view kName = "done";
   std::int64_t nodes = 0;
   std::int64_t volume_tests = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"nodes", "volume_tests"};
-  static auto tie(auto& own) { return std::tie(own.nodes, own.volume_tests); }
+  SNUG_FIELDS(nodes, volume_tests);
 };
 
 struct Step {

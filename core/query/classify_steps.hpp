@@ -9,6 +9,7 @@
 
 #include "geometry/frustum.hpp"
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::query {
 
@@ -51,14 +52,8 @@ struct PlaneTested {
   bool looked_closer = false;         // a sign within that doubt was decided exactly
   Culling side = Culling::kInside;    // of this plane
   Culling so_far = Culling::kInside;  // for the planes up to this one
-  static constexpr std::array<std::string_view, 16> kFields{
-      "plane",   "skipped", "normal",     "signs",      "p_vertex", "n_vertex",      "p_corners", "n_corners",
-      "p_point", "n_point", "p_distance", "n_distance", "doubt",    "looked_closer", "side",      "so_far"};
-  static auto tie(auto& own) {
-    return std::tie(own.plane, own.skipped, own.normal, own.signs, own.p_vertex, own.n_vertex, own.p_corners,
-                    own.n_corners, own.p_point, own.n_point, own.p_distance, own.n_distance, own.doubt,
-                    own.looked_closer, own.side, own.so_far);
-  }
+  SNUG_FIELDS(plane, skipped, normal, signs, p_vertex, n_vertex, p_corners, n_corners, p_point, n_point, p_distance,
+              n_distance, doubt, looked_closer, side, so_far);
 };
 
 /// A vertex of a box was tested against a plane. corner: its bits, 1 for +x, 2 for +y, 4 for +z.
@@ -70,8 +65,7 @@ struct CornerTested {
   Vector<Scalar, Dim> point = Vector<Scalar, Dim>::Zero();  // within rounding
   Scalar distance = 0;                                      // to the plane: signed, scene units, positive outside
   bool outside = false;
-  static constexpr std::array<std::string_view, 5> kFields{"corner", "plane", "point", "distance", "outside"};
-  static auto tie(auto& own) { return std::tie(own.corner, own.plane, own.point, own.distance, own.outside); }
+  SNUG_FIELDS(corner, plane, point, distance, outside);
 };
 
 /// The answer, and what the next test may use.

@@ -9,7 +9,6 @@
 #include <functional>
 #include <optional>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "number/double_double.hpp"
 #include "query/gjk_simplex.hpp"
 #include "query/support_function.hpp"
+#include "trace/fields.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::query {
@@ -35,8 +35,7 @@ struct NearestFound {
   static constexpr std::string_view kName = "nearest_found";
   std::vector<Index> corners;
   double distance = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"corners", "distance"};
-  static auto tie(auto& own) { return std::tie(own.corners, own.distance); }
+  SNUG_FIELDS(corners, distance);
 };
 
 /// The supporting vertices of both cores: gap is a lower bound on the cores' distance.
@@ -44,24 +43,21 @@ struct SupportFound {
   static constexpr std::string_view kName = "support_found";
   Index a = kNoIndex, b = kNoIndex;
   double gap = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"a", "b", "gap"};
-  static auto tie(auto& own) { return std::tie(own.a, own.b, own.gap); }
+  SNUG_FIELDS(a, b, gap);
 };
 
 /// Rounding stopped v from coming nearer before both bounds met.
 struct DigitsDoubled {
   static constexpr std::string_view kName = "digits_doubled";
   double gap = 0, distance = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"gap", "distance"};
-  static auto tie(auto& own) { return std::tie(own.gap, own.distance); }
+  SNUG_FIELDS(gap, distance);
 };
 
 /// The last step: what is known of the cores' distance.
 struct DistanceFound {
   static constexpr std::string_view kName = "distance_found";
   double gap = 0, distance = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"gap", "distance"};
-  static auto tie(auto& own) { return std::tie(own.gap, own.distance); }
+  SNUG_FIELDS(gap, distance);
 };
 
 /// One step; distances in scene units, without the radii around the cores.

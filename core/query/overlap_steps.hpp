@@ -4,10 +4,10 @@
 
 #include <array>
 #include <string_view>
-#include <tuple>
 #include <variant>
 
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::query {
 
@@ -35,11 +35,7 @@ struct SlabTested {
   double least_a = 0, greatest_a = 0;
   double least_b = 0, greatest_b = 0;
   bool separates = false;
-  static constexpr std::array<std::string_view, 6> kFields{"direction", "least_a",    "greatest_a",
-                                                           "least_b",   "greatest_b", "separates"};
-  static auto tie(auto& own) {
-    return std::tie(own.direction, own.least_a, own.greatest_a, own.least_b, own.greatest_b, own.separates);
-  }
+  SNUG_FIELDS(direction, least_a, greatest_a, least_b, greatest_b, separates);
 };
 
 /// The nearest points of two cores (a centre, a segment, a rectangle, a box), within rounding; their distance, and the
@@ -51,8 +47,7 @@ struct CoresCompared {
   double radii = 0;
   bool apart = false;
   int tests = 1;
-  static constexpr std::array<std::string_view, 6> kFields{"on_a", "on_b", "distance", "radii", "apart", "tests"};
-  static auto tie(auto& own) { return std::tie(own.on_a, own.on_b, own.distance, own.radii, own.apart, own.tests); }
+  SNUG_FIELDS(on_a, on_b, distance, radii, apart, tests);
 };
 
 struct OverlapStep {

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "geometry/vector.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::query {
 
@@ -27,8 +28,7 @@ struct SatAxis {
   int j = -1;                                                   // B's face or edge; -1 where A's face is meant
   Vector<Scalar, Dim> direction = Vector<Scalar, Dim>::Zero();  // unit, in the world, from A towards B
   Scalar gap = 0;                                               // scene units; where the projections overlap, <= 0
-  static constexpr std::array<std::string_view, 5> kFields{"kind", "i", "j", "direction", "gap"};
-  static auto tie(auto& own) { return std::tie(own.kind, own.i, own.j, own.direction, own.gap); }
+  SNUG_FIELDS(kind, i, j, direction, gap);
 };
 
 template <class Scalar, int Dim>
@@ -46,8 +46,7 @@ struct FramesRelated {
   Matrix<Scalar, Dim> rotation = Matrix<Scalar, Dim>::Identity();
   Vector<Scalar, Dim> translation = Vector<Scalar, Dim>::Zero();
   Scalar doubt = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"rotation", "translation", "doubt"};
-  static auto tie(auto& own) { return std::tie(own.rotation, own.translation, own.doubt); }
+  SNUG_FIELDS(rotation, translation, doubt);
 };
 
 /// Both boxes were projected onto an axis. Values are in scene units along the unit direction; the lecture's table has
@@ -82,8 +81,7 @@ struct LookedCloser {
   static constexpr std::string_view kName = "looked_closer";
   int axes = 0;  // how many
   bool overlap = false;
-  static constexpr std::array<std::string_view, 2> kFields{"axes", "overlap"};
-  static auto tie(auto& own) { return std::tie(own.axes, own.overlap); }
+  SNUG_FIELDS(axes, overlap);
 };
 
 /// The end.

@@ -1,12 +1,36 @@
-// How facts list their fields: the names in kFields, and the fields themselves, to be read or written, by tie.
+// How facts and volumes list their fields: the names in kFields, and the fields themselves, to be read or written, by
+// tie. SNUG_FIELDS(a, b) lists both for a type whose members are called a and b.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 namespace snug {
+
+/// How many names there are in "a, b"; and the names.
+consteval std::size_t count_of_names(std::string_view all) {
+  return all.empty() ? 0 : 1 + static_cast<std::size_t>(std::count(all.begin(), all.end(), ','));
+}
+template <std::size_t kCount>
+consteval std::array<std::string_view, kCount> names_in(std::string_view all) {
+  std::array<std::string_view, kCount> names;
+  for (std::string_view& name : names) {
+    name = all.substr(0, all.find(','));
+    all.remove_prefix(std::min(name.size() + std::string_view(", ").size(), all.size()));
+  }
+  return names;
+}
+
+#define SNUG_FIELDS(...)                                                                                               \
+  auto fields() { return std::tie(__VA_ARGS__); }                                                                      \
+  auto fields() const { return std::tie(__VA_ARGS__); }                                                                \
+  static auto tie(auto& own) { return own.fields(); }                                                                  \
+  static constexpr auto kFields = ::snug::names_in<::snug::count_of_names(#__VA_ARGS__)>(#__VA_ARGS__)
 
 /// A type that lists its fields.
 template <class Type>

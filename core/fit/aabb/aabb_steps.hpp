@@ -1,14 +1,13 @@
 // The steps of the axis-aligned box's fitter.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "geometry/aabb.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -16,8 +15,7 @@ namespace snug::fit {
 struct BoxWidened {
   static constexpr std::string_view kName = "box_widened";
   Index point = kNoIndex;
-  static constexpr std::array<std::string_view, 1> kFields{"point"};
-  static auto tie(auto& own) { return std::tie(own.point); }
+  SNUG_FIELDS(point);
 };
 
 template <class Scalar, int Dim>

@@ -4,15 +4,14 @@
 // outside.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "geometry/hull.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -22,8 +21,7 @@ struct SimplexChosen {
   static constexpr std::string_view kName = "simplex_chosen";
   std::vector<Index> points;
   std::vector<Index> vertices;
-  static constexpr std::array<std::string_view, 2> kFields{"points", "vertices"};
-  static auto tie(auto& own) { return std::tie(own.points, own.vertices); }
+  SNUG_FIELDS(points, vertices);
 };
 
 /// All points lie in a plane (affine_dim 2), on a line (1) or in one place (0); points: a simplex that spans them.
@@ -31,8 +29,7 @@ struct FlatFound {
   static constexpr std::string_view kName = "flat_found";
   int affine_dim = 0;
   std::vector<Index> points;
-  static constexpr std::array<std::string_view, 2> kFields{"affine_dim", "points"};
-  static auto tie(auto& own) { return std::tie(own.affine_dim, own.points); }
+  SNUG_FIELDS(affine_dim, points);
 };
 
 /// Points outside were assigned to facets that see them: counts[i] to facets[i]. points: those of facets[0], then those
@@ -44,8 +41,7 @@ struct PointsAssigned {
   std::vector<Index> points;
   std::vector<Index> inside;
   Index dropped = 0;  // how many are inside
-  static constexpr std::array<std::string_view, 5> kFields{"facets", "counts", "points", "inside", "dropped"};
-  static auto tie(auto& own) { return std::tie(own.facets, own.counts, own.points, own.inside, own.dropped); }
+  SNUG_FIELDS(facets, counts, points, inside, dropped);
 };
 
 /// The farthest of the facet's points was chosen. distance: from the facet's line or plane, scene units, rounded; of:
@@ -56,8 +52,7 @@ struct EyeChosen {
   Index facet = kNoIndex;
   double distance = 0;
   Index of = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"point", "facet", "distance", "of"};
-  static auto tie(auto& own) { return std::tie(own.point, own.facet, own.distance, own.of); }
+  SNUG_FIELDS(point, facet, distance, of);
 };
 
 /// 2-D: the edge was replaced by two, from its start a to the point and from there to its end b.
@@ -67,8 +62,7 @@ struct EdgeSplit {
   Index a = kNoIndex, b = kNoIndex;
   Index point = kNoIndex;
   Index first = kNoIndex, second = kNoIndex;  // the new edges
-  static constexpr std::array<std::string_view, 6> kFields{"edge", "a", "b", "point", "first", "second"};
-  static auto tie(auto& own) { return std::tie(own.edge, own.a, own.b, own.point, own.first, own.second); }
+  SNUG_FIELDS(edge, a, b, point, first, second);
 };
 
 /// The facets that see the eye, and their border, a ring of points counter-clockwise as seen from the eye.
@@ -77,8 +71,7 @@ struct HorizonFound {
   Index eye = kNoIndex;
   std::vector<Index> facets;
   std::vector<Index> horizon;
-  static constexpr std::array<std::string_view, 3> kFields{"eye", "facets", "horizon"};
-  static auto tie(auto& own) { return std::tie(own.eye, own.facets, own.horizon); }
+  SNUG_FIELDS(eye, facets, horizon);
 };
 
 /// The facets that saw the eye were replaced by a cone: added[i] has the vertices horizon[i], horizon[i + 1] (the first
@@ -89,8 +82,7 @@ struct FacetsReplaced {
   std::vector<Index> removed;
   std::vector<Index> horizon;
   std::vector<Index> added;
-  static constexpr std::array<std::string_view, 4> kFields{"eye", "removed", "horizon", "added"};
-  static auto tie(auto& own) { return std::tie(own.eye, own.removed, own.horizon, own.added); }
+  SNUG_FIELDS(eye, removed, horizon, added);
 };
 
 /// Coplanar facets were merged into faces, and the faces were triangulated again without the dropped points, which lie
@@ -99,8 +91,7 @@ struct FacesMerged {
   static constexpr std::string_view kName = "faces_merged";
   Index faces = 0;
   std::vector<Index> dropped;
-  static constexpr std::array<std::string_view, 2> kFields{"faces", "dropped"};
-  static auto tie(auto& own) { return std::tie(own.faces, own.dropped); }
+  SNUG_FIELDS(faces, dropped);
 };
 
 /// Only the last step has a volume: with a hull in every step, a trace would grow as the square of the hull.

@@ -1,14 +1,13 @@
 // The steps of the k-DOP's fitter.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "geometry/kdop.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -19,8 +18,7 @@ struct SlabFound {
   int slab = 0;
   Index least = kNoIndex, greatest = kNoIndex;
   double min = 0, max = 0;
-  static constexpr std::array<std::string_view, 5> kFields{"slab", "least", "greatest", "min", "max"};
-  static auto tie(auto& own) { return std::tie(own.slab, own.least, own.greatest, own.min, own.max); }
+  SNUG_FIELDS(slab, least, greatest, min, max);
 };
 
 template <class Scalar, int Dim>

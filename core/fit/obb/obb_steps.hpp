@@ -1,16 +1,15 @@
 // The steps of the box fitters.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "geometry/obb.hpp"
 #include "geometry/sphere.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -21,8 +20,7 @@ struct ExtentsFound {
   static constexpr std::string_view kName = "extents_found";
   std::vector<Index> least, greatest;
   Vector<Scalar, Dim> lengths;
-  static constexpr std::array<std::string_view, 3> kFields{"least", "greatest", "lengths"};
-  static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.lengths); }
+  SNUG_FIELDS(least, greatest, lengths);
 };
 
 /// The smallest ball around the points or, in 3-D, the smallest circle around their projection along axis.
@@ -31,8 +29,7 @@ struct BallFound {
   static constexpr std::string_view kName = "ball_found";
   Sphere<Scalar, Dim> ball;
   std::vector<Index> support;
-  static constexpr std::array<std::string_view, 2> kFields{"ball", "support"};
-  static auto tie(auto& own) { return std::tie(own.ball, own.support); }
+  SNUG_FIELDS(ball, support);
 };
 
 /// The vertices of the convex hull, and how many facets it has.
@@ -40,8 +37,7 @@ struct HullFound {
   static constexpr std::string_view kName = "hull_found";
   std::vector<Index> vertices;
   Index facets = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"vertices", "facets"};
-  static auto tie(auto& own) { return std::tie(own.vertices, own.facets); }
+  SNUG_FIELDS(vertices, facets);
 };
 
 /// The hull's surface as a sum of its facets: area (2-D: length) in scene units, and its centroid.
@@ -50,8 +46,7 @@ struct SurfaceFound {
   static constexpr std::string_view kName = "surface_found";
   double area = 0;
   Vector<Scalar, Dim> centroid;
-  static constexpr std::array<std::string_view, 2> kFields{"area", "centroid"};
-  static auto tie(auto& own) { return std::tie(own.area, own.centroid); }
+  SNUG_FIELDS(area, centroid);
 };
 
 /// The products of a point's offset were added to the sums that become a covariance. offset: of the point from the
@@ -63,8 +58,7 @@ struct ProductsAdded {
   bool from_mean = true;
   Vector<Scalar, Dim> offset;
   Matrix<Scalar, Dim> sum;
-  static constexpr std::array<std::string_view, 4> kFields{"point", "from_mean", "offset", "sum"};
-  static auto tie(auto& own) { return std::tie(own.point, own.from_mean, own.offset, own.sum); }
+  SNUG_FIELDS(point, from_mean, offset, sum);
 };
 
 /// The points that were chosen: extremes along fixed directions, a base triangle, apexes, or the ends of an
@@ -72,8 +66,7 @@ struct ProductsAdded {
 struct PointsChosen {
   static constexpr std::string_view kName = "points_chosen";
   std::vector<Index> points;
-  static constexpr std::array<std::string_view, 1> kFields{"points"};
-  static auto tie(auto& own) { return std::tie(own.points); }
+  SNUG_FIELDS(points);
 };
 
 /// A box was tried on the named points, which determined its axes; better: whether it became the best so far.
@@ -84,8 +77,7 @@ struct BoxTried {
   Obb<Scalar, Dim> box;
   double measure = 0;  // scene units squared or cubed
   bool better = false;
-  static constexpr std::array<std::string_view, 4> kFields{"on", "box", "measure", "better"};
-  static auto tie(auto& own) { return std::tie(own.on, own.box, own.measure, own.better); }
+  SNUG_FIELDS(on, box, measure, better);
 };
 
 /// The smallest rectangle around the points' projection along a direction, with a side on the hull's edge from edge_a
@@ -98,8 +90,7 @@ struct RectangleFound {
   Obb<Scalar, Dim> box;
   double measure = 0;
   bool better = false;
-  static constexpr std::array<std::string_view, 6> kFields{"along", "edge_a", "edge_b", "box", "measure", "better"};
-  static auto tie(auto& own) { return std::tie(own.along, own.edge_a, own.edge_b, own.box, own.measure, own.better); }
+  SNUG_FIELDS(along, edge_a, edge_b, box, measure, better);
 };
 
 /// The calipers stand on an edge of the points' projection along a direction: the rectangle with a side on that edge,
@@ -114,8 +105,7 @@ struct CalipersTurned {
   Obb<Scalar, Dim> box;
   double area = 0, least = 0;
   bool better = false;
-  static constexpr std::array<std::string_view, 6> kFields{"along", "touching", "box", "area", "least", "better"};
-  static auto tie(auto& own) { return std::tie(own.along, own.touching, own.box, own.area, own.least, own.better); }
+  SNUG_FIELDS(along, touching, box, area, least, better);
 };
 
 /// All boxes with one face flush with the hull's edge from a to b and an adjacent face flush with a later edge were
@@ -125,8 +115,7 @@ struct EdgeSearched {
   static constexpr std::string_view kName = "edge_searched";
   Index a = kNoIndex, b = kNoIndex;
   Index pairs = 0, ruled_out = 0, halvings = 0;
-  static constexpr std::array<std::string_view, 5> kFields{"a", "b", "pairs", "ruled_out", "halvings"};
-  static auto tie(auto& own) { return std::tie(own.a, own.b, own.pairs, own.ruled_out, own.halvings); }
+  SNUG_FIELDS(a, b, pairs, ruled_out, halvings);
 };
 
 template <class Scalar, int Dim>

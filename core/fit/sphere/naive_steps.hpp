@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fit/sphere/sphere_steps.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -10,16 +11,14 @@ namespace snug::fit {
 struct CircumsphereFailed {
   static constexpr std::string_view kName = "circumsphere_failed";
   Support points;
-  static constexpr std::array<std::string_view, 1> kFields{"points"};
-  static auto tie(auto& own) { return std::tie(own.points); }
+  SNUG_FIELDS(points);
 };
 
 /// The algorithm has made as many tests as it may, and was stopped with the ball as it stood.
 struct TestsExhausted {
   static constexpr std::string_view kName = "tests_exhausted";
   Index tests = 0;
-  static constexpr std::array<std::string_view, 1> kFields{"tests"};
-  static auto tie(auto& own) { return std::tie(own.tests); }
+  SNUG_FIELDS(tests);
 };
 
 template <class Scalar, int Dim>

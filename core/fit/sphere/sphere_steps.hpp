@@ -1,15 +1,14 @@
 // The steps of the sphere fitters.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <variant>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "geometry/sphere.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -18,8 +17,7 @@ template <class Scalar, int Dim>
 struct MidpointFound {
   static constexpr std::string_view kName = "midpoint_found";
   Vector<Scalar, Dim> least, greatest, midpoint;
-  static constexpr std::array<std::string_view, 3> kFields{"least", "greatest", "midpoint"};
-  static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.midpoint); }
+  SNUG_FIELDS(least, greatest, midpoint);
 };
 
 /// The point farthest from a centre, which sets the radius.
@@ -27,8 +25,7 @@ struct FarthestFound {
   static constexpr std::string_view kName = "farthest_found";
   Index point = kNoIndex;
   double distance = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"point", "distance"};
-  static auto tie(auto& own) { return std::tie(own.point, own.distance); }
+  SNUG_FIELDS(point, distance);
 };
 
 /// A point was tested against the ball: distance is from its centre, in scene units; depth: how many points were then
@@ -39,8 +36,7 @@ struct PointExamined {
   double distance = 0;
   bool outside = false;
   int depth = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"point", "distance", "outside", "depth"};
-  static auto tie(auto& own) { return std::tie(own.point, own.distance, own.outside, own.depth); }
+  SNUG_FIELDS(point, distance, outside, depth);
 };
 
 /// The ball grew just enough to contain the point.
@@ -49,8 +45,7 @@ struct BallGrown {
   static constexpr std::string_view kName = "ball_grown";
   Index point = kNoIndex;
   Sphere<Scalar, Dim> before;
-  static constexpr std::array<std::string_view, 2> kFields{"point", "before"};
-  static auto tie(auto& own) { return std::tie(own.point, own.before); }
+  SNUG_FIELDS(point, before);
 };
 
 /// A new pass of the iterative algorithm: the ball was shrunk and the order shuffled.
@@ -59,8 +54,7 @@ struct BallShrunk {
   static constexpr std::string_view kName = "ball_shrunk";
   int pass = 0;  // counted from 1
   Sphere<Scalar, Dim> before;
-  static constexpr std::array<std::string_view, 2> kFields{"pass", "before"};
-  static auto tie(auto& own) { return std::tie(own.pass, own.before); }
+  SNUG_FIELDS(pass, before);
 };
 
 /// The end of a pass: whether its ball is smaller than the best so far.
@@ -70,8 +64,7 @@ struct PassJudged {
   int pass = 0;
   bool better = false;
   Sphere<Scalar, Dim> best;
-  static constexpr std::array<std::string_view, 3> kFields{"pass", "better", "best"};
-  static auto tie(auto& own) { return std::tie(own.pass, own.better, own.best); }
+  SNUG_FIELDS(pass, better, best);
 };
 
 /// The smallest ball through all points fixed on the boundary; depth: how many these are.
@@ -79,8 +72,7 @@ struct BoundaryForced {
   static constexpr std::string_view kName = "boundary_forced";
   Support boundary;
   int depth = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"boundary", "depth"};
-  static auto tie(auto& own) { return std::tie(own.boundary, own.depth); }
+  SNUG_FIELDS(boundary, depth);
 };
 
 /// The point was moved to the front of the list, after the smallest ball of it and all points before it was found.
@@ -88,8 +80,7 @@ struct MovedToFront {
   static constexpr std::string_view kName = "moved_to_front";
   Index point = kNoIndex;
   int depth = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"point", "depth"};
-  static auto tie(auto& own) { return std::tie(own.point, own.depth); }
+  SNUG_FIELDS(point, depth);
 };
 
 /// Every point was tested against the ball. outside: in how many of the blocks of points (one block, where there are
@@ -97,8 +88,7 @@ struct MovedToFront {
 struct AllChecked {
   static constexpr std::string_view kName = "all_checked";
   Index outside = 0;
-  static constexpr std::array<std::string_view, 1> kFields{"outside"};
-  static auto tie(auto& own) { return std::tie(own.outside); }
+  SNUG_FIELDS(outside);
 };
 
 /// The finished ball was tested against every point: the farthest one, and whether rounding had left it outside, so
@@ -107,8 +97,7 @@ struct RadiusChecked {
   static constexpr std::string_view kName = "radius_checked";
   Index farthest = kNoIndex;
   bool widened = false;
-  static constexpr std::array<std::string_view, 2> kFields{"farthest", "widened"};
-  static auto tie(auto& own) { return std::tie(own.farthest, own.widened); }
+  SNUG_FIELDS(farthest, widened);
 };
 
 /// A point entered the support set; those that no longer support the ball left it.
@@ -116,8 +105,7 @@ struct SupportReplaced {
   static constexpr std::string_view kName = "support_replaced";
   Index entered = kNoIndex;
   Support before, after;
-  static constexpr std::array<std::string_view, 3> kFields{"entered", "before", "after"};
-  static auto tie(auto& own) { return std::tie(own.entered, own.before, own.after); }
+  SNUG_FIELDS(entered, before, after);
 };
 
 /// The recursion as lectures print it: a call was made for the first points of the list, which has `left`, with those
@@ -131,8 +119,7 @@ struct CallEntered {
   Support boundary;
   int depth = 0;
   int bytes = 0;
-  static constexpr std::array<std::string_view, 5> kFields{"point", "left", "boundary", "depth", "bytes"};
-  static auto tie(auto& own) { return std::tie(own.point, own.left, own.boundary, own.depth, own.bytes); }
+  SNUG_FIELDS(point, left, boundary, depth, bytes);
 };
 
 /// The first call has returned, and its ball was tested against the point that was removed: inside, this call returns
@@ -145,8 +132,7 @@ struct CallDecided {
   bool outside = false;
   Support boundary;
   int depth = 0;
-  static constexpr std::array<std::string_view, 5> kFields{"point", "distance", "outside", "boundary", "depth"};
-  static auto tie(auto& own) { return std::tie(own.point, own.distance, own.outside, own.boundary, own.depth); }
+  SNUG_FIELDS(point, distance, outside, boundary, depth);
 };
 
 /// The recursion reached the depth that the stack is given, and was stopped: so many points had not been removed yet.
@@ -155,8 +141,7 @@ struct RecursionStopped {
   int depth = 0;
   Index left = 0;
   int bytes = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"depth", "left", "bytes"};
-  static auto tie(auto& own) { return std::tie(own.depth, own.left, own.bytes); }
+  SNUG_FIELDS(depth, left, bytes);
 };
 
 /// Brute force: the ball of a few points was kept, was no smaller than the best, or left a point outside; or there was
@@ -170,8 +155,7 @@ struct CandidateTried {
   Sphere<Scalar, Dim> candidate;
   Verdict verdict = Verdict::kKept;
   Index outside = kNoIndex;  // the first point found outside
-  static constexpr std::array<std::string_view, 4> kFields{"points", "candidate", "verdict", "outside"};
-  static auto tie(auto& own) { return std::tie(own.points, own.candidate, own.verdict, own.outside); }
+  SNUG_FIELDS(points, candidate, verdict, outside);
 };
 
 template <class Scalar, int Dim>

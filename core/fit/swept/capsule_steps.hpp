@@ -1,16 +1,15 @@
 // The steps of the capsule's fitter.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "fit/sphere/sphere_steps.hpp"
 #include "geometry/capsule.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -20,8 +19,7 @@ struct LineFound {
   static constexpr std::string_view kName = "line_found";
   std::vector<Index> support;
   double radius = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"support", "radius"};
-  static auto tie(auto& own) { return std::tie(own.support, own.radius); }
+  SNUG_FIELDS(support, radius);
 };
 
 /// One end of the segment (0: a, 1: b) was moved from the point that reaches farthest to where a cap just contains them
@@ -31,8 +29,7 @@ struct EndPulledIn {
   int end = 0;
   Index point = kNoIndex;
   double by = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"end", "point", "by"};
-  static auto tie(auto& own) { return std::tie(own.end, own.point, own.by); }
+  SNUG_FIELDS(end, point, by);
 };
 
 template <class Scalar, int Dim>

@@ -1,15 +1,14 @@
 // The steps of the lozenge's fitter.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
-#include <tuple>
 
 #include "fit/facts.hpp"
 #include "fit/fit.hpp"
 #include "fit/sphere/sphere_steps.hpp"
 #include "geometry/lozenge.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -20,8 +19,7 @@ struct ThicknessFound {
   static constexpr std::string_view kName = "thickness_found";
   Index least = kNoIndex, greatest = kNoIndex;
   double radius = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"least", "greatest", "radius"};
-  static auto tie(auto& own) { return std::tie(own.least, own.greatest, own.radius); }
+  SNUG_FIELDS(least, greatest, radius);
 };
 
 /// One side of the rectangle (0, 1: at the start and end of its first edge; 2, 3: of its second) was pulled in from
@@ -32,8 +30,7 @@ struct SidePulledIn {
   int side = 0;
   Index point = kNoIndex;
   double by = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"side", "point", "by"};
-  static auto tie(auto& own) { return std::tie(own.side, own.point, own.by); }
+  SNUG_FIELDS(side, point, by);
 };
 
 /// A vertex was moved out to a point past both of its sides, in the cheapest way: along one edge, the other, or both
@@ -43,8 +40,7 @@ struct CornerMovedOut {
   int corner = 0;
   Index point = kNoIndex;
   double along_first = 0, along_second = 0;  // scene units
-  static constexpr std::array<std::string_view, 4> kFields{"corner", "point", "along_first", "along_second"};
-  static auto tie(auto& own) { return std::tie(own.corner, own.point, own.along_first, own.along_second); }
+  SNUG_FIELDS(corner, point, along_first, along_second);
 };
 
 template <class Scalar, int Dim>

@@ -11,15 +11,14 @@
 // (tolerance.hpp).
 #pragma once
 
-#include <array>
 #include <limits>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "fit/aabb/aabb_steps.hpp"
 #include "fit/fit.hpp"
 #include "geometry/pose.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::fit {
 
@@ -46,8 +45,7 @@ struct ReachFound {
   static constexpr std::string_view kName = "reach_found";
   Index point = kNoIndex;
   double distance = 0;
-  static constexpr std::array<std::string_view, 2> kFields{"point", "distance"};
-  static auto tie(auto& own) { return std::tie(own.point, own.distance); }
+  SNUG_FIELDS(point, distance);
 };
 
 /// At a vertex of a climb, those of its neighbours were examined that had not been seen before. best: the vertex that
@@ -60,8 +58,7 @@ struct NeighborsCompared {
   Index vertex = kNoIndex;
   std::vector<Index> neighbors;
   Index best = kNoIndex;
-  static constexpr std::array<std::string_view, 5> kFields{"axis", "greatest", "vertex", "neighbors", "best"};
-  static auto tie(auto& own) { return std::tie(own.axis, own.greatest, own.vertex, own.neighbors, own.best); }
+  SNUG_FIELDS(axis, greatest, vertex, neighbors, best);
 };
 
 /// The vertex that reaches farthest along a world axis (or an axis of a k-DOP, by its index), to one side or the other,
@@ -73,8 +70,7 @@ struct ExtremeClimbed {
   bool greatest = false;
   std::vector<Index> path;
   Index looked_at = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"axis", "greatest", "path", "looked_at"};
-  static auto tie(auto& own) { return std::tie(own.axis, own.greatest, own.path, own.looked_at); }
+  SNUG_FIELDS(axis, greatest, path, looked_at);
 };
 
 /// The bounds along a world axis were summed, from the farther end of each rotated local axis.
@@ -82,16 +78,14 @@ struct BoundsRotated {
   static constexpr std::string_view kName = "bounds_rotated";
   int axis = 0;
   double min = 0, max = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"axis", "min", "max"};
-  static auto tie(auto& own) { return std::tie(own.axis, own.min, own.max); }
+  SNUG_FIELDS(axis, min, max);
 };
 
 /// The centre was moved with the pose; widened_by: how much radius or half extents grew at most, for rounding.
 struct CenterMoved {
   static constexpr std::string_view kName = "center_moved";
   double widened_by = 0;
-  static constexpr std::array<std::string_view, 1> kFields{"widened_by"};
-  static auto tie(auto& own) { return std::tie(own.widened_by); }
+  SNUG_FIELDS(widened_by);
 };
 
 /// The axes were rotated, and then made unit and perpendicular again; by: the greatest distance of an axis, as a unit
@@ -99,8 +93,7 @@ struct CenterMoved {
 struct AxesTurned {
   static constexpr std::string_view kName = "axes_turned";
   double by = 0;
-  static constexpr std::array<std::string_view, 1> kFields{"by"};
-  static auto tie(auto& own) { return std::tie(own.by); }
+  SNUG_FIELDS(by);
 };
 
 template <class VolumeType>

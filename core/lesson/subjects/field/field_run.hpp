@@ -2,10 +2,9 @@
 // plane, or a level of the tree, for all boxes together.
 #pragma once
 
-#include <tuple>
-
 #include "lesson/facts.hpp"
 #include "lesson/subjects/field/field_stage.hpp"
+#include "trace/fields.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::lesson {
@@ -15,24 +14,21 @@ struct PlaneSwept {
   static constexpr std::string_view kName = "plane_swept";
   int plane = 0;
   std::int64_t tested = 0, rejected = 0, left = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"plane", "tested", "rejected", "left"};
-  static auto tie(auto& own) { return std::tie(own.plane, own.tested, own.rejected, own.left); }
+  SNUG_FIELDS(plane, tested, rejected, left);
 };
 
 /// The spheres around all boxes were tested, against so many planes.
 struct SpheresTested {
   static constexpr std::string_view kName = "spheres_tested";
   std::int64_t planes = 0, outside = 0, inside = 0, left = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"planes", "outside", "inside", "left"};
-  static auto tie(auto& own) { return std::tie(own.planes, own.outside, own.inside, own.left); }
+  SNUG_FIELDS(planes, outside, inside, left);
 };
 
 /// Each box that was rejected in the frame before was tested against the plane that rejected it.
 struct LastPlanesTested {
   static constexpr std::string_view kName = "last_planes_tested";
   std::int64_t tested = 0, rejected = 0, left = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"tested", "rejected", "left"};
-  static auto tie(auto& own) { return std::tie(own.tested, own.rejected, own.left); }
+  SNUG_FIELDS(tested, rejected, left);
 };
 
 /// On a level of the tree, planes were skipped because the parent is inside of them. planes: those that were tested.
@@ -40,8 +36,7 @@ struct PlanesSkipped {
   static constexpr std::string_view kName = "planes_skipped";
   int level = 0;
   std::int64_t skipped = 0, planes = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"level", "skipped", "planes"};
-  static auto tie(auto& own) { return std::tie(own.level, own.skipped, own.planes); }
+  SNUG_FIELDS(level, skipped, planes);
 };
 
 /// The volumes of a level of the tree were tested: nodes, and on the lowest levels boxes.
@@ -49,24 +44,21 @@ struct LevelTested {
   static constexpr std::string_view kName = "level_tested";
   int level = 0;
   std::int64_t volumes = 0, planes = 0, left_out = 0, taken = 0, left = 0;
-  static constexpr std::array<std::string_view, 6> kFields{"level", "volumes", "planes", "left_out", "taken", "left"};
-  static auto tie(auto& own) { return std::tie(own.level, own.volumes, own.planes, own.left_out, own.taken, own.left); }
+  SNUG_FIELDS(level, volumes, planes, left_out, taken, left);
 };
 
 /// All boxes were tested at once, so many in the lanes of a vector. empty: groups whose boxes are all outside.
 struct LanesTested {
   static constexpr std::string_view kName = "lanes_tested";
   std::int64_t groups = 0, empty = 0, products = 0;
-  static constexpr std::array<std::string_view, 3> kFields{"groups", "empty", "products"};
-  static auto tie(auto& own) { return std::tie(own.groups, own.empty, own.products); }
+  SNUG_FIELDS(groups, empty, products);
 };
 
 /// The end.
 struct FieldCulled {
   static constexpr std::string_view kName = "field_culled";
   std::int64_t inside = 0, intersecting = 0, outside = 0, planes = 0;
-  static constexpr std::array<std::string_view, 4> kFields{"inside", "intersecting", "outside", "planes"};
-  static auto tie(auto& own) { return std::tie(own.inside, own.intersecting, own.outside, own.planes); }
+  SNUG_FIELDS(inside, intersecting, outside, planes);
 };
 
 struct FieldStep {

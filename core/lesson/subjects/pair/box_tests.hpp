@@ -1,11 +1,9 @@
 // The tests of two boxes that a lesson can show, and their steps.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "query/overlap_steps.hpp"
 #include "query/sat_steps.hpp"
 #include "query/wrong_steps.hpp"
+#include "trace/fields.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::lesson {
@@ -27,8 +26,7 @@ struct OverlapDecided {
   bool overlap = false;
   double gap = 0, distance = -1;
   Vector<double, 3> direction = Vector<double, 3>::Zero();
-  static constexpr std::array<std::string_view, 4> kFields{"overlap", "gap", "distance", "direction"};
-  static auto tie(auto& own) { return std::tie(own.overlap, own.gap, own.distance, own.direction); }
+  SNUG_FIELDS(overlap, gap, distance, direction);
 };
 
 /// A step of any of the tests, in 3-D; from 2-D it has z = 0, and the third axis is z.

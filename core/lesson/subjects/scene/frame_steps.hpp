@@ -1,12 +1,11 @@
 // The fact about a frame of a moving scene: how many pairs each stage left, and what the updates of volumes cost.
 #pragma once
 
-#include <array>
 #include <string_view>
-#include <tuple>
 #include <variant>
 
 #include "fit/any_step.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::lesson {
 
@@ -23,13 +22,8 @@ struct FrameTaken {
   double energy = 0;     // kinetic and potential, of all bodies that move, kg (scene units / s)^2
   bool resting = false;  // nothing moved and nothing will
   int hash_high = 0, hash_low = 0;  // a hash of every bit of the state
-  static constexpr std::array<std::string_view, 13> kFields{
-      "frame", "all_pairs", "compared", "after_broad", "after_loose", "touching", "swaps",
-      "slack", "cost",      "energy",   "resting",     "hash_high",   "hash_low"};
-  static auto tie(auto& own) {
-    return std::tie(own.frame, own.all_pairs, own.compared, own.after_broad, own.after_loose, own.touching, own.swaps,
-                    own.slack, own.cost, own.energy, own.resting, own.hash_high, own.hash_low);
-  }
+  SNUG_FIELDS(frame, all_pairs, compared, after_broad, after_loose, touching, swaps, slack, cost, energy, resting,
+              hash_high, hash_low);
 };
 
 struct FrameStep {

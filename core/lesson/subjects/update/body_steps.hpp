@@ -2,13 +2,12 @@
 // with the body's points in place of its hull's vertices.
 #pragma once
 
-#include <array>
 #include <string_view>
-#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "fit/update/updates.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::lesson {
 
@@ -16,16 +15,14 @@ namespace snug::lesson {
 struct PointPlaced {
   static constexpr std::string_view kName = "point_placed";
   Index point = kNoIndex;
-  static constexpr std::array<std::string_view, 1> kFields{"point"};
-  static auto tie(auto& own) { return std::tie(own.point); }
+  SNUG_FIELDS(point);
 };
 
 /// The volume is updated. support: the points that it is known to touch.
 struct VolumeUpdated {
   static constexpr std::string_view kName = "volume_updated";
   std::vector<Index> support;
-  static constexpr std::array<std::string_view, 1> kFields{"support"};
-  static auto tie(auto& own) { return std::tie(own.support); }
+  SNUG_FIELDS(support);
 };
 
 struct BodyStep {
