@@ -1,7 +1,7 @@
 // Any bounding volume, whose kind is known only at run time.
 //
 // A kind of volume is its own header, which gives:
-//   kFields, tie       its numbers by name: lifting, casting, JSON, lesson files, bytes and hashes follow
+//   SNUG_FIELDS        its numbers by name: lifting, casting, JSON, lesson files, bytes and hashes follow
 //   measure            its area or volume
 //   anchor             a point of it around which coordinates are taken, so that far volumes lose no digits
 //   contains           whether it contains a point, in exact arithmetic on its numbers as they are
