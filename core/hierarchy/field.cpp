@@ -153,8 +153,8 @@ FieldCost down_the_tree(const Field& field, const Frustum<double, 3>& frustum, s
         static_cast<std::size_t>(2 + *std::max_element(field.leaf_levels.begin(), field.leaf_levels.end())));
   TreeTeller teller{field, record};
   cull<double, 3>(
-      field.tree, std::span<const FieldBox>(field.boxes), frustum, nullptr,
-      [&](Index body, Culling verdict) { verdicts[body] = verdict; }, {}, teller);
+      field.tree, std::span<const FieldBox>(field.boxes), frustum,
+      [&](Index body, Culling verdict) { verdicts[body] = verdict; }, teller);
   return teller.cost;
 }
 
