@@ -1,4 +1,5 @@
-// The smallest ball against an oracle in rational arithmetic, and results worked out by hand.
+// Welzl's algorithm and whatever else finds the smallest ball, against an oracle in rational arithmetic and results
+// worked out by hand.
 #include <doctest/doctest.h>
 
 #include "core/exact.hpp"
@@ -109,4 +110,42 @@ TEST_CASE("a certificate does not call a ball smallest that is not, nor holding 
   CHECK(smaller.max_outside > 0);
   // The ball of the two lower points with the wrong support: its bound proves nothing.
   CHECK_FALSE(*certify(Ball{{{0, 0}, 1}, {2}}, set.span(), true).optimal);
+}
+
+TEST_CASE("the order of its points changes the smallest ball by no more than rounding") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    auto points = test::generated<double, 3>("gaussian", 60, seed);
+    const double radius = ball_of(welzl().fit(test::set_of<double, 3>(points), {})).radius;
+    Random random(seed);
+    for (std::size_t i = points.size() - 1; i > 0; --i)
+      std::swap(points[i], points[random.below(static_cast<std::uint32_t>(i + 1))]);
+    CHECK(ball_of(welzl().fit(test::set_of<double, 3>(points), {})).radius == doctest::Approx(radius).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("Welzl holds no more points on the boundary than Dim + 1, however many there are") {
+  for (const int n : {10, 100, 1000, 20000}) {
+    const auto run = fit::find_algorithm("sphere", "welzl")
+                         ->record(test::set_of<double, 3>(test::generated<double, 3>("ball", n, 2)), {});
+    int deepest = 0;
+    for (const auto& entry : run.steps)
+      if (const auto* forced = std::get_if<fit::BoundaryForced>(&entry.step.fact))
+        deepest = std::max(deepest, forced->depth);
+    CHECK(deepest >= 2);
+    CHECK(deepest <= 4);
+  }
+}
+
+TEST_CASE("Welzl touches each of a hundred thousand points a few times; pivoting passes over them a few times") {
+  constexpr int kMany = 100'000;
+  const auto touched = [](const char* algorithm, const AnyPointSet& set) {
+    const auto run = fit::find_algorithm("sphere", algorithm)->watch(set, {}, {});
+    CHECK(run.certificate.optimal == true);
+    return run.counts[static_cast<std::size_t>(Operation::kPointsTouched)];
+  };
+  for (const char* kind : {"gaussian", "sphere", "cube"}) {
+    const AnyPointSet set = test::set_of<double, 3>(test::generated<double, 3>(kind, kMany, 3));
+    CHECK(touched("welzl", set) < 40 * kMany);
+    CHECK(touched("pivot", set) < 20 * kMany);
+  }
 }
