@@ -253,11 +253,11 @@ class Shell {
   std::string waited_for_;  // the id of a lesson that cannot be drawn yet
   int opened_version_ = 0;  // that of the open lesson's draft
   Kept kept_;
-  bool watches_ = false;             // whether the exercise is an attempt that is only looked at
-  bool counted_ = false;             // whether the exercise, finished, has counted as a try
-  int cover_seen_ = -1;              // the cover's version when its table was last taken
-  std::uint64_t kept_changes_ = 0;   // the sitting's changes when it was last kept
-  std::uint64_t kept_revision_ = 0;  // the session's revision when it was last kept
+  bool watches_ = false;                        // whether the exercise is an attempt that is only looked at
+  bool counted_ = false;                        // whether the exercise, finished, has counted as a try
+  int cover_seen_ = -1;                         // the cover's version when its table was last taken
+  std::uint64_t kept_changes_ = 0;              // the sitting's changes when it was last kept
+  std::optional<std::uint64_t> kept_revision_;  // the session's revision when it was last kept
   app::Settings before_presenting_;
 };
 

@@ -52,6 +52,7 @@ void Shell::read_again() {
     return;
   }
   place.take(session());
+  kept_revision_.reset();  // what was done is kept with the file as it is now
   unread = false, hint_of = hint;
 }
 

@@ -25,7 +25,9 @@ close_window
 
 # A point file alone is shown there, with all volumes around it.
 printf '%s\n' '0 0 0' '4 0 0' '0 3 0' '0 0 2' '1 1 1' >"$work/mine.xyz"
-opened='s.handles.length === 7' open_window "$work/mine.xyz"
+snug=$(realpath "$snug")
+cd "$work" # where it saves
+opened='s.handles.length === 7' open_window mine.xyz
 [[ $(state 's.lesson') == which-volume ]] || fail "it opened $(state 's.lesson')"
 xdotool key c
 until_state 's.handles.length === 5 && s.handles.every(h => /^P/.test(h.id))'
@@ -35,16 +37,15 @@ xdotool key c m
 for i in 1 2 3; do
     (until_state '/^Sphere: T = /.test(s.caption)') 2>/dev/null && break
 done
-cd "$work"
 xdotool key ctrl+s
-for i in $(seq 50); do [[ -s which-volume.csv ]] && break; sleep 0.1; done
+for i in $(seq 50); do [[ -s snug-criteria.csv ]] && break; sleep 0.1; done
 python3 - "$snug" <<'END' || fail "the saved table is not the one of snug which"
 import csv, subprocess, sys
 def rows(lines):
     lines = list(lines)
     head = dict(line[2:].strip().split(": ", 1) for line in lines if line.startswith("# "))
     return head, list(csv.DictReader(line for line in lines if not line.startswith("# ")))
-head, saved = rows(open("which-volume.csv"))
+head, saved = rows(open("snug-criteria.csv"))
 load = {key: saved[0]["load." + key] for key in ("bodies", "frames", "updates", "pairs", "hit_rate")}
 load["hit_rate"] = str(float(load["hit_rate"]) * 100)
 options = [word for key, value in load.items() for word in ("--" + key.replace("_", "-"), value)]
