@@ -90,7 +90,7 @@ void check_questions(Lesson& lesson, const std::string& algorithm, const Subject
       return complaints.add(question.gate.after_place,
                             "\"after\" names a step that does not come before this one: " + question.gate.after),
              false;
-    if (question.sound) warn_of_answer(*asked, run, complaints);
+    if (question.sound) warn_of_answer(*asked, run, complaints), warn_of_reasons(*asked, run, complaints);
     const bool meant = check_meanings(*asked, complaints);
     return check_conditions(question, lesson, algorithm, subject, run, complaints) && meant && question.sound;
   });

@@ -190,6 +190,37 @@ bool is_false(const Asked& asked, const Told& told) {
   return std::find(told.right.begin(), told.right.end(), asked.question->answer) == told.right.end();
 }
 
+/// A wrong answer, or one wrong part of an answer of several.
+struct Wrong {
+  std::string says;
+  bool told;  // whether the lesson or the program has words for it
+};
+
+/// Where more are wrong than kMostTold, kLeastTold of them need a reason: those that the usual mistakes lead to.
+constexpr std::size_t kMostTold = 8, kLeastTold = 2;
+
+/// Where handles answer, a choice is another name of one or of several.
+std::vector<Wrong> wrong_answers(Asked asked, const Run& run) {
+  asked.own_run = true;
+  const Truth truth = asked.asking->truth(asked, run);
+  std::vector<Wrong> wrong;
+  const auto see = [&](const auto& right, int one, std::string says, const Answer& answer) {
+    if (std::find(right.begin(), right.end(), one) == right.end())
+      wrong.push_back({std::move(says), !meaning_of(asked, answer, truth).empty()});
+  };
+  for (int i = 0; i < static_cast<int>(asked.choices.size()); ++i)
+    see(truth.choices, i, asked.choices[i], {Answer::Kind::kChoice, asked.many ? 1 << i : i});
+  if (!asked.choices.empty()) return wrong;
+  const auto see_handle = [&](Index i) {
+    const Answer::Kind kind = asked.many ? Answer::Kind::kPoints : Answer::Kind::kPoint;
+    see(truth.points, static_cast<int>(i), asked.subject->name_of(i),
+        {kind, static_cast<int>(i), {static_cast<int>(i)}});
+  };
+  for (const Index i : asked.stage_points) see_handle(i);
+  for (Index i = 0; asked.stage_points.empty() && i < asked.subject->size(); ++i) see_handle(i);
+  return wrong;
+}
+
 }  // namespace
 
 std::optional<std::string> contradiction(const Asked& asked, const Run& run) {
@@ -213,15 +244,26 @@ void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints) 
 
 void warn_of_reasons(const Question& question, Complaints& complaints) {
   if (question.asks != "choice") return;
-  std::string without;
+  std::vector<std::string> without;
   for (std::size_t i = 0; i < question.choices.size(); ++i) {
     const auto speaks = [&](const Meaning& meaning) { return meaning.answer == question.choices[i]; };
-    if (static_cast<int>(i) == question.answer ||
-        std::any_of(question.meanings.begin(), question.meanings.end(), speaks))
-      continue;
-    without += (without.empty() ? "\"" : ", \"") + question.choices[i] + '"';
+    if (static_cast<int>(i) != question.answer &&
+        std::none_of(question.meanings.begin(), question.meanings.end(), speaks))
+      without.push_back('"' + question.choices[i] + '"');
   }
-  if (!without.empty()) complaints.warn(question.place, "\"wrong\" has no reason for " + without);
+  if (!without.empty()) complaints.warn(question.place, "\"wrong\" has no reason for " + listed(without, ", "));
+}
+
+void warn_of_reasons(const Asked& asked, const Run& run, Complaints& complaints) {
+  if (asked.question->asks == "choice" || asked.ordered || asked.number || !has_second_try(asked)) return;
+  const std::vector<Wrong> wrong = wrong_answers(asked, run);
+  std::vector<std::string> without;
+  for (const Wrong& one : wrong)
+    if (!one.told) without.push_back('"' + one.says + '"');
+  const std::size_t told = wrong.size() - without.size();
+  if (without.empty() || (wrong.size() > kMostTold && told >= kLeastTold)) return;
+  const std::string of_many = wrong.size() <= kMostTold ? "" : told == 0 ? "two of " : "one more of ";
+  complaints.warn(asked.question->place, "\"wrong\" has no reason for " + of_many + listed(without, ", "));
 }
 
 }  // namespace snug::check

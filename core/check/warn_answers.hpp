@@ -20,5 +20,8 @@ void warn_of_answer(const Asked& asked, const Run& run, Complaints& complaints);
 /// Warns of the choices of a "choice" that are wrong and that `wrong` says nothing about: a student would learn from
 /// them only what is left.
 void warn_of_reasons(const Question& question, Complaints& complaints);
+/// The same of what the run decides, where it leaves a second try: the answers that are wrong on it and that nothing is
+/// said to. Up to eight need a reason each; of more, two do. Numbers are told which way to go, orders are not told.
+void warn_of_reasons(const Asked& asked, const Run& run, Complaints& complaints);
 
 }  // namespace snug::check

@@ -327,20 +327,29 @@ static std::string way_to(const Asked& asked, const Answer& answer, const Truth&
 }
 
 std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth) {
+  const auto choice_of = [&](const std::string& what) {
+    const auto choice = std::find(asked.choices.begin(), asked.choices.end(), in_words_of(asked.dim, what));
+    return static_cast<int>(choice - asked.choices.begin());
+  };
+  const auto handles_of = [&](int at) {
+    return at < std::ssize(asked.choices) ? std::span<const Index>(asked.choice_handles[at]) : std::span<const Index>();
+  };
   const auto is_given = [&](const std::string& what) {
     if (answer.kind == Answer::Kind::kNumber) {
       const auto number = typed_number(what, asked.unit);
       return number && std::abs(*number - answer.number) <= truth.tolerance;
     }
-    const auto choice = std::find(asked.choices.begin(), asked.choices.end(), in_words_of(asked.dim, what));
-    const auto at = static_cast<int>(choice - asked.choices.begin());
-    if (choice != asked.choices.end() && is_picked(asked, answer, at)) return !contains(truth.choices, at);
+    const int at = choice_of(what);
+    const bool is_choice = at < std::ssize(asked.choices);
+    const bool is_tapped = answer.kind == Answer::Kind::kPoint && contains(handles_of(at), answer.value);
+    if (is_tapped || (is_choice && is_picked(asked, answer, at))) return !contains(truth.choices, at);
     const auto handle = handle_named(*asked.subject, what);
     return handle && names_handle(answer, *handle) && !contains(truth.points, *handle);
   };
-  // A handle's own words are about where it stands: "P4 is far from the origin".
+  // Words about handles, which a choice may name as well, are about where those stand: "P4 is far from the origin".
   const auto is_said = [&](const Meaning& meaning) {
-    return asked.own_run || asked.number || !handle_named(*asked.subject, meaning.answer);
+    return asked.own_run || asked.number ||
+           (handles_of(choice_of(meaning.answer)).empty() && !handle_named(*asked.subject, meaning.answer));
   };
   for (const Meaning& meaning : asked.question->meanings)
     if (answer.kind != Answer::Kind::kSkipped && is_said(meaning) && is_given(meaning.answer))

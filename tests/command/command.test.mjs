@@ -342,6 +342,7 @@ test("lessons are listed in their order, and each is sound", () => {
   assert.deepEqual(list, json_lines(good(["lesson", "list"])).map((row, i) => ({ ...row, file: list[i].file })));
   const checked = json_lines(good(["lesson", "check", ...files.map((name) => join(lessons, name))]));
   assert.deepEqual(checked.map((row) => `${row.lesson}.toml`), files);
+  assert.deepEqual(checked.filter(({ warnings }) => warnings).map(({ lesson }) => lesson), []);
   for (const { lesson, questions, task } of list) {
     const lines = json_lines(good(["lesson", "play", lesson]));
     const end = lines.pop();

@@ -205,6 +205,25 @@ TEST_CASE("a wrong answer is told what it means, at the first try and in the out
   CHECK(outcome_of_own(session).because == "So.");
 }
 
+TEST_CASE(
+    "a choice that names handles means what they do: by a tap on one of them, and on the lesson's own run alone") {
+  Session session =
+      test::open(test::small_lesson_with("because = \"It is farther apart.\"",
+                                         "because = \"So.\"\nwrong = { \"the y pair\" = \"It is nearer together.\" }"));
+  const auto told = [&](const Answer& answer) {
+    session.forget_answers();
+    session.first();
+    while (session.asked() == nullptr) session.forward();
+    REQUIRE(session.answer(answer));
+    return session.outcome()->because;
+  };
+  CHECK(told(choice(1)) == "It is nearer together. So.");
+  CHECK(told(point(4)) == "It is nearer together. So.");
+  CHECK(told(point(0)) == "So.");
+  REQUIRE(session.move(5, {0.4, 0.2, 0}));
+  CHECK(told(choice(1)) == "So.");
+}
+
 TEST_CASE("a wrong number and a wrong one of several points are told what they mean") {
   Session session = at_own(
       "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n"

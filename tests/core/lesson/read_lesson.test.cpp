@@ -295,29 +295,66 @@ TEST_CASE("what is allowed and probably not meant is warned of") {
   std::string words;
   for (int i = 0; i < 61; ++i) words += " word";
   const std::string text = small_lesson_with("Another paragraph.", "P99 is far, P4 is not." + words);
-  const Draft draft = check::checked_draft(text, "small.toml");
-  CHECK(draft.mistakes.empty());
-  REQUIRE(draft.warnings.size() == 2);
-  CHECK(draft.warnings[0].message() ==
-        "small.toml:21:1: \"text\" speaks of P99, which is not there: the last one is P5");
-  CHECK(draft.warnings[1].message() == "small.toml:21:1: a paragraph has 67 words: beside a stage at most 60 are read");
-  CHECK(check::checked_draft(kSmallLesson, "small.toml").warnings.empty());
-  const Draft more =
-      check::checked_draft(small_lesson_with("prompt = \"Make it fail.\"", "prompt = \"Move P6 alone.\""), "s.toml");
-  REQUIRE(more.warnings.size() == 1);
-  CHECK(more.warnings[0].what == "\"prompt\" speaks of P6, which is not there: the last one is P5");
-  const Draft wrong = check::checked_draft(
-      small_lesson_with("because = \"It lies outside.\"", "because = \"So.\"\nwrong = { P2 = \"P8 is meant.\" }"),
-      "s.toml");
-  REQUIRE(wrong.warnings.size() == 1);
-  CHECK(wrong.warnings[0].what == "\"wrong\" speaks of P8, which is not there: the last one is P5");
+  const auto both = test::warned(text);
+  REQUIRE(both.size() == 2);
+  CHECK(both[0].message() == "small.toml:21:1: \"text\" speaks of P99, which is not there: the last one is P5");
+  CHECK(both[1].message() == "small.toml:21:1: a paragraph has 67 words: beside a stage at most 60 are read");
+  CHECK(test::warned(kSmallLesson).empty());
+  const auto more = test::warned(small_lesson_with("prompt = \"Make it fail.\"", "prompt = \"Move P6 alone.\""));
+  REQUIRE(more.size() == 1);
+  CHECK(more[0].what == "\"prompt\" speaks of P6, which is not there: the last one is P5");
+  const auto wrong = test::warned(
+      small_lesson_with("because = \"It lies outside.\"", "because = \"So.\"\nwrong = { P2 = \"P8 is meant.\" }"));
+  REQUIRE(wrong.size() == 1);
+  CHECK(wrong[0].what == "\"wrong\" speaks of P8, which is not there: the last one is P5");
 }
 
-TEST_CASE("a choice that is wrong and has no reason is warned of") {
-  const Draft draft =
-      check::checked_draft(small_lesson_with("wrong = { one = \"That one finds the extremes.\" }\n", ""), "s.toml");
-  REQUIRE(draft.warnings.size() == 1);
-  CHECK(draft.warnings[0].what == "\"wrong\" has no reason for \"one\"");
+TEST_CASE("a wrong answer that nothing is said to is warned of") {
+  const auto told = [](const std::string& text) {
+    const Draft draft = check::checked_draft(text, "small.toml");
+    REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
+    std::string all;
+    for (const FileError& warning : draft.warnings) all += warning.message() + '\n';
+    return all;
+  };
+  const auto with_wrong = [](const std::string& wrong) {
+    return small_lesson_with("because = \"It lies outside.\"", "because = \"So.\"\nwrong = { " + wrong + " }");
+  };
+  const auto asked = [&](const std::string& asks) {
+    const std::string head = "[[question]]\nid = \"own\"\nalgorithm = \"welzl\"\nbefore = \"finished\"\nasks = ";
+    return told(small_lesson_with("[[task]]", head + asks + "\nprompt = \"Which?\"\nbecause = \"So.\"\n[[task]]"));
+  };
+  const std::string handles = "small.toml:32:1: \"wrong\" has no reason for \"P0\", \"P1\", \"P2\", \"P3\", \"P5\"\n";
+  const std::string own = "small.toml:61:1: \"wrong\" has no reason for ";
+  SUBCASE("a choice of the file") {
+    CHECK(told(small_lesson_with("wrong = { one = \"That one finds the extremes.\" }\n", "")) ==
+          handles + "small.toml:49:1: \"wrong\" has no reason for \"one\"\n");
+  }
+  SUBCASE("handles: all that are wrong, and not the right ones") {
+    CHECK(told(std::string(kSmallLesson)) == handles);
+    CHECK(told(with_wrong("P0 = \"So.\", P1 = \"So.\", P2 = \"So.\", P5 = \"So.\"")) ==
+          "small.toml:32:1: \"wrong\" has no reason for \"P3\"\n");
+    CHECK(asked("\"points\"") == handles + own + "\"P2\", \"P3\", \"P5\"\n");
+  }
+  SUBCASE("choices that the run decides about") {
+    CHECK(asked("\"holds\"\nwrong = { \"2\" = \"Too few.\" }") == handles + own + "\"1\"\n");
+  }
+  SUBCASE("none where the program has words, or where there is no second try") {
+    CHECK(asked("\"figure\"\nfigure = \"radius\"\nbounds = [1, 9]") == handles);
+    CHECK(asked("\"number\"\nfigure = \"radius\"\ntolerance = 0.1") == handles);
+    CHECK(asked("\"tightest_order\"") == handles);
+    CHECK(asked("\"grows\"") == handles);
+  }
+  SUBCASE("two of more than eight") {
+    const auto of_many = [&](const std::string& wrong) {
+      std::string text = with_wrong(wrong);
+      const std::string_view last = "[0.5, 0.2]";
+      text.insert(text.find(last) + last.size(), ", [0, 0], [0.1, 0], [0, 0.1], [0.1, 0.1]");
+      return told(text);
+    };
+    CHECK(of_many("P0 = \"So.\", P3 = \"So.\"").empty());
+    CHECK(of_many("P0 = \"So.\"").starts_with("small.toml:32:1: \"wrong\" has no reason for one more of \"P1\", "));
+  }
 }
 
 TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, is warned of") {
@@ -378,20 +415,18 @@ TEST_CASE("a fixed answer that the run contradicts, or that a drag makes false, 
 }
 
 TEST_CASE("a figure of the run in the prose is warned of, and one that is asked of the run is not") {
-  const Draft draft = check::checked_draft(
-      test::small_lesson_with("Another paragraph.", "Ritter's circle has radius 2.25."), "small.toml");
-  REQUIRE(draft.warnings.size() == 1);
-  CHECK(draft.warnings[0].message() ==
-        "small.toml:21:28: \"text\" has 2.25, a figure of the run: {radius ritter} stays "
-        "true when the student drags");
+  const auto draft = test::warned(test::small_lesson_with("Another paragraph.", "Ritter's circle has radius 2.25."));
+  REQUIRE(draft.size() == 1);
+  CHECK(draft[0].message() == "small.toml:21:28: \"text\" has 2.25, a figure of the run: {radius ritter} stays "
+                              "true when the student drags");
   for (const char* fine :
        {"It has radius {radius ritter}.", "It takes 6 points.", "$r = 2.25$ and `2.25`.", "It is 2.26."})
-    CHECK(check::checked_draft(test::small_lesson_with("Another paragraph.", fine), "small.toml").warnings.empty());
+    CHECK(test::warned(test::small_lesson_with("Another paragraph.", fine)).empty());
 }
 
 TEST_CASE("a figure of the run in a question is warned of, unless its words are for the lesson's own run") {
   const auto warnings = [](std::string_view to) {
-    return check::checked_draft(small_lesson_with("because = \"It lies outside.\"", to), "small.toml").warnings;
+    return test::warned(small_lesson_with("because = \"It lies outside.\"", to));
   };
   const auto told = warnings("because = \"The radius is 2.25 in the end.\"");
   REQUIRE(told.size() == 1);

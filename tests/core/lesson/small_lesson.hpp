@@ -5,6 +5,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "check/check_lesson.hpp"
 #include "lesson/session.hpp"
@@ -96,13 +98,17 @@ inline std::string small_lesson_with(std::string_view from, std::string_view to)
   return text.replace(at, from.size(), to);
 }
 
-/// The warnings of a lesson's text that has no mistake, a line each, without those of choices that have no reason.
-inline std::string warnings_of(const std::string& text) {
-  const lesson::Draft draft = check::checked_draft(text, "small.toml");
+/// The warnings of a lesson's text, without those of wrong answers that have no reason: the small lesson has few.
+inline std::vector<lesson::FileError> warned(std::string_view text) {
+  lesson::Draft draft = check::checked_draft(text, "small.toml");
   REQUIRE_MESSAGE(draft.mistakes.empty(), draft.mistakes.front().message());
+  std::erase_if(draft.warnings, [](const auto& one) { return one.what.starts_with("\"wrong\" has no reason"); });
+  return std::move(draft.warnings);
+}
+/// The same, a line each.
+inline std::string warnings_of(const std::string& text) {
   std::string all;
-  for (const lesson::FileError& warning : draft.warnings)
-    if (!warning.what.starts_with("\"wrong\" has no reason")) all += warning.message() + "\n";
+  for (const lesson::FileError& warning : warned(text)) all += warning.message() + "\n";
   return all;
 }
 
