@@ -92,19 +92,20 @@ std::vector<std::string> joined_numbers(int argc, const char* const* argv) {
 }
 
 /// Adds --json to the commands that print JSON Lines. Those that print text otherwise have one of their own.
-void add_json(CLI::App& above, bool& json) {
-  constexpr std::array<std::string_view, 14> kPrintJson{"fit",      "algorithms", "cases", "overlap", "update",
-                                                        "cull",     "scene",      "list",  "check",   "play",
-                                                        "coverage", "facts",      "make",  "print"};
+/// before: the call so far, with a blank at its end.
+void add_json(CLI::App& above, bool& json, const std::string& before = "") {
+  constexpr std::array<std::string_view, 19> kPrintJson{
+      "fit",           "algorithms",  "cases",         "overlap",       "update",          "cull",
+      "scene",         "lesson list", "lesson check",  "lesson play",   "lesson coverage", "lesson facts",
+      "demo list",     "demo check",  "exercise list", "exercise make", "exercise answer", "exercise print",
+      "exercise check"};
   for (CLI::App* const command : above.get_subcommands([](const CLI::App*) { return true; })) {
-    add_json(*command, json);
-    if (CLI::Option* const own = command->get_option_no_throw("--json"); own != nullptr) {
+    const std::string call = before + command->get_name();
+    add_json(*command, json, call + ' ');
+    if (CLI::Option* const own = command->get_option_no_throw("--json"); own != nullptr)
       own->each([&json](const std::string&) { json = true; });
-      continue;
-    }
-    const bool prints = std::find(kPrintJson.begin(), kPrintJson.end(), command->get_name()) != kPrintJson.end() &&
-                        command->get_subcommands([](const CLI::App*) { return true; }).empty();
-    if (prints) command->add_flag("--json", json, "JSON Lines, in a terminal as well");
+    else if (std::find(kPrintJson.begin(), kPrintJson.end(), call) != kPrintJson.end())
+      command->add_flag("--json", json, "JSON Lines, in a terminal as well");
   }
 }
 
@@ -146,10 +147,17 @@ int run(int argc, const char* const* argv, OpenWindow open_window) {
   app.set_version_flag("-V,--version", SNUG_VERSION);
   app.require_subcommand(0, 1);
   Commands commands{app, open_window, {}};
-  for (const auto add :
-       {add_window, add_fit,   add_algorithms, add_cases,      add_update, add_overlap,  add_cull,
-        add_cost,   add_which, add_chart,      add_scene,      add_lesson, add_exercise, add_demo,
-        add_grade,  add_lab,   add_package,    add_trace_hash, add_render, add_help,     add_made_of_definitions})
+  for (const auto add : {add_window,     add_fit,
+                         add_algorithms, add_cases,
+                         add_update,     add_overlap,
+                         add_cull,       add_cost,
+                         add_which,      add_chart,
+                         add_scene,      add_lesson,
+                         add_exercise,   add_demo,
+                         add_grade,      add_lab,
+                         add_package,    add_trace_hash,
+                         add_render,     add_help,
+                         add_ids,        add_made_of_definitions})
     add(commands);
   add_json(app, commands.json);
   try {

@@ -94,6 +94,7 @@ void add_trace_hash(Commands& commands);
 void add_render(Commands& commands);
 void add_package(Commands& commands);
 void add_help(Commands& commands);
+void add_ids(Commands& commands);
 void add_made_of_definitions(Commands& commands);
 
 /// Why a word is no use where a command or a lesson could stand; none if it is a lesson, or may be a file.

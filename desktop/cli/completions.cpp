@@ -25,43 +25,65 @@ std::string calls(const std::vector<Defined>& all, const char* between) {
   return joined(words, between);
 }
 
+std::string bash_ids(const std::string& kinds) { return kinds.empty() ? "" : " ids=" + shell_word(kinds); }
+
 std::string bash(const std::vector<Defined>& all) {
   std::ostringstream out;
   out << "# bash completion for snug: made by `snug completions bash`\n"
          "_snug() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=snug i offered=\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=snug i offered= options= "
+         "ids=\n"
          "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
          "    case \"$command ${COMP_WORDS[i]}\" in\n      "
       << calls(all, " | ") << ") command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n  case $command in\n";
   for (const Defined& command : all) {
-    std::vector<std::string> words;
+    std::vector<std::string> words, options;
     for (const CLI::App* sub : subcommands_of(*command.app)) words.push_back(sub->get_name());
     out << "    " << shell_word(command.call) << ")\n      case $before in\n";
     for (const CLI::Option* option : options_of(*command.app)) {
       const auto names = names_of(*option);
-      words.insert(words.end(), names.begin(), names.end());
+      options.insert(options.end(), names.begin(), names.end());
       if (takes_value(*option))
         out << "        " << joined(names, " | ") << ") offered=" << shell_word(joined(values_of(*option), " "))
-            << " ;;\n";
+            << bash_ids(ids_of(command, *option)) << " ;;\n";
     }
-    out << "        *) offered=" << shell_word(joined(words, " ")) << " ;;\n      esac ;;\n";
+    out << "        *) offered=" << shell_word(joined(words, " ")) << " options=" << shell_word(joined(options, " "))
+        << bash_ids(ids_in_place(command)) << " ;;\n      esac ;;\n";
   }
+  // Options are offered after a dash, and beside the commands lessons after a letter: both are many. The shell takes
+  // what stands before a colon for a word of its own.
   out << "  esac\n"
-         "  COMPREPLY=($(compgen -W \"$offered\" -- \"$word\"))\n"
+         "  [[ $word != -* || -z $options ]] || offered=$options\n"
+         "  local start=\n"
+         "  if [[ $COMP_WORDBREAKS == *:* ]]; then\n"
+         "    for ((i = COMP_CWORD; i > 1; i--)); do\n"
+         "      [[ ${COMP_WORDS[i]} == : || ${COMP_WORDS[i - 1]} == : ]] || break\n"
+         "      start=${COMP_WORDS[i - 1]}$start\n"
+         "    done\n"
+         "    if [[ $word == : ]]; then start+=: word=; fi\n"
+         "  fi\n"
+         "  if [[ $ids && $word != -* && ($command != snug || $word) ]]; then\n"
+         "    offered+=\" $(\"${COMP_WORDS[0]/#\\~/$HOME}\" ids $ids 2>/dev/null)\"\n"
+         "  fi\n"
+         "  COMPREPLY=($(compgen -W \"$offered\" -- \"$start$word\"))\n"
+         "  COMPREPLY=(\"${COMPREPLY[@]#\"$start\"}\")\n"
          "}\n"
          "complete -o default -F _snug snug\n";
   return out.str();
 }
 
 /// An option as zsh's _arguments takes it, a word for each of its names.
-std::string zsh_option(const CLI::Option& option) {
+std::string zsh_option(const Defined& command, const CLI::Option& option) {
   std::string words;
   const auto says = replaced(replaced(one_line(option.get_description()), "[", "\\["), "]", "\\]");
   for (const std::string& name : names_of(option)) {
     std::string word = name + '[' + replaced(says, ":", "\\:") + ']';
     if (takes_value(option)) {
       const auto values = values_of(option);
-      word += values.empty() ? ":value:_files" : ":value:(" + joined(values, " ") + ')';
+      const std::string ids = ids_of(command, option);
+      word += !ids.empty()     ? ":value: _snug_ids " + ids
+              : values.empty() ? ":value:_files"
+                               : ":value:(" + joined(values, " ") + ')';
     }
     words += "\n        " + shell_word(word);
   }
@@ -72,8 +94,13 @@ std::string zsh(const std::vector<Defined>& all) {
   std::ostringstream out;
   out << "#compdef snug\n"
          "# zsh completion for snug: made by `snug completions zsh`\n"
+         "_snug_ids() {\n"
+         "  local -a ids=(${(f)\"$(${~words[1]} ids $@ 2>/dev/null)\"})\n"
+         "  compadd -a ids\n"
+         "  _files\n"
+         "}\n"
          "_snug() {\n"
-         "  local command=snug i\n"
+         "  local command=snug i place='*:file:_files'\n"
          "  local -a commands options\n"
          "  for ((i = 2; i < CURRENT; i++)); do\n"
          "    case \"$command ${words[i]}\" in\n      "
@@ -83,24 +110,34 @@ std::string zsh(const std::vector<Defined>& all) {
     for (const CLI::App* sub : subcommands_of(*command.app))
       out << "\n        " << shell_word(sub->get_name() + ':' + one_line(sub->get_description()));
     out << ")\n      options=(";
-    for (const CLI::Option* option : options_of(*command.app)) out << zsh_option(*option);
-    out << ") ;;\n";
+    for (const CLI::Option* option : options_of(*command.app)) out << zsh_option(command, *option);
+    out << ')';
+    if (const std::string ids = ids_in_place(command); !ids.empty())
+      out << "\n      place=" << shell_word("*:id: _snug_ids " + ids);
+    out << " ;;\n";
   }
   out << "  esac\n"
          "  (( $#commands )) && [[ ${words[CURRENT]} != -* ]] && _describe command commands\n"
-         "  _arguments $options '*:file:_files'\n"
+         "  [[ $command != snug || -n ${words[CURRENT]} ]] || place='*:file:_files'\n"
+         "  _arguments $options $place\n"
          "}\n"
          "_snug \"$@\"\n";
   return out.str();
 }
 
-std::string fish_option(const CLI::Option& option) {
+/// What prints the ids of these kinds, by the program whose line is completed.
+std::string fish_ids(const std::string& kinds) { return "(__snug_ids " + kinds + ")"; }
+
+std::string fish_option(const Defined& command, const CLI::Option& option) {
   std::string words;
   for (const std::string& name : option.get_snames()) words += " -s " + name;
   for (const std::string& name : option.get_lnames()) words += " -l " + name;
   if (takes_value(option)) {
     const auto values = values_of(option);
-    words += values.empty() ? " -r -F" : " -x -a " + fish_word(joined(values, " "));
+    const std::string ids = ids_of(command, option);
+    words += !ids.empty()     ? " -x -a " + fish_word(fish_ids(ids))
+             : values.empty() ? " -r -F"
+                              : " -x -a " + fish_word(joined(values, " "));
   }
   return words + " -d " + fish_word(one_line(option.get_description()));
 }
@@ -116,12 +153,22 @@ std::string fish(const std::vector<Defined>& all) {
       << "\n            and set command \"$command $word\"\n"
          "    end\n"
          "    test \"$command\" = \"$argv\"\n"
+         "end\n"
+         "function __snug_ids\n"
+         "    set -l program (string replace -r '^~' $HOME (commandline -opc)[1])\n"
+         "    $program ids $argv 2>/dev/null\n"
          "end\n";
   for (const Defined& command : all) {
     const std::string here = "complete -c snug -n " + fish_word("__snug_at " + command.call);
     for (const CLI::App* sub : subcommands_of(*command.app))
       out << here << " -a " << sub->get_name() << " -d " << fish_word(one_line(sub->get_description())) << '\n';
-    for (const CLI::Option* option : options_of(*command.app)) out << here << fish_option(*option) << '\n';
+    for (const CLI::Option* option : options_of(*command.app)) out << here << fish_option(command, *option) << '\n';
+    if (const std::string ids = ids_in_place(command); !ids.empty()) {
+      const bool beside_commands = !subcommands_of(*command.app).empty();  // then once a letter is there
+      const std::string when =
+          "__snug_at " + command.call + (beside_commands ? "; and string length -q -- (commandline -ct)" : "");
+      out << "complete -c snug -n " << fish_word(when) << " -a " << fish_word(fish_ids(ids)) << '\n';
+    }
   }
   return out.str();
 }

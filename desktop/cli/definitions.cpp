@@ -14,7 +14,7 @@ std::vector<std::string> catalogued(const CLI::Option& option) {
   const auto& names = option.get_lnames();
   const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
   const bool volumes = has("volume");
-  if (!volumes && !has("algorithm")) return found;
+  if (!volumes && !has("algorithm") && !has("algorithms")) return found;
   for (const fit::Algorithm& algorithm : fit::algorithms())
     found.emplace_back(volumes ? algorithm.volume : algorithm.name);
   std::sort(found.begin(), found.end());
@@ -61,6 +61,27 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   std::istringstream list(type.substr(begin + 1, end - begin - 1));
   for (std::string value; std::getline(list, value, ',');) values.push_back(value);
   return values;
+}
+
+std::string ids_of(const Defined& command, const CLI::Option& option) {
+  // By the names that the help has for it.
+  const std::string name = option.nonpositional() ? names_of(option).back() : option.get_name();
+  if (name == "LESSON" || name == "--lesson") return "lessons";
+  if (name == "--case") return "cases";
+  if (name == "--trials") return "claims";
+  if (name == "SET") return "sets exercises";
+  if (name == "WHAT") return "packages";
+  if (name == "ID" && command.call.starts_with("snug exercise ")) return "exercises";
+  if (name == "FILE" && command.call.starts_with("snug demo ")) return "demos";
+  if (name == "NAME" && command.call.starts_with("snug lab ")) return "labs";
+  return {};
+}
+
+std::string ids_in_place(const Defined& command) {
+  for (const CLI::Option* option :
+       command.app->get_options([](const CLI::Option* one) { return !one->nonpositional(); }))
+    if (std::string ids = ids_of(command, *option); !ids.empty()) return ids;
+  return {};
 }
 
 std::string help_of(const Defined& command) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace snug::desktop {
@@ -30,6 +33,17 @@ struct Defined {
 
 /// What may follow the option, where it is one of a few words; else nothing.
 [[nodiscard]] std::vector<std::string> values_of(const CLI::Option& option);
+
+/// What has ids, which `snug ids` prints by these names.
+enum class IdKind : std::uint8_t { kLessons, kCases, kExercises, kSets, kDemos, kPackages, kLabs, kClaims };
+inline constexpr std::array<std::string_view, 8> kIdKinds{"lessons", "cases",    "exercises", "sets",
+                                                          "demos",   "packages", "labs",      "claims"};
+
+/// What may stand where the option's value stands, by its id: the names of kinds, with a blank between them; empty
+/// where no ids stand.
+[[nodiscard]] std::string ids_of(const Defined& command, const CLI::Option& option);
+/// The same for what stands in a place.
+[[nodiscard]] std::string ids_in_place(const Defined& command);
 
 /// The help of a command.
 [[nodiscard]] std::string help_of(const Defined& command);

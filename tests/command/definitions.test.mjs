@@ -1,8 +1,9 @@
 // The manual and the shells' completions have every command and option that the help has; the shells offer them.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { dirname } from "node:path";
 import { test } from "node:test";
-import { folder, good, write } from "./support.mjs";
+import { folder, good, program, write } from "./support.mjs";
 
 /** What a help lists: its options' names, and its commands. */
 function listed(help) {
@@ -22,7 +23,7 @@ const scripts = Object.fromEntries(["bash", "zsh", "fish"].map((shell) => [shell
 for (const [shell, text] of Object.entries(scripts)) write(`snug.${shell}`, text);
 
 function run(shell, ...args) {
-  const env = { ...process.env, HOME: folder };
+  const env = { ...process.env, HOME: folder, PATH: `${dirname(program)}:${process.env.PATH}` };
   const { stdout, stderr, status } = spawnSync(shell, args, { cwd: folder, encoding: "utf8", env });
   assert.deepEqual([stderr, status], ["", 0]);
   return stdout;
@@ -32,7 +33,9 @@ function run(shell, ...args) {
 const scripts_asking = {
   bash: (call, word) => `. ./snug.bash; COMP_WORDS=(snug ${call} '${word}'); COMP_CWORD=$((\${#COMP_WORDS[@]} - 1))
     _snug; printf '%s\\n' "\${COMPREPLY[@]}"`,
-  zsh: (call, word) => `_describe() { print -rl -- \${(P)2%%:*} }; _arguments() { print -rl -- \${@%%\\[*} }
+  zsh: (call, word) => `_describe() { print -rl -- \${(P)2%%:*} }; _files() {}; compadd() { print -rl -- \${(P)2} }
+    _arguments() { print -rl -- \${@%%\\[*}; for place in $@; do
+      [[ $place != ('*:id: '*|\${words[CURRENT-1]}\\[*': _snug_ids'*) ]] || \${=place##*: }; done }
     words=(snug ${call} '${word}'); CURRENT=$#words; . ./snug.zsh`,
   fish: (call, word) => `source snug.fish; complete -C 'snug ${call} ${word}'`,
 };
@@ -68,3 +71,33 @@ for (const shell of Object.keys(scripts))
     }
     if (shell !== "zsh") assert.deepEqual(offered(shell, "fit --volume", "k").filter(Boolean), ["kdop"]);
   });
+
+/** What can be named where: a call, what is typed of the name, some of what is offered, and what is not. */
+const named = [
+  ["render", "", ["sphere-ritter", "own-mesh"], "be-ritter"],
+  ["lesson play", "sphere-", ["sphere-ritter"], "collision"],
+  ["exercise make", "", ["be-ritter", "write:overlap-kdop"], "sphere-ritter"],
+  ["exercise print", "", ["collision", "be-ritter"], "sphere-ritter"],
+  ["demo check", "", ["collision"], "be-ritter"],
+  ["lab new", "", ["overlap"], "collision"],
+  ["fit --case", "", ["needle"], "sphere-ritter"],
+  ["", "sphere-", ["sphere-ritter"], "be-ritter"],
+];
+for (const shell of Object.keys(scripts))
+  test(`${shell} offers lessons, exercises and what else has an id, where it can be named`, () => {
+    for (const [call, typed, some, not] of named) {
+      const ids = offered(shell, call, typed);
+      for (const id of some) assert.ok(ids.includes(id), `${call}: ${id} is not in ${ids}`);
+      assert.ok(!ids.includes(not), `${call}: ${not}`);
+    }
+    assert.ok(!offered(shell, "", "").includes("sphere-ritter"), "beside the commands, once a letter is there");
+    if (shell !== "bash") assert.ok(offered(shell, "package", "set:").includes("set:collision"));
+  });
+
+test("bash takes a colon for a word of its own, and completes what stands around it", () => {
+  const asking = (...words) => run("bash", "--norc", "-c", `. ./snug.bash; COMP_WORDS=(snug package ${words.join(" ")})
+    COMP_CWORD=$((\${#COMP_WORDS[@]} - 1)); _snug; printf '%s\n' "\${COMPREPLY[@]}"`);
+  assert.match(asking("set", ":", "coll"), /^collision\n$/);
+  assert.match(asking("set", ":"), /^collision$/m);
+  assert.match(asking("set"), /^set:collision$/m);
+});
