@@ -40,8 +40,8 @@ bool same(const Settings& a, const Settings& b) {
          a.labels == b.labels && a.ground == b.ground;
 }
 
-/// Makes the empty pixels of a new font texture white. They stay transparent, but the edges of letters between pixels
-/// are blended with them: with the default black, a pale halo had grey seams.
+}  // namespace
+
 void whiten(const ImFontAtlas& atlas) {
   for (ImTextureData* texture : atlas.TexList) {
     if (texture->Status != ImTextureStatus_WantCreate || texture->BytesPerPixel != 4) continue;
@@ -50,8 +50,6 @@ void whiten(const ImFontAtlas& atlas) {
       if (pixel[3] == 0) std::fill(pixel, pixel + 3, static_cast<unsigned char>(255));
   }
 }
-
-}  // namespace
 
 struct App::State {
   Platform platform;

@@ -138,8 +138,24 @@ tl::expected<std::unique_ptr<GlfwHost>, std::string> GlfwHost::make(const Size& 
   glfwSwapInterval(1);
   host->install(visible);
   if (visible && !size.asked_for) host->fit_screen();
+  if (visible && size.place) host->put_at(*size.place);
   if (visible) glfwShowWindow(host->window_);
   return host;
+}
+
+/// Puts the window where it was, unless that screen is gone: then its title could not be taken hold of.
+void GlfwHost::put_at(const std::array<int, 2>& place) {
+  constexpr int kHold = 100;  // as much of its upper edge is on a screen
+  int count = 0, own_width = 0, own_height = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  glfwGetWindowSize(window_, &own_width, &own_height);
+  for (int i = 0; i < count; ++i) {
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
+    const int across = std::min(place[0] + own_width, x + width) - std::max(place[0], x);
+    if (across >= kHold && place[1] >= y && place[1] + kHold <= y + height)
+      return glfwSetWindowPos(window_, place[0], place[1]);
+  }
 }
 
 /// Shrinks a window, including its frame and title, to the screen's free area.
@@ -196,10 +212,12 @@ void GlfwHost::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void GlfwHost::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 double GlfwHost::now() const { return glfwGetTime(); }
 
-std::array<int, 2> GlfwHost::windowed_size() const {
-  std::array<int, 2> size{windowed_[2], windowed_[3]};
-  if (!fills_screen()) glfwGetWindowSize(window_, &size[0], &size[1]);
-  return size;
+std::array<int, 4> GlfwHost::windowed_extent() const {
+  std::array<int, 4> extent{windowed_[0], windowed_[1], windowed_[2], windowed_[3]};
+  if (fills_screen()) return extent;
+  glfwGetWindowPos(window_, &extent[0], &extent[1]);
+  glfwGetWindowSize(window_, &extent[2], &extent[3]);
+  return extent;
 }
 
 bool GlfwHost::fills_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
@@ -242,6 +260,8 @@ bool GlfwHost::wait(double seconds) {
   else glfwWaitEventsTimeout(seconds);
   return std::exchange(dirty_, false);
 }
+
+void GlfwHost::wake() { glfwPostEmptyEvent(); }
 
 void GlfwHost::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();

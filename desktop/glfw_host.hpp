@@ -29,6 +29,7 @@ class GlfwHost {
     int width, height;
     bool asked_for;      // else a window that is larger than what the screen has free shrinks to that
     float enlarged = 1;  // how much larger a page pixel is than the screen makes it
+    std::optional<std::array<int, 2>> place = {};  // where it opens, if a screen is there; none: as the system likes
   };
   /// Errors, each one sentence: no display, no OpenGL 3.3.
   static tl::expected<std::unique_ptr<GlfwHost>, std::string> make(const Size& size, bool visible);
@@ -48,12 +49,15 @@ class GlfwHost {
   [[nodiscard]] Extent extent() const;
   /// Frames have another extent from now on, as for a picture; none: the window's own again.
   void draw_as(std::optional<Extent> extent) { drawn_as_ = extent; }
-  /// The window's size, in the window system's own units; while it fills the screen, that which it had before.
-  [[nodiscard]] std::array<int, 2> windowed_size() const;
+  /// The window's x, y, width and height, in the window system's own units; while it fills the screen, those which it
+  /// had before. A system that tells nobody where windows are (Wayland) has them all at 0, 0.
+  [[nodiscard]] std::array<int, 4> windowed_extent() const;
   [[nodiscard]] double now() const;
 
   /// Waits for an event, at most so many seconds; seconds < 0: without limit. Returns whether there was one.
   bool wait(double seconds);
+  /// Ends the waiting; from any thread.
+  static void wake();
   /// Begins and ends an ImGui frame; drawing happens in between.
   void begin_frame();
   void swap();
@@ -63,6 +67,7 @@ class GlfwHost {
   GlfwHost() = default;
   void install(bool visible);
   void fit_screen();
+  void put_at(const std::array<int, 2>& place);
 
   GLFWwindow* window_ = nullptr;
   float enlarged_ = 1;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "app/commands.hpp"
 #include "app/look.hpp"
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
@@ -215,63 +214,6 @@ bool Shell::may_resize(int by) const {
 void Shell::resize_text(int by) {
   const std::ptrdiff_t to = text_scale_at(app_.settings()) + by;
   app_.settings().text_scale = kTextScales[std::clamp<std::ptrdiff_t>(to, 0, std::ssize(kTextScales) - 1)];
-}
-
-void draw_keys(Shell& shell, const app::Rect& window) {
-  if (!shell.keys_shown) return;
-  const app::Look& look = shell.app().look();
-  std::vector<app::KeyHelp> rows(std::begin(app::kKeyHelp), std::end(app::kKeyHelp));
-  rows.push_back({"Tab  Shift Tab", "the next or the previous button, link or field; Enter presses it"});
-  rows.push_back({"F10", "the menus"});
-  rows.push_back({"Ctrl O  Ctrl Q", "open points; quit"});
-  rows.push_back({"Ctrl C  Ctrl V", "copy the points, paste points: from a spreadsheet as well"});
-  rows.push_back({"F11", "the whole screen"});
-  rows.push_back({"F2", "the course, and back to the lesson; / searches it"});
-  rows.push_back({"F5  Shift P", "present: N and P go to the next and previous lesson, T shows its text, Esc ends it"});
-  rows.push_back({"L  W  R", "while presenting: a spotlight, a pen that fades, a ruler for the height of type"});
-  rows.push_back({"Q", "this state as a code that a phone scans"});
-  rows.push_back({"Shift D", "add this state to a demo's file, which grows by one each time"});
-  rows.push_back({"Ctrl S", "the stage as a picture; with Shift as SVG, whose words are text"});
-  if (shell.app().sitting() != nullptr)
-    rows.push_back({"H  R", "the exercise: a hint; at its end, from the right run to yours, and back"});
-  if (shell.demo) {
-    rows.push_back({"PgDn →  PgUp ←", "the demo: the next reveal or state, and back; Home or H: this state as it was"});
-    rows.push_back({"B .  F  S", "the demo: black; the picture stands; the notes in a second window"});
-    rows.push_back(
-        {"V, a number", "the class votes: hands for each answer, Enter after each; V again: the second vote"});
-  }
-  const float keys = 28 + look.px(140);
-  float widest = 0;
-  for (const app::KeyHelp& help : rows) widest = std::max(widest, app::measure(look, Face::kRegular, 14, help.does).x);
-  const float width = std::min(std::max(look.px(620), keys + widest + 28), window.width - 32);
-  const auto lines_of = [&](const app::KeyHelp& help) {
-    return app::lines_of(look, Face::kRegular, 14, help.does, width - keys - 28);
-  };
-  std::size_t lines = 0;
-  for (const app::KeyHelp& help : rows) lines += lines_of(help).size();
-  const float row = std::min(look.px(28), (window.height - 16 - look.px(84)) /
-                                              static_cast<float>(lines));  // all of it, even in a low window
-  const float height = row * static_cast<float>(lines) + look.px(84);
-  const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
-                       width, height};
-  const app::Pane pane("##keys", window, app::Pane::Kind::kOver);
-  ImDrawList* list = pane.list();
-  list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height},
-                      app::with_alpha(look->ground, 0.75f));
-  list->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
-  list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->line, 8, 0, 1);
-  app::text(list, look, Face::kSemiBold, 18, {card.x + 28, card.y + look.px(24)}, look->ink, "Keys");
-  float y = card.y + look.px(60);
-  for (const app::KeyHelp& help : rows) {
-    app::text(list, look, Face::kMonoBold, 13, {card.x + 28, app::middle_of(y + row / 2, look.px(13))},
-              look->current_text, help.keys);
-    for (const auto& line : lines_of(help)) {
-      app::text(list, look, Face::kRegular, 14, {card.x + keys, app::middle_of(y + row / 2, look.px(14))}, look->ink,
-                line);
-      y += row;
-    }
-  }
-  if (app::touch_area("keys away", window, lesson::kDismissWord).clicked) shell.keys_shown = false;
 }
 
 void draw_notice(Shell& shell, const app::Rect& stage) {

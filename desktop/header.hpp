@@ -1,4 +1,4 @@
-// The bar at the top of the window: lesson, text size and theme; and the help card of the keys.
+// The bar at the top of the window: lesson, text size and theme; and what lies over the stage for a moment.
 #pragma once
 
 #include "desktop/shell.hpp"
@@ -6,8 +6,6 @@
 namespace snug::desktop {
 
 void draw_header(Shell& shell, const app::Rect& rect);
-/// Draws the help card over everything, while it is open.
-void draw_keys(Shell& shell, const app::Rect& window);
 /// Draws what is being read, with a button that cancels it.
 void draw_loading(Shell& shell, const app::Rect& stage);
 /// Draws the notice over the stage, until it is dismissed.

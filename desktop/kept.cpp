@@ -77,8 +77,16 @@ KeptExercise exercise_of(const Json& object) {
 /// None where a number is missing or out of range.
 std::optional<KeptView> view_of(const Json& object) {
   if (!object.is_object()) return std::nullopt;
-  KeptView view{count(object, "theme"), member<float>(object, "text_scale", 0, &Json::is_number),
-                count(object, "width"), count(object, "height")};
+  const auto place = [&](const char* key) {  // left of the main screen or above it, it is below zero
+    return static_cast<int>(
+        std::clamp<std::int64_t>(member<std::int64_t>(object, key, 0, &Json::is_number_integer), -100'000, 100'000));
+  };
+  KeptView view{count(object, "theme"),
+                member<float>(object, "text_scale", 0, &Json::is_number),
+                count(object, "width"),
+                count(object, "height"),
+                place("x"),
+                place("y")};
   const bool sound = view.theme < 4 && view.text_scale >= 0.5f && view.text_scale <= 4 && view.width <= 20'000 &&
                      view.height <= 20'000;
   return sound ? std::optional(view) : std::nullopt;
@@ -239,8 +247,9 @@ void Kept::erase() {
 std::string Kept::text() const {
   Json state{{"version", kVersion}, {"last", last_}, {"invited", invited}, {"lessons", Json::object()}};
   if (view)
-    state["view"] = {
-        {"theme", view->theme}, {"text_scale", view->text_scale}, {"width", view->width}, {"height", view->height}};
+    state["view"] = {{"theme", view->theme}, {"text_scale", view->text_scale},
+                     {"width", view->width}, {"height", view->height},
+                     {"x", view->x},         {"y", view->y}};
   for (const auto& [id, exercise] : exercises_) {
     state["exercises"][id] = {{"tries", exercise.tries}, {"mark", exercise.mark}, {"of", exercise.of}};
     if (exercise.now) state["exercises"][id]["now"] = json_of(*exercise.now, 0, 0);

@@ -42,11 +42,12 @@ struct KeptExercise {
   std::optional<lesson::Attempt> now;
 };
 
-/// How the window looks. width, height: in the window system's own units.
+/// How the window looks. width, height, and its place: in the window system's own units.
 struct KeptView {
   int theme = 0;
   float text_scale = 1;
   int width = 0, height = 0;
+  int x = 0, y = 0;
   friend bool operator==(const KeptView&, const KeptView&) = default;
 };
 

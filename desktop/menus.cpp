@@ -223,18 +223,18 @@ float draw_menus(Shell& shell, const app::Rect& bar, float x, float right) {
 
 void draw_about(Shell& shell, const app::Rect& window) {
   if (!shell.about_shown) return;
-  constexpr std::array<std::string_view, 4> kSays{
+  const std::array<std::string, 5> says_all{
       "Snug teaches bounding volumes: how they are fitted, tested and culled, how tight they are, and what that costs. "
       "It is free software under the MIT licence.",
       "It contains Dear ImGui, CLI11, JSON for Modern C++, toml++ and fast_float (MIT, BSD), Eigen (MPL 2.0), "
       "tl::expected (CC0), Inter and JetBrains Mono (OFL 1.1), and the bunny, the teapot and the dragon.",
       "It uses GLFW (zlib), libepoxy (MIT), libpng, zlib, libzip (BSD), Brotli (MIT) and Nettle (LGPL). The licences "
       "are in the folder licenses of its documentation.",
-      "No screen reader can read this window. The page has the same lessons as real text."};
+      shell.parts + ".", "No screen reader can read this window. The page has the same lessons as real text."};
   const app::Look& look = shell.app().look();
   const float width = std::min(look.px(560), window.width - 32), inner = width - 56;
   float height = look.px(76);
-  for (const std::string_view says : kSays)
+  for (const std::string& says : says_all)
     height += look.px(22) * static_cast<float>(app::lines_of(look, Face::kRegular, 15, says, inner).size()) + 10;
   const app::Rect card{window.x + (window.width - width) / 2, window.y + std::max(8.0f, (window.height - height) / 2),
                        width, height};
@@ -247,7 +247,7 @@ void draw_about(Shell& shell, const app::Rect& window) {
   float y = card.y + look.px(24);
   app::text(list, look, Face::kSemiBold, 18, {card.x + 28, y}, look->ink, "Snug " + shell.version);
   y += look.px(34);
-  for (const std::string_view says : kSays)
+  for (const std::string& says : says_all)
     y += app::paragraph(list, look, Face::kRegular, 15, 22, {card.x + 28, y}, inner, look->ink, says) + 10;
   if (app::touch_area("about away", window, lesson::kDismissWord).clicked) shell.about_shown = false;
 }
@@ -261,6 +261,20 @@ bool menu_by_key(Shell& shell, const std::string& key, bool shift, bool control)
       return true;
     }
   return false;
+}
+
+std::vector<std::pair<std::string, std::string>> keys_of_menus(Shell& shell) {
+  std::vector<std::pair<std::string, std::string>> keys;
+  for (const Menu& menu : kMenus)
+    for (const Item& item : menu.items(shell)) {
+      const bool control = item.key.starts_with("Ctrl ");
+      const std::string letter = control ? item.key.substr(5) : item.key;
+      if (item.key.empty() || !app::command_for(letter, false, control, false).empty()) continue;
+      std::string words = item.words.ends_with(" …") ? item.words.substr(0, item.words.rfind(' ')) : item.words;
+      words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+      keys.emplace_back(key_words(item.key), std::move(words));
+    }
+  return keys;
 }
 
 void Shell::open_lesson_file(const std::string& path) {

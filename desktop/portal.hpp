@@ -1,5 +1,5 @@
-// The system's own file dialog, through the desktop's portal and libportal, which is loaded if it is installed: the
-// program runs without it, and then a path is typed.
+// The system's own file dialog, asked for over D-Bus of the desktop's portal. libdbus is loaded if it is there, as it
+// is wherever a session has a bus: the program runs without it, and then a path is typed.
 #pragma once
 
 #include <cstdint>

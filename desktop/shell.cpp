@@ -179,10 +179,11 @@ void Shell::keep(bool dragging) {
   kept_.write();
 }
 
-void Shell::keep_view(int width, int height) {
+void Shell::keep_view(const std::array<int, 4>& extent) {
   if (presenting) return;
   const app::Settings& settings = app_.settings();
-  const KeptView view{static_cast<int>(settings.theme), settings.text_scale, width, height};
+  const auto& [x, y, width, height] = extent;
+  const KeptView view{static_cast<int>(settings.theme), settings.text_scale, width, height, x, y};
   // What a window opens with was nobody's choice.
   if (const auto before = std::exchange(view_seen_, view); !before || before == view) return;
   kept_.view = view;

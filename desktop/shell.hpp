@@ -77,7 +77,8 @@ class Shell {
   /// Keeps which invitations were followed and, unless it is moving, the open lesson's place.
   void keep(bool dragging = false);
   /// Keeps how the window looks; not while it presents, which changes that for a while.
-  void keep_view(int width, int height);
+  /// extent: x, y, width and height in the window system's own units.
+  void keep_view(const std::array<int, 4>& extent);
   void erase_answers();
 
   /// Errors are also shown as the notice. anew: it is the one that is open, read anew.
@@ -189,8 +190,10 @@ class Shell {
       picture_wanted;  // a file, to which the window draws the cover's chart or the stage after this frame; or empty
   Hall hall;           // what a lecturer points with
   bool keys_shown = false, about_shown = false;
-  std::string wish;     // what a menu asks of the window after this frame: "quit", "full_screen", "copy_picture"
-  std::string version;  // the program's
+  float keys_scroll = 0;  // how far a key scrolls the card of keys in the next frame
+  std::string wish;       // what a menu asks of the window after this frame: "quit", "full_screen", "copy_picture"
+  std::string version;    // the program's
+  std::string parts;      // of what it is built and runs with: "Dear ImGui 1.92.2b, GLFW 3.3.8 …"
   FileCard file_card;
   bool dialog_open = false;      // whether the system's own dialog asks for what the card would
   float file_card_height = 200;  // measured in the last frame

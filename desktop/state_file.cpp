@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "desktop/cli/files.hpp"
+#include "desktop/keys_card.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/point_subject.hpp"
@@ -174,7 +175,13 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   if (path_.empty() || (!shell.course_shown && shell.app().session() == nullptr)) return;
   Json state = shell.course_shown ? course_state(shell) : lesson_state(shell, extent.window_per_page);
   state["height"] = extent.height;
-  state["asks_path"] = shell.file_card.what != FileCard::What::kNone;
+  state["asks_path"] = shell.file_card.what != FileCard::What::kNone && !shell.dialog_open;
+  state["dialog"] = shell.dialog_open;
+  state["frames_beside"] = beside_;
+  state["keys"] = Json::array();
+  if (shell.keys_shown)
+    for (const KeyRow& row : key_rows(shell)) state["keys"].push_back(row.keys);
+  state["about"] = shell.about_shown ? shell.parts : "";
   state["replaces"] = shell.file_card.replaces;
   state["mistakes"] = mistakes_of(shell);
   std::string text = state.dump();
@@ -182,6 +189,15 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   written_ = std::move(text);
   if (!shell.course_shown) state["framesDrawn"] = shell.app().frames_drawn();
   static_cast<void>(write_file(path_, state.dump() + "\n"));  // a failure to write must not end the lesson
+}
+
+void StateFile::write_beside(const std::string& time) {
+  ++beside_;
+  if (path_.empty() || written_.empty()) return;
+  Json state = Json::parse(written_);
+  state["frames_beside"] = beside_;
+  state["preparing"]["time"] = time;
+  static_cast<void>(write_file(path_, state.dump() + "\n"));
 }
 
 }  // namespace snug::desktop

@@ -13,9 +13,13 @@ class StateFile {
  public:
   StateFile();
   void write(Shell& shell, const Extent& extent);
+  /// While a thread has the session, after a frame: what the window says of the time. All else stands as it was written
+  /// last.
+  void write_beside(const std::string& time);
 
  private:
   std::string path_, written_;
+  int beside_ = 0;  // frames that were drawn while a thread had the session
 };
 
 }  // namespace snug::desktop

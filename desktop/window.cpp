@@ -32,6 +32,7 @@
 #include "desktop/file_dialog.hpp"
 #include "desktop/glfw_host.hpp"
 #include "desktop/header.hpp"
+#include "desktop/keys_card.hpp"
 #include "desktop/menus.hpp"
 #include "desktop/picture.hpp"
 #include "desktop/picture_pdf.hpp"
@@ -43,6 +44,7 @@
 #include "desktop/state_file.hpp"
 #include "desktop/stored_panel.hpp"
 #include "desktop/strip.hpp"
+#include "desktop/versions.hpp"
 #include "desktop/working.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/stored.hpp"
@@ -255,8 +257,7 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   shell.measured_anew = refitted;
   shell.slider = -1, shell.tracks.clear();
   shell.focus.begin_frame(look->current);
-  if (is_working(shell)) draw_working(shell, parts.window, now);
-  else if (shell.course_shown) draw_course(shell, parts, now);
+  if (shell.course_shown) draw_course(shell, parts, now);
   else draw_stage_and_panels(shell, parts, now);
   draw_keys(shell, parts.window);
   if (!shell.course_shown) draw_vote(shell, parts.app.stage);
@@ -424,8 +425,7 @@ bool present_by_key(Shell& shell, const std::string& key) {
 }
 
 void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift, bool control) {
-  if (is_working(shell))
-    return key == "Escape" ? cancel_working(shell) : static_cast<void>(move_focus(shell, key, shift));
+  if (is_working(shell)) return key == "Escape" ? cancel_working(shell) : void();          // it has only just begun
   if (!shell.hall.taken.letters.empty()) return static_cast<void>(shell.hall.taken = {});  // any key puts the code away
   if (key == "Escape" && shell.hall.put_away()) return;
   if (shell.demo && !control && shell.demo->answer_key(shell, key)) return;
@@ -435,6 +435,10 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (control && key == "s" && !shell.course_shown && (shell.app().cover() == nullptr || !shell.app().cover()->shown()))
     return shell.save_stage(shift ? "svg" : "png");
   if (key == "F1" || key == "?") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
+  if (shell.keys_shown && (key == "ArrowDown" || key == "ArrowUp")) {
+    constexpr float kRows = 81;  // three
+    return shell.keys_scroll = key == "ArrowDown" ? kRows : -kRows, static_cast<void>(shell.measured_anew = true);
+  }
   if (key == "F11") return host.fill_screen(!host.fills_screen());
   if (key == "F2") return shell.switch_course();
   if (key == "F10" && !shell.presenting) return shell.focus.go_to(shell.first_menu);
@@ -556,8 +560,10 @@ void run(GlfwHost& host, Shell& shell) {
   bool due = true, presented = false, anew = false;
   std::unique_ptr<SecondWindow> notes;
   double next_look = 0;
-  std::array<int, 2> size = host.windowed_size();
+  std::array<int, 4> extent = host.windowed_extent();
   while (host.open()) {
+    if (is_working(shell)) work(host, shell, state), due = true;
+    if (!host.open()) break;
     const bool drawn = due;
     if (due) {
       shell.app().settings().prose_in_canvas = !shell.demo || shell.demo->shows("caption");
@@ -571,7 +577,6 @@ void run(GlfwHost& host, Shell& shell) {
       host.set_title(title = next);
     if (presented != shell.presenting) host.fill_screen(presented = shell.presenting);
     shell.app().measure(kSlice);
-    go_on_working(shell);
     const app::Cover* const cover = shell.app().cover();
     if (!shell.wish.empty()) grant(host, shell);
     else if (!shell.picture_wanted.empty()) save_picture(host, shell);
@@ -582,11 +587,11 @@ void run(GlfwHost& host, Shell& shell) {
              shell.app().wants_frame(host.now());
     };
     const bool measuring = cover != nullptr && cover->running();
-    // While a window is drawn larger it has many sizes: that which it ends with is kept.
-    const auto window_size = host.windowed_size();
-    const bool resized = std::exchange(size, window_size) != window_size;
-    if (!resized) shell.keep_view(size[0], size[1]);
-    const double rest = resized ? kSettled : shell.writing() || notes != nullptr ? kLook : -1;
+    // While a window is moved or drawn larger it has many places and sizes: those which it ends with are kept.
+    const auto now = host.windowed_extent();
+    const bool moved = std::exchange(extent, now) != now;
+    if (!moved) shell.keep_view(extent);
+    const double rest = moved ? kSettled : shell.writing() || notes != nullptr ? kLook : -1;
     shell.poll_loading();
     const bool asks = poll_dialog(shell);
     const bool input = host.wait(measuring || more()             ? 0
@@ -750,7 +755,7 @@ int run_window(const WindowOptions& options) {
   Kept kept = shown ? Kept(folder_of(options)) : Kept(Kept::Nothing{});
   GlfwHost::Size size{options.width, options.height, options.sized, chart ? app::picture_scale(width, height) : 1.0f};
   if (kept.view && !options.sized && kept.view->width >= kLeastWidth && kept.view->height >= kLeastHeight)
-    size.width = kept.view->width, size.height = kept.view->height;
+    size.width = kept.view->width, size.height = kept.view->height, size.place = {kept.view->x, kept.view->y};
   auto host = GlfwHost::make(size, shown);
   if (!host) return stop(host.error());
   const cost::Provenance here = native_provenance();
@@ -770,7 +775,7 @@ int run_window(const WindowOptions& options) {
   Shell shell(app, std::move(lessons->files), std::move(kept), std::move(lessons->drafts));
   if (auto exercises = read_exercises(options.folder))
     if (auto sets = read_sets_of(options.folder)) shell.take_exercises(*std::move(exercises), *std::move(sets));
-  shell.version = here.version;
+  shell.version = here.version, shell.parts = versions_of_parts();
   if (const int status = open_first(shell, options); status != 0) return status;
   if (!options.pictures.empty()) return take_pictures(**host, shell, options.pictures);
   if (!options.screenshot.empty()) {

@@ -1,17 +1,23 @@
-// What the window shows while an edit takes long: what is done, how far, and Cancel.
+// What the window shows while an edit takes long: what is done, how far, how long still, and Cancel. The session goes
+// on with it in a thread, so that the window answers meanwhile.
 #pragma once
 
+#include <string>
+
+#include "desktop/glfw_host.hpp"
 #include "desktop/shell.hpp"
+#include "desktop/state_file.hpp"
 
 namespace snug::desktop {
 
 /// Whether the session prepares an edit.
 [[nodiscard]] bool is_working(Shell& shell);
-/// Draws it over the whole window, in place of all else.
-void draw_working(Shell& shell, const app::Rect& window, double now);
-/// Goes on with it for a moment, after a frame was drawn. What it is refused for is the notice.
-void go_on_working(Shell& shell);
+/// Goes on until it is done, cancelled, or the window is closed. What it is refused for is the notice.
+void work(GlfwHost& host, Shell& shell, StateFile& state);
 /// What stands on the stage stays.
 void cancel_working(Shell& shell);
+
+/// "4 s so far, about 9 s left". share: of the time, 0 to 1; a small one foretells nothing.
+[[nodiscard]] std::string time_so_far(double seconds, double share);
 
 }  // namespace snug::desktop

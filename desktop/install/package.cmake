@@ -25,7 +25,7 @@ set(CPACK_COMPONENT_CLI_DESCRIPTION
   "The command fits bounding volumes to point files, tests and measures them,\nand has the lessons. Its window is in snug-window.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME snug-window)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "snug (= ${PROJECT_VERSION}), libgl1") # libepoxy opens it without naming it
-set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "libportal1, xdg-desktop-portal, xclip | wl-clipboard") # it runs without them
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "libdbus-1-3, xdg-desktop-portal, xclip | wl-clipboard") # it runs without them
 set(CPACK_COMPONENT_WINDOW_DESCRIPTION "Lessons in which points are dragged and each algorithm's steps are watched.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsnug-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -1,27 +1,65 @@
 # The menus, by mouse and by keys: points are saved, opened and copied, nothing is replaced without asking, what was
-# opened is remembered; Tab comes to every control of the window and back; the path is typed where no portal runs.
+# opened is remembered; Tab comes to every control of the window and back; the path is typed where no portal runs, and
+# chosen in the desktop's own dialog where one does.
 . tests/desktop/support.sh
 snug=$(realpath "$snug")
+if [[ ${1:-} == portal ]]; then # it calls itself on a bus of its own
+    folder=$work/a\ folder
+    mkdir "$folder"
+    printf '0 0\n4 0\n4 3\n' >"$folder/three.xyz"
+    asked() { tail -n 1 "$work/asked" 2>/dev/null | node -e 'a = JSON.parse(require("fs").readFileSync(0)); console.log(eval(process.argv[1]))' "$1"; }
+    until_asked() { # what is true of the dialog that was asked for last
+        local i
+        for i in $(seq 100); do [[ $(asked "$1" 2>/dev/null) == true ]] && return || sleep 0.1; done
+        fail "never asked: $1, but $(cat "$work/asked")"
+    }
+    answer() { echo "$1" >"$work/new" && mv "$work/new" "$work/answer"; }
+
+    cd "$folder"
+    open_window --lesson sphere-ritter # nobody answers on this bus: a path is typed
+    xdotool key ctrl+o
+    until_state 's.asks_path && !s.dialog'
+    close_window
+
+    /usr/bin/python3 "$OLDPWD/tests/desktop/fake_portal.py" "$work" &
+    until_asked 'a.method === "ready"'
+    open_window --lesson sphere-ritter
+    xdotool key ctrl+o
+    until_asked 'a.method === "OpenFile" && a.title === "Open points"'
+    until_state 's.dialog && !s.asks_path'
+    [[ $(asked 'a.filters[0].join(" ")') == "*.ply *.PLY *.stl *.STL"* && $(asked 'a.filters[1][0]') == "*" ]] || fail "shown: $(asked a.filters)"
+    step=$(state s.step)
+    xdotool key Left # the window answers meanwhile
+    until_state "s.step !== $step"
+    xdotool key ctrl+o # another one takes its place
+    until_asked 'a.method === "OpenFile"'
+    grep -q '"Close"' "$work/asked" || fail "the first dialog was left open"
+    answer "$folder/three.xyz"
+    until_state '!s.dialog && !s.asks_path && s.points === 3'
+    xdotool key ctrl+o
+    until_state 's.dialog'
+    answer cancel
+    until_state '!s.dialog && !s.asks_path && s.points === 3 && s.notice === ""'
+    choose File "Save points …"
+    until_asked 'a.method === "SaveFile" && a.name === "points.xyz" && a.folder.endsWith("a folder\0")'
+    answer "$folder/saved é.csv" # of the two formats the name says which; the dialog itself asks before it replaces
+    until_state 's.notice.startsWith("Saved as")'
+    [[ $(<"saved é.csv") == $'0,0\n4,0\n4,3' ]] || fail "saved: $(cat ./*.csv)"
+    xdotool key Escape sleep 0.3 key ctrl+o
+    until_state 's.dialog'
+    answer fail # a portal that cannot show it
+    until_state '!s.dialog && s.asks_path'
+    exit
+fi
+cat >"$work/bus.conf" <<END # where nothing starts by itself
+<busconfig><type>session</type><listen>unix:tmpdir=/tmp</listen><policy context="default"><allow send_destination="*"/>
+<allow receive_sender="*"/><allow own="*"/></policy></busconfig>
+END
+SNUG=$snug dbus-run-session --config-file="$work/bus.conf" -- bash "${BASH_SOURCE[0]}" portal
 unset DBUS_SESSION_BUS_ADDRESS
 export XDG_RUNTIME_DIR=$work/no-bus
 mkdir "$work/own" && cd "$work/own"
 printf '0 0\n4 0\n4 3\n' >three.xyz
-
-choose() { # menu item
-    tab_to "$1 menu"
-    xdotool key Return
-    sleep 0.5
-    tab_to "$2" Down
-    xdotool key Return
-    sleep 0.3
-}
-type_path() { # path
-    until_state 's.asks_path'
-    sleep 0.5
-    xdotool key ctrl+a
-    xdotool type --delay 40 "$1"
-    xdotool key Return
-}
 
 open_window --lesson sphere-ritter
 xdotool key F10
@@ -67,6 +105,17 @@ until_state 's.notice === "Copied: 3 points."'
 printf '1,5\t2\n' | xclip -selection clipboard -loops 0 >/dev/null 2>&1
 xdotool key Escape sleep 0.3 key ctrl+v
 until_state '/decimal/.test(s.notice) && s.points === 3'
+xdotool key Escape
+choose Edit "Copy picture"
+until_state 's.notice === "The picture is on the clipboard."'
+[[ $(xclip -selection clipboard -t image/png -o | identify -format %m -) == PNG ]] || fail "no picture is on the clipboard"
+xdotool key Escape key F1
+# The card of keys has those of the menus, of the commands and of the window.
+until_state '["Ctrl O", "Ctrl C", "Ctrl V", "Ctrl Q", "F1", "F2", "F5", "F10", "F11", "Space", "Tab  Shift Tab"].every((key) => s.keys.includes(key))'
+xdotool key Escape
+until_state 's.keys.length === 0'
+choose Help "About Snug"
+until_state '/^Dear ImGui \d.*GLFW 3\..*OpenGL \d.* by ./.test(s.about)'
 xdotool key Escape sleep 0.3 key ctrl+q
 for i in $(seq 100); do kill -0 "$pid" 2>/dev/null || break; sleep 0.1; done
 ! kill -0 "$pid" 2>/dev/null || fail "Ctrl Q does not quit"
@@ -76,4 +125,15 @@ rm -f "$SNUG_STATE"
 open_window --lesson sphere-welzl # what was opened is in the menu
 choose File three.xyz
 until_state 's.points === 3'
+
+printf '1 1\n2 5\n' >"two points.xyz" # files are dropped: one is taken, and the other is told
+/usr/bin/python3 "$OLDPWD/tests/desktop/drop.py" "$window" "two points.xyz" three.xyz
+until_state 's.points === 2 && s.notice === "two points.xyz is open. One file is taken at a time; not opened: three.xyz."'
+xdotool key Escape
+"$snug" lesson new mine --lessons . >/dev/null # a lesson's file opens in a window of its own
+choose File "Open lesson …"
+type_path mine.toml
+until_state 's.lesson === "mine"'
+own=$(pgrep -P "$pid")
+kill "$own"
 close_window

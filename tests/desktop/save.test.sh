@@ -21,6 +21,11 @@ for name in snug-costs.csv snug-costs-2.csv snug-costs-3.csv; do
 done
 cp snug-costs.csv "$work/first.csv"
 cmp "$work/first.csv" snug-costs-2.csv || fail "the same result saved twice differs"
+xdotool key Escape
+choose File "Export table …"
+type_path table.json
+until_state "s.notice === 'Saved as table.json.'"
+node -e 'if (JSON.parse(require("fs").readFileSync("table.json")).rows.length !== 6) throw Error("rows")' || fail "the table is not whole"
 rm -r "$work/own"
 xdotool key ctrl+s
 until_state '/^Not saved: the folder that Snug was started in is no longer there/.test(s.notice)'

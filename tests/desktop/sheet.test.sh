@@ -36,6 +36,9 @@ until_state 's.notice.startsWith("Saved as") && s.notice.includes("2 of 4 parts 
 grep -q 'Ada  *break-float  *1  *1  *ok$' graded || fail "it is graded: $(cat graded)"
 grep -q 'Example of 2 points' graded || fail "the example is not judged: $(cat graded)"
 grep -q 'The square root\.' graded || fail "the answer is not printed: $(cat graded)"
+xdotool key Escape
+choose File "Hand in" # from the menu, and nothing is overwritten
+until_state 's.notice.startsWith("Saved as") && s.notice.includes("break-float-2.json")'
 close_window
 
 opened='s.lesson === "break-even"' open_window --lesson break-even # a measurement

@@ -24,10 +24,12 @@ rm -f "$SNUG_STATE"
 
 xvfb-run -a -s "-screen 0 1366x768x24" bash "${BASH_SOURCE[0]}" small
 
-# The size, the theme and the text size of the last window are those of the next one.
+# The size, the place, the theme and the text size of the last window are those of the next one.
 geometry() { xdotool getwindowgeometry "$window" | grep -oP 'Geometry: \K\S+'; }
+place() { xdotool getwindowgeometry "$window" | grep -oP 'Position: \K\S+'; }
 open_window --lesson sphere-ritter
 xdotool windowsize --sync "$window" 1100 720
+xdotool windowmove --sync "$window" 120 80
 tab_to "Text size: 100 %"
 xdotool key Return
 tab_to "Theme: Light"
@@ -37,11 +39,17 @@ sleep 1
 close_window
 open_window --lesson sphere-ritter
 [[ $(geometry) == 1100x720 ]] || fail "the window opens at $(geometry)"
+[[ $(place) == 120,80 ]] || fail "the window opens at $(place)"
 until_state 's.theme === "Dark" && s.text_scale > 1'
 close_window
 SNUG_THEME=contrast open_window --size 1280x800 --lesson sphere-ritter # what is asked for comes first
 until_state 's.theme === "High contrast"'
 [[ $(geometry) == 1280x800 ]] || fail "a size that was asked for gives way to the last one: $(geometry)"
+close_window
+sed -i 's/"x": 120/"x": 9000/' "$work/snug/course.json" # a screen that is gone
+open_window --lesson sphere-ritter
+x=$(place)
+((${x%,*} < 2560)) || fail "the window opens where no screen is: $(place)"
 close_window
 
 # In the lowest window, at the largest text, the choice of the algorithm above the pseudocode is still there.

@@ -53,3 +53,20 @@ tab_to() { # name [key]
 }
 
 handle() { state "const h = s.handles.find(h => h.id === '$1'); Math.round(h.x) + ' ' + Math.round(h.y)"; } # P3 -> x y
+
+# An item of a menu, and a path where one is asked for.
+choose() { # menu item
+    tab_to "$1 menu"
+    xdotool key Return
+    sleep 0.5
+    tab_to "$2" Down
+    xdotool key Return
+    sleep 0.3
+}
+type_path() { # path
+    until_state 's.asks_path'
+    sleep 0.5
+    xdotool key ctrl+a
+    xdotool type --delay 40 "$1"
+    xdotool key Return
+}
