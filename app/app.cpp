@@ -14,6 +14,7 @@
 #include "app/timeline.hpp"
 #include "app/widgets.hpp"
 #include "lesson/demo.hpp"
+#include "lesson/demo_reveal.hpp"
 #include "lesson/invitations.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
@@ -35,9 +36,9 @@ bool has_input(const ImGuiIO& io) {
 }
 
 bool same(const Settings& a, const Settings& b) {
-  return a.theme == b.theme && a.text_scale == b.text_scale && a.reduced_motion == b.reduced_motion &&
-         a.prose_in_canvas == b.prose_in_canvas && a.tools == b.tools && a.show_optimum == b.show_optimum &&
-         a.labels == b.labels && a.ground == b.ground;
+  return a.theme == b.theme && a.text_scale == b.text_scale && a.least_words == b.least_words &&
+         a.reduced_motion == b.reduced_motion && a.prose_in_canvas == b.prose_in_canvas && a.tools == b.tools &&
+         a.show_optimum == b.show_optimum && a.labels == b.labels && a.ground == b.ground;
 }
 
 }  // namespace
@@ -135,7 +136,7 @@ void App::State::load_fonts() {
 
 void App::State::refresh_look(bool fingers) {
   look.palette = &palette_of(settings.theme);
-  look.text_scale = settings.text_scale * look.palette->text;
+  look.text_scale = settings.text_scale * look.palette->text, look.least = settings.least_words;
   look.fingers = fingers;
   look.still = settings.reduced_motion;
   apply_style(look);
@@ -465,6 +466,7 @@ bool App::command(std::string_view name) {
   if (s.view->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   if (name == "pass_questions") return lesson::pass_questions(*s.session), s.playing = false, true;
+  if (name == "reveal_answer") return lesson::reveal_answer(*s.session), s.playing = false, true;
   const int step = s.session->step();
   const auto turn = [&](std::string_view part) {
     for (const lesson::Switch& one : s.session->switches())

@@ -35,7 +35,8 @@ enum class Theme { kLight, kDark, kHighContrast, kProjector };
 
 struct Settings {
   Theme theme = Theme::kLight;
-  float text_scale = 1;  // 1 is 15 px prose
+  float text_scale = 1;   // 1 is 15 px prose
+  float least_words = 0;  // no words are lower, page pixels: the last row of a hall reads them
   bool reduced_motion = false;
   bool prose_in_canvas = false;  // the step's sentence on the stage; the page has it as HTML above the canvas instead
   bool tools = true;             // whether the stage has its buttons; a picture of it has none

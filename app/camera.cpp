@@ -169,13 +169,15 @@ void Camera::orbit_eased(double yaw, double pitch) {
 
 std::vector<double> Camera::hand_view() const {
   if (framed_) return {};
-  const auto rounded = [](double value, double to) { return std::round(value / to) * to; };
-  const double fine = std::pow(10.0, std::floor(std::log10(goal_.height)) - 3);
+  const double digits = 3 - std::floor(std::log10(goal_.height)), fine = std::pow(10.0, std::abs(digits));
+  const auto rounded = [&](double value) {  // to a short decimal
+    return digits > 0 ? std::round(value * fine) / fine : std::round(value / fine) * fine;
+  };
   std::vector<double> view;
   if (dim_ == 3)
     for (const double angle : {goal_.yaw, goal_.pitch}) view.push_back(std::round(10 * angle / kDegree) / 10);
-  view.push_back(rounded(goal_.height, fine));
-  for (int i = 0; i < dim_; ++i) view.push_back(rounded(goal_.target[i], fine));
+  view.push_back(rounded(goal_.height));
+  for (int i = 0; i < dim_; ++i) view.push_back(rounded(goal_.target[i]));
   return view;
 }
 

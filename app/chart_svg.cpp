@@ -167,26 +167,27 @@ std::string element_text(const Element& element, Inks& inks) {
   return element.inside.empty() ? begin + "/>\n" : begin + '>' + element.inside + "</" + element.tag + ">\n";
 }
 
-void draw_whole(SvgPen& pen, const Look& look, float width, float height, const Chart& chart) {
+void draw_whole(SvgPen& pen, const Look& look, float width, float height, const Chart& chart, bool ground) {
   const Rect whole{0, 0, width, height};
-  pen.box(whole, look->ground, kNoColor);
+  if (ground) pen.box(whole, look->ground, kNoColor);
   draw_chart(pen, look, whole, chart);
 }
 
 }  // namespace
 
-std::string chart_svg(const Look& look, float width, float height, const Chart& chart) {
+std::string chart_svg(const Look& look, float width, float height, const Chart& chart, std::string_view address,
+                      bool ground) {
   SvgPen pen;
   const bool either = look.palette == &kLight || look.palette == &kDark;
   Look own = look;
   own.drawn = nullptr;
   if (either) own.palette = &kLight;
   const float scale = picture_scale(width, height);
-  draw_whole(pen, own, width / scale, height / scale, chart);
+  draw_whole(pen, own, width / scale, height / scale, chart, ground);
   if (either) {
     own.palette = &kDark;
     pen.begin_dark();
-    draw_whole(pen, own, width / scale, height / scale, chart);
+    draw_whole(pen, own, width / scale, height / scale, chart, ground);
   }
   Inks inks;
   std::string body;
@@ -198,8 +199,9 @@ std::string chart_svg(const Look& look, float width, float height, const Chart& 
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px_text(width) + "\" height=\"" + px_text(height) +
          "\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-labelledby=\"title note\">\n<title id=\"title\">" +
          escaped(chart.title) + "</title>\n<desc id=\"note\">" +
-         escaped(chart.y.title + ", by " + chart.x.title + ". " + chart.note) + "</desc>\n<style>" + style +
-         "</style>\n" + body + "</svg>\n";
+         escaped(chart.y.title + ", by " + chart.x.title + ". " + chart.note) + "</desc>\n" +
+         (address.empty() ? "" : "<metadata>" + escaped(address) + "</metadata>\n") + "<style>" + style + "</style>\n" +
+         body + "</svg>\n";
 }
 
 }  // namespace snug::app

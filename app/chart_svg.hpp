@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "app/chart.hpp"
 
@@ -11,7 +12,8 @@ namespace snug::app {
 /// look: of the fonts, sizes and palette. A light or dark palette makes a picture that is readable on either ground: it
 /// has the colours of both, and whatever shows it selects. Each word's width is stated, so that another font in the
 /// place of Inter leaves the layout as it is. width, height: of the picture, pixels; words and marks grow and
-/// shrink with them (picture_scale).
-[[nodiscard]] std::string chart_svg(const Look& look, float width, float height, const Chart& chart);
+/// shrink with them (picture_scale). address: of what shows the chart; empty for none. ground: whether it has one.
+[[nodiscard]] std::string chart_svg(const Look& look, float width, float height, const Chart& chart,
+                                    std::string_view address = {}, bool ground = true);
 
 }  // namespace snug::app

@@ -12,16 +12,17 @@ std::vector<std::string_view> formats_of(const Cover& cover) {
   return formats;
 }
 
-std::string cover_svg(App& app) {
+std::string cover_svg(App& app, std::string_view address) {
   const Cover* const cover = app.cover();
   if (cover == nullptr || cover->picture() == nullptr || cover->file(cover->formats().front()).empty()) return {};
-  return chart_svg(app.look(), kPictureWidth, kPictureHeight, *cover->picture());
+  return chart_svg(app.look(), kPictureWidth, kPictureHeight, *cover->picture(), address, app.settings().ground);
 }
 
 void draw_cover_picture(App& app, const Rect& rect) {
   if (app.cover() == nullptr || app.cover()->picture() == nullptr) return;
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
-  list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, app.look()->ground);
+  if (app.settings().ground)
+    list->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, app.look()->ground);
   ScreenPen pen(list);
   draw_chart(pen, app.look(), rect, *app.cover()->picture());
 }

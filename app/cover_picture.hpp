@@ -16,8 +16,8 @@ inline constexpr float kPictureWidth = 1280, kPictureHeight = 800;
 [[nodiscard]] std::vector<std::string_view> formats_of(const Cover& cover);
 
 /// The chart that the app's cover shows. Empty if nothing has been measured, as its table's files are then, or if it is
-/// no chart.
-[[nodiscard]] std::string cover_svg(App& app);
+/// no chart. address: of what shows it.
+[[nodiscard]] std::string cover_svg(App& app, std::string_view address);
 /// Draws it over a rectangle of the current ImGui frame.
 void draw_cover_picture(App& app, const Rect& rect);
 

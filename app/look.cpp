@@ -45,10 +45,11 @@ std::size_t raised_after(std::string_view words, std::size_t at) {
   return has_base && is_capital && (at + 2 == words.size() || !is_of_name(words[at + 2])) ? 1 : 0;
 }
 
-float advance(ImFont* font, float size, std::string_view words) {
+/// script: how large sub- and superscripts are, a part of the size.
+float advance(ImFont* font, float size, float script, std::string_view words) {
   float width = 0;
   for (const Letters& letters : with_scripts(words))
-    width += font->CalcTextSizeA(letters.script == Script::kNone ? size : size * kScriptSize, FLT_MAX, 0,
+    width += font->CalcTextSizeA(letters.script == Script::kNone ? size : size * script, FLT_MAX, 0,
                                  letters.text.data(), letters.text.data() + letters.text.size())
                  .x;
   return width;
@@ -78,28 +79,30 @@ std::vector<Letters> with_scripts(std::string_view words) {
   return pieces;
 }
 
+float Look::script(float size) const { return std::clamp(least / drawn_px(size), kScriptSize, 1.0f); }
+
 float font_size(const Look& look, Face face, float size) {
-  return look.px(size) * (face == Face::kMono || face == Face::kMonoBold ? kJetBrainsMonoBox : kInterBox);
+  return look.drawn_px(size) * (face == Face::kMono || face == Face::kMonoBold ? kJetBrainsMonoBox : kInterBox);
 }
 
 ImVec2 measure(const Look& look, Face face, float size, std::string_view words) {
-  if (words.empty()) return {0, look.px(size)};  // ImGui would look for the end of a null text
-  return {advance(look.font(face), font_size(look, face, size), words), look.px(size)};
+  if (words.empty()) return {0, look.drawn_px(size)};  // ImGui would look for the end of a null text
+  return {advance(look.font(face), font_size(look, face, size), look.script(size), words), look.drawn_px(size)};
 }
 
 void text(ImDrawList* list, const Look& look, Face face, float size, ImVec2 at, Color color, std::string_view words) {
   if (words.empty()) return;
-  const float box = font_size(look, face, size);
+  const float box = font_size(look, face, size), em = look.drawn_px(size), script = look.script(size);
   note_text(list, look, face, size, at, color, 0, words);
   if (look.words_apart) return;
-  const float same_baseline = kBaseline * (1 - kScriptSize);
+  const float same_baseline = kBaseline * (1 - script);
   const std::array down{0.0f, same_baseline + kLowered, same_baseline - kRaised};
   for (const Letters& letters : with_scripts(words)) {
-    const float scale = letters.script == Script::kNone ? 1 : kScriptSize;
-    const float below = look.px(size) * down[static_cast<std::size_t>(letters.script)];
-    list->AddText(look.font(face), box * scale, {at.x, at.y - (box - look.px(size)) * scale / 2 + below}, color,
+    const float scale = letters.script == Script::kNone ? 1 : script;
+    const float below = em * down[static_cast<std::size_t>(letters.script)];
+    list->AddText(look.font(face), box * scale, {at.x, at.y - (box - em) * scale / 2 + below}, color,
                   letters.text.data(), letters.text.data() + letters.text.size());
-    at.x += advance(look.font(face), box * scale, letters.text);
+    at.x += advance(look.font(face), box * scale, script, letters.text);
   }
 }
 
@@ -107,14 +110,14 @@ void note_text(ImDrawList* list, const Look& look, Face face, float size, ImVec2
                std::string_view words) {
   if (look.drawn == nullptr || words.empty()) return;
   look.drawn->push_back({std::string(words),
-                         {at.x, at.y + look.px(size) * kAboveCapitals},
-                         {at.x + measure(look, face, size, words).x, at.y + look.px(size)},
+                         {at.x, at.y + look.drawn_px(size) * kAboveCapitals},
+                         {at.x + measure(look, face, size, words).x, at.y + look.drawn_px(size)},
                          list->GetClipRectMin(),
                          list->GetClipRectMax(),
                          list,
                          list->IdxBuffer.Size,
                          face,
-                         look.px(size),
+                         look.drawn_px(size),
                          at,
                          color,
                          halo});
@@ -152,7 +155,9 @@ std::vector<std::string_view> lines_of(const Look& look, Face face, float size, 
     while (end < words.size() && words[end] != '\n') {
       std::size_t next = end + 1;
       while (next < words.size() && continues(words[next])) ++next;
-      if (advance(font, px, words.substr(begin, next - begin)) > width && end > begin && words[end] != ' ') break;
+      if (advance(font, px, look.script(size), words.substr(begin, next - begin)) > width && end > begin &&
+          words[end] != ' ')
+        break;
       if (words[end] == ' ') space = end;
       end = next;
     }

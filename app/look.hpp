@@ -32,6 +32,7 @@ struct Look {
   const Palette* palette = &kLight;
   std::array<ImFont*, 4> fonts{};
   float text_scale = 1;
+  float least = 0;  // as in Settings
   bool fingers = false;
   bool still = false;     // reduced motion
   float tools = 0;        // as in Layout
@@ -41,13 +42,17 @@ struct Look {
   bool words_apart = false;                  // whether they are not drawn then
 
   [[nodiscard]] ImFont* font(Face face) const { return fonts[static_cast<std::size_t>(face)]; }
-  /// A size of words in page pixels, from its size at scale 1.
+  /// A size of words in page pixels, from its size at scale 1; and the size at which they are drawn.
   [[nodiscard]] float px(float size) const { return size * text_scale; }
+  [[nodiscard]] float drawn_px(float size) const { return px(size) < least ? least : px(size); }
+  /// How large a subscript is drawn beside words of this size.
+  [[nodiscard]] float script(float size) const;
   const Palette* operator->() const { return palette; }
 };
 
 // Parts of the em. A line's baseline is kBaseline below the top of its box, in both typefaces; a subscript or a
-// superscript is kScriptSize as large, and its baseline is kLowered lower or kRaised higher.
+// superscript is kScriptSize as large, if that is not too low to be read, and its baseline is kLowered lower or kRaised
+// higher.
 inline constexpr float kBaseline = 0.864f, kScriptSize = 0.75f, kLowered = 0.14f, kRaised = 0.33f;
 
 enum class Script : std::uint8_t { kNone, kLowered, kRaised };

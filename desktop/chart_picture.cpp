@@ -33,13 +33,13 @@ class Measuring {
 }  // namespace
 
 std::string svg_of(const app::Chart& chart, float width, float height, app::Theme theme,
-                   std::string (*font)(std::string_view name)) {
+                   std::string (*font)(std::string_view name), bool ground) {
   const Measuring measuring(width, height);
   app::App app({.font = font});
   app.settings().theme = theme;
   ImGui::NewFrame();
   app.frame({}, 0);  // sets the fonts and palette
-  std::string svg = app::chart_svg(app.look(), width, height, chart);
+  std::string svg = app::chart_svg(app.look(), width, height, chart, {}, ground);
   ImGui::EndFrame();
   return svg;
 }

@@ -76,7 +76,8 @@ void draw_vote(Shell& shell, const app::Rect& stage) {
   }
 }
 
-void draw_notes(ImDrawList* list, const app::Look& look, const app::Rect& rect, const DemoPlay& demo) {
+void draw_notes(ImDrawList* list, const app::Look& look, const app::Rect& rect, const DemoPlay& demo,
+                const Hall& hall) {
   constexpr float kMargin = 32;
   const float width = rect.width - 2 * kMargin, x = rect.x + kMargin;
   float y = rect.y + kMargin;
@@ -96,8 +97,8 @@ void draw_notes(ImDrawList* list, const app::Look& look, const app::Rect& rect, 
   say(Face::kRegular, 20, 30, look->ink, state.notes);
   if (demo.vote() != nullptr) say(Face::kSemiBold, 18, 26, look->current_text, demo.vote()->told_text());
   say(Face::kRegular, 16, 24, look->ink, demo.next_text());
-  if (demo.black || demo.frozen)
-    say(Face::kSemiBold, 16, 24, look->wrong_text, demo.black ? "The screen is black." : "The picture stands.");
+  if (hall.black || hall.frozen)
+    say(Face::kSemiBold, 16, 24, look->wrong_text, hall.black ? "The screen is black." : "The picture stands.");
 }
 
 }  // namespace snug::desktop

@@ -9,6 +9,6 @@ namespace snug::desktop {
 /// its shares, and for each place a dot of that size.
 void draw_vote(Shell& shell, const app::Rect& stage);
 /// The notes: what is said now, what the next press does, the vote's numbers, the time of day and since when it runs.
-void draw_notes(ImDrawList* list, const app::Look& look, const app::Rect& rect, const DemoPlay& demo);
+void draw_notes(ImDrawList* list, const app::Look& look, const app::Rect& rect, const DemoPlay& demo, const Hall& hall);
 
 }  // namespace snug::desktop

@@ -7,6 +7,14 @@
 #include "lesson/names.hpp"
 
 namespace snug::desktop {
+namespace {
+
+constexpr int kHeld = 4;  // repetitions, a moment after the first: nobody presses a clicker that long by mistake
+
+bool leads_on(std::string_view key) { return key == "PageDown" || key == "ArrowRight"; }
+bool leads_back(std::string_view key) { return key == "PageUp" || key == "ArrowLeft"; }
+
+}  // namespace
 
 bool DemoPlay::shows(std::string_view part) const {
   return lesson::is_among(states()[at_].shows, part) || lesson::is_among(revealed(), part);
@@ -38,8 +46,8 @@ void DemoPlay::reveal(Shell& shell, const std::string& what, bool played) {
   if (what == lesson::kRevealSteps && played && !shell.app().playing()) shell.app().command("play");
   if (what == lesson::kRevealSteps && !played) session.jump(session.steps());
   if (what != lesson::kRevealAnswer || session.asked() == nullptr) return;
-  shell.app().command("skip_question");
-  if (!played && session.deciding() != nullptr) session.decide();
+  shell.app().command("reveal_answer");
+  if (played) shell.app().command("watch_outcome");
 }
 
 void DemoPlay::next(Shell& shell) {
@@ -87,28 +95,35 @@ bool DemoPlay::vote_by_key(Shell& shell, const std::string& key) {
 
 std::string DemoPlay::next_text() const {
   const lesson::DemoState& state = states()[at_];
-  if (revealed_ == state.reveal.size())
-    return at_ + 1 < states().size() ? "Next: " + states()[at_ + 1].slide : "This is the last state.";
+  const bool last = at_ + 1 == states().size(), all = revealed_ == state.reveal.size();
   std::string text;
   for (std::size_t i = revealed_; i < state.reveal.size(); ++i)
     text += (text.empty() ? "Next: " : ", then ") + std::string(lesson::revealed_text(state.reveal[i]));
-  return text;
+  if (last) return text + (all ? "" : ". ") + "This is the last state.";
+  return text + (all ? "Next: " : ". After that: ") + states()[at_ + 1].slide;
 }
 
 bool DemoPlay::answer_key(Shell& shell, const std::string& key) {
+  bool& black = shell.hall.black;
   if (!black && vote_by_key(shell, key)) return shell.measured_anew = true;
-  const auto is = [&](auto... names) { return ((key == names) || ...); };
-  if (is("b", "B", ".")) return black = !black, shell.measured_anew = true;
-  if (is("s", "S")) return notes_wanted = !notes_wanted, shell.measured_anew = true;
-  if (is("f", "F")) return frozen = !frozen, shell.measured_anew = true;
-  const bool leads = is("PageDown", "ArrowRight", "PageUp", "ArrowLeft", "Home", "h", "H", "Escape");
-  if (!leads) return false;
+  if (shell.hall.curtain_key(key)) return shell.measured_anew = true;
+  if (key == "s" || key == "S") return notes_wanted = !notes_wanted, shell.measured_anew = true;
+  const bool again = key == "Home" || key == "h" || key == "H";
+  if (!leads_on(key) && !leads_back(key) && !again && key != "Escape") return false;
+  repeated_ = 0;
   // The first key brings the picture back, and does nothing else.
-  if (black) return black = false, shell.measured_anew = true;
-  if (is("PageDown", "ArrowRight")) next(shell);
-  else if (is("PageUp", "ArrowLeft")) back(shell);
-  else if (key != "Escape") show(shell, at_, revealed_);
+  if (black) return repeated_ = kHeld, black = false, shell.measured_anew = true;
+  before_ = {at_, revealed_};
+  if (leads_on(key)) next(shell);
+  else if (leads_back(key)) back(shell);
+  else if (again) show(shell, at_, revealed_);
   return key != "Escape";
+}
+
+bool DemoPlay::hold_key(Shell& shell, const std::string& key) {
+  if (!leads_on(key) && !leads_back(key)) return false;
+  if (++repeated_ == kHeld) show(shell, before_.first, before_.second);
+  return true;
 }
 
 }  // namespace snug::desktop

@@ -32,6 +32,9 @@ class DemoPlay {
   void show(Shell& shell, std::size_t state, std::size_t revealed = 0);
   /// Runs a key of the demo. Returns whether it was one.
   bool answer_key(Shell& shell, const std::string& key);
+  /// A key is held, and was told as often as keyboards repeat it. One that leads then shows what stood there before it
+  /// was pressed, as the file has it. Returns whether it was one.
+  bool hold_key(Shell& shell, const std::string& key);
 
   /// The class's vote in this state, if there was one; and whether what it gave may be seen.
   [[nodiscard]] const lesson::Vote* vote() const;
@@ -44,8 +47,6 @@ class DemoPlay {
   bool notes_wanted = false;  // whether the second window shows the notes
   double notes_second = -1;   // the clock's second that they show
   std::time_t began = std::time(nullptr);
-  bool black = false;   // whether the screen is
-  bool frozen = false;  // whether the picture stands, whatever is done meanwhile
 
  private:
   /// What is revealed so far.
@@ -59,7 +60,9 @@ class DemoPlay {
 
   std::shared_ptr<const DemoFile> file_;
   std::size_t at_ = 0, revealed_ = 0;
-  std::map<std::size_t, lesson::Vote> votes_;  // by the states
+  std::pair<std::size_t, std::size_t> before_;  // the same before the last key that led
+  int repeated_ = 0;                            // how often that was told again since it was pressed
+  std::map<std::size_t, lesson::Vote> votes_;   // by the states
 };
 
 }  // namespace snug::desktop

@@ -1,6 +1,7 @@
 #include "desktop/file_dialog.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "app/cover.hpp"
 #include "desktop/card_parts.hpp"
 #include "desktop/cli/files.hpp"
+#include "desktop/cli/steps.hpp"
 #include "desktop/column.hpp"
 #include "desktop/portal.hpp"
 #include "desktop/shell.hpp"
@@ -18,6 +20,23 @@ namespace {
 
 using app::Face;
 using What = FileCard::What;
+
+/// A text to type, called by that name. Returns whether Enter was pressed in it.
+bool draw_field(Column& column, const char* id, const char* name, std::string& text) {
+  const app::Look& look = column.look();
+  ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
+  ImGui::SetCursorScreenPos({column.x(), column.y()});
+  ImGui::SetNextItemWidth(column.width());
+  ImGui::PushStyleColor(ImGuiCol_Border, look->muted);
+  const bool entered =
+      ImGui::InputText(id, text.data(), text.capacity() + 1,
+                       ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue, &grow, &text);
+  column.gap(ImGui::GetItemRectSize().y + 12);
+  app::offer_field(name);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  return entered;
+}
 
 bool saves(What what) { return what != What::kOpenPoints && what != What::kOpenLesson; }
 
@@ -38,7 +57,7 @@ const char* says_of(What what) {
     case What::kOpenPoints: return "PLY, STL, OBJ, OFF, or rows of two or three numbers (XYZ, CSV, TXT).";
     case What::kOpenLesson: return "A TOML file, which opens in a window of its own.";
     case What::kSavePoints: return "Rows of numbers: the name ends in .xyz or .csv.";
-    case What::kSavePicture: return "What the stage shows, as PNG.";
+    case What::kSavePicture: return "Pixels, shapes with words as text, or steps as an animation.";
     case What::kExportTable: return "The name ends in .csv or .json.";
     case What::kNone: break;
   }
@@ -50,7 +69,7 @@ std::vector<std::string> endings_of(What what) {
     case What::kOpenPoints: return {"ply", "stl", "obj", "off", "xyz", "csv", "txt"};
     case What::kOpenLesson: return {"toml"};
     case What::kSavePoints: return {"xyz", "csv"};
-    case What::kSavePicture: return {"png"};
+    case What::kSavePicture: return {"png", "svg", "gif"};
     case What::kExportTable: return {"csv", "json"};
     case What::kNone: break;
   }
@@ -65,17 +84,70 @@ std::string proposed(Shell& shell, What what) {
   return shell.new_file(shell.session().lesson().id, ending);
 }
 
+bool shows_chart(Shell& shell) {
+  const app::Cover* const cover = shell.app().cover();
+  return cover != nullptr && cover->shown();
+}
+
+/// Has the picture drawn. Returns what is wrong, or an empty text.
+std::string take_picture(Shell& shell, const std::string& path) {
+  constexpr int kMost = 200;
+  PictureHow how = shell.file_card.how;
+  if (ending_of(path) == "gif") {
+    how.steps = steps_of(shell.file_card.steps);
+    const int steps = shell.session().steps();
+    if (shows_chart(shell)) return "A chart has no steps: the name must end in .png or .svg.";
+    if (!how.steps || (*how.steps)[1] > steps || (*how.steps)[1] - (*how.steps)[0] >= kMost)
+      return "Steps are a range such as 0-12, up to " + std::to_string(steps) + ", and at most " +
+             std::to_string(kMost) + '.';
+  }
+  shell.picture_wanted = path, shell.picture_how = how;
+  return {};
+}
+
+/// How a picture is drawn: its format, which is its name's ending, and what else can be chosen. Returns whether Enter
+/// was pressed in a field.
+bool draw_how(Shell& shell, Column& column) {
+  FileCard& card = shell.file_card;
+  PictureHow& how = card.how;
+  const std::string ending = ending_of(card.path);
+  const auto endings = endings_of(card.what);
+  const bool chart = shows_chart(shell), gif = ending == "gif";
+  const auto at = std::find(endings.begin(), endings.end(), ending);
+  const int format = column.buttons("format", {"PNG", "SVG", "GIF"}, static_cast<int>(at - endings.begin()),
+                                    {true, true, !chart && shell.session().steps() > 0});
+  if (format >= 0) {
+    card.path = std::filesystem::path(card.path).replace_extension(endings[static_cast<std::size_t>(format)]).string();
+    card.replaces = false, card.wrong.clear();
+  }
+  constexpr std::array kScales{1, 2, 4};
+  const auto scale = std::find(kScales.begin(), kScales.end(), how.scale) - kScales.begin();
+  if (ending == "png")
+    if (const int one = column.buttons("scale", {"1x", "2x", "4x"}, static_cast<int>(scale)); one >= 0)
+      how.scale = kScales[static_cast<std::size_t>(one)];
+  const bool dark = how.theme ? *how.theme == app::Theme::kDark : shell.app().settings().theme == app::Theme::kDark;
+  if (const int one = column.buttons("theme", {"Light", "Dark"}, dark ? 1 : 0); one >= 0)
+    how.theme = one == 1 ? app::Theme::kDark : app::Theme::kLight;
+  if (!chart)
+    if (const int one = column.buttons("labels", {"With names", "Without names"}, how.labels ? 0 : 1); one >= 0)
+      how.labels = one == 0;
+  if (!gif)
+    if (const int one = column.buttons("ground", {"With a ground", "Transparent"}, how.transparent ? 1 : 0); one >= 0)
+      how.transparent = one == 1;
+  return gif && draw_field(column, "##steps", "Steps, the first and the last", card.steps);
+}
+
 /// Does what was asked for, at a path that may be replaced. Returns what is wrong, or an empty text.
 std::string done_with(Shell& shell, What what, const std::string& path) {
   const auto endings = endings_of(what);
   if (saves(what) && std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
-    return std::string("The name must end in .") + endings.front() + (endings.size() > 1 ? " or ." + endings[1] : "") +
-           '.';
+    return "The name must end in ." + endings[0] + (endings.size() > 2 ? ", ." + endings[1] : "") +
+           (endings.size() > 1 ? " or ." + endings.back() : "") + '.';
   switch (what) {
     case What::kOpenPoints: shell.open_points(path); break;
     case What::kOpenLesson: shell.open_lesson_file(path); break;
     case What::kSavePoints: shell.save_points(path); break;
-    case What::kSavePicture: shell.picture_wanted = path; break;
+    case What::kSavePicture: return take_picture(shell, path);
     case What::kExportTable: shell.export_table(path); break;
     case What::kNone: break;
   }
@@ -109,6 +181,11 @@ void ask_path(Shell& shell, What what) {
   const std::string path = saves(what) ? proposed(shell, what) : std::string();
   if (saves(what) && path.empty()) return;  // the notice says why
   shell.file_card = {.what = what, .path = path, .opened = true};
+  if (what == What::kSavePicture) {  // the system's dialog would not ask how it is drawn
+    shell.file_card.how.theme = shell.app().settings().theme;
+    shell.file_card.steps = "0-" + std::to_string(shell.session().steps());
+    return;
+  }
   if (open_portal(card_title(what), endings_of(what), saves(what), path))
     shell.file_card.opened = false, shell.dialog_open = true;
 }
@@ -146,21 +223,11 @@ void draw_file_card(Shell& shell, const app::Rect& window) {
   column.title(card_title(card.what));
   column.words(says_of(card.what), Face::kRegular, 13, look->muted);
   column.gap(12);
-  ImGui::PushFont(look.font(Face::kRegular), app::font_size(look, Face::kRegular, 14));
-  ImGui::SetCursorScreenPos({column.x(), column.y()});
-  ImGui::SetNextItemWidth(column.width());
-  ImGui::PushStyleColor(ImGuiCol_Border, look->muted);
-  const bool entered =
-      ImGui::InputText("##path", card.path.data(), card.path.capacity() + 1,
-                       ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue, &grow, &card.path);
+  bool entered = draw_field(column, "##path", "The file's path", card.path);
   if (ImGui::IsItemEdited()) card.replaces = false, card.wrong.clear();
   if (card.opened && !ImGui::IsItemActive()) ImGui::SetKeyboardFocusHere(-1), shell.measured_anew = true;
   else card.opened = false;
-  const float height = ImGui::GetItemRectSize().y;
-  app::offer_field("The file's path");
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
-  column.gap(height + 12);
+  if (card.what == What::kSavePicture) entered = draw_how(shell, column) || entered;
   const std::string says = card.replaces ? "That file is there already. Replace it?" : card.wrong;
   const std::vector<RowButton> row{{"file cancel", "Cancel", app::ButtonKind::kOutlined},
                                    {"file do",

@@ -90,6 +90,7 @@ struct GlfwHost::Callbacks {
     const bool writes = key <= GLFW_KEY_WORLD_2 && !control && action != GLFW_RELEASE;
     if (!writes) ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
     self.repeats_ = action == GLFW_REPEAT;
+    if (self.repeats_ && self.on_held && self.on_held(key_name(key))) return;
     if (self.repeats_ && !may_repeat(key)) return;
     if (action == GLFW_RELEASE || !self.on_key) return;
     if (ImGui::GetIO().WantTextInput) {

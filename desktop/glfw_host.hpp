@@ -39,6 +39,8 @@ class GlfwHost {
 
   /// Receives a key, as browsers name it, and the modifiers; not while a text field has the focus.
   std::function<void(const std::string& key, bool shift, bool control)> on_key;
+  /// A key is held, and the keyboard tells it again. Returns whether that is all that it means.
+  std::function<bool(const std::string& key)> on_held;
   std::function<void(const std::vector<std::string>& paths)> on_drop;
 
   [[nodiscard]] bool open() const;

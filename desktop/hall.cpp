@@ -79,6 +79,13 @@ bool Hall::answer_key(const std::string& key) {
   if (is("l", "L")) return spotlight_ = !spotlight_, true;
   if (is("w", "W")) return pen_ = !pen_, true;
   if (is("r", "R")) return ruler_ = !ruler_, true;
+  return curtain_key(key);
+}
+
+bool Hall::curtain_key(const std::string& key) {
+  const auto is = [&](auto... names) { return ((key == names) || ...); };
+  if (is("b", "B", ".")) return black = !black, true;
+  if (is("f", "F")) return frozen = !frozen, true;
   return false;
 }
 

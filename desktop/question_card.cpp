@@ -107,7 +107,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   const auto [words, place] = sitting != nullptr ? decision_place(*sitting, session)
                                                  : std::pair(std::string(lesson::kPredictionWord),
                                                              lesson::place_text(asked, session.questions()));
-  draw_kicker(column, words, place, Standing::kOpen);
+  if (!shell.demo) draw_kicker(column, words, place, Standing::kOpen);
   if (sitting != nullptr) draw_before(column, *sitting, session);
   draw_prompt(column, asked.prompt, figures, kPromptWriting);
   if (sitting != nullptr) draw_hints(column, *sitting, session);
@@ -124,6 +124,10 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   if (!hint.empty()) row.push_back({"hint", hint, ButtonKind::kQuiet});
   const Choices choices = choices_of(session, asked);
   const int chosen = column.buttons("choice", choices.words, choices.chosen);
+  if (shell.demo) {  // the class answers by its hands, and a press reveals
+    if (chosen >= 0) shell.app().pick_choice(chosen);
+    return;
+  }
   const float beside = column.row_taken();
   const std::string_view field = lesson::field_word(asked);
   if (!field.empty() && draw_answer_field(shell, column, field)) return;
@@ -150,10 +154,12 @@ void draw_said(Column& column, const lesson::Session& session, const lesson::Out
 }
 
 /// The card while the steps up to the outcome are played: it tells nothing yet.
-void draw_deciding(Column& column, const lesson::Session& session, const lesson::Outcome& outcome) {
+void draw_deciding(Shell& shell, Column& column, const lesson::Outcome& outcome) {
+  const lesson::Session& session = shell.session();
   const lesson::Asked* asked = session.question_of(outcome);
-  draw_kicker(column, lesson::kPredictionWord,
-              asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(), Standing::kOpen);
+  if (!shell.demo)
+    draw_kicker(column, lesson::kPredictionWord,
+                asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(), Standing::kOpen);
   lesson::ProseFigures figures(session);
   if (asked != nullptr) draw_prompt(column, asked->prompt, figures, kPromptWriting), column.gap(6);
   draw_said(column, session, outcome);
@@ -165,9 +171,10 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   const lesson::Asked* asked = session.question_of(outcome);
-  draw_kicker(column, lesson::verdict_text(outcome),
-              asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(),
-              lesson::standing_of(&outcome));
+  if (!shell.demo)
+    draw_kicker(column, lesson::verdict_text(outcome),
+                asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(),
+                lesson::standing_of(&outcome));
   lesson::ProseFigures figures(session);
   if (asked != nullptr)
     draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
@@ -184,6 +191,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   if (!outcome.because.empty()) column.gap(4), draw_prompt(column, outcome.because, figures, {15, 22});
   const lesson::Sitting* const sitting = shell.app().sitting();
   if (sitting != nullptr) draw_rule(column, *sitting, session);
+  if (shell.demo) return;  // the next press goes on
   column.gap(12);
   std::vector<RowButton> row;
   std::vector<std::string_view> commands;
@@ -317,7 +325,7 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
     const float top = card.y + 16 - ImGui::GetScrollY();
     Column column(look, card.x + kPad, top, card.width - 2 * kPad);
     if (asked != nullptr) draw_question(shell, column, *asked);
-    else if (deciding != nullptr) draw_deciding(column, session, *deciding);
+    else if (deciding != nullptr) draw_deciding(shell, column, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
     else if (sitting != nullptr && sitting->looks_at(session) == lesson::Sitting::Looked::kRight)
       command = draw_right_run(column, *sitting, session);

@@ -56,11 +56,13 @@ std::unique_ptr<SecondWindow> SecondWindow::make(const char* title, int width, i
     return static_cast<SecondWindow*>(glfwGetWindowUserPointer(window));
   };
   glfwSetKeyCallback(second->window_, [](GLFWwindow* window, int key, int, int action, int) {
-    if (action != GLFW_PRESS || !found(window)->on_key) return;
-    if (const std::string name = key_name(key); !name.empty()) found(window)->on_key(name);
+    if (action == GLFW_RELEASE || !found(window)->on_key) return;
+    found(window)->held_ = action == GLFW_REPEAT;
+    if (const std::string name = key_name(key); !name.empty()) found(window)->on_key(name, found(window)->held_);
   });
   glfwSetCharCallback(second->window_, [](GLFWwindow* window, unsigned code) {
-    if (code < 0x80 && found(window)->on_key) found(window)->on_key(std::string(1, static_cast<char>(code)));
+    if (code < 0x80 && found(window)->on_key)
+      found(window)->on_key(std::string(1, static_cast<char>(code)), found(window)->held_);
   });
   glfwSetWindowRefreshCallback(second->window_, [](GLFWwindow* window) { found(window)->stale_ = true; });
   glfwSetFramebufferSizeCallback(second->window_, [](GLFWwindow* window, int, int) { found(window)->stale_ = true; });

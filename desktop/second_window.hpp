@@ -21,8 +21,8 @@ class SecondWindow {
   SecondWindow(const SecondWindow&) = delete;
   SecondWindow& operator=(const SecondWindow&) = delete;
 
-  /// Receives keys, as browsers name them.
-  std::function<void(const std::string& key)> on_key;
+  /// Receives keys, as browsers name them; held: one that is held, which the keyboard tells again.
+  std::function<void(const std::string& key, bool held)> on_key;
   /// Whether it still is to be there.
   [[nodiscard]] bool open() const;
   /// Whether it was resized or uncovered since it was drawn.
@@ -36,6 +36,7 @@ class SecondWindow {
   GLFWwindow* first_ = nullptr;
   ImGuiContext* imgui_ = nullptr;
   bool stale_ = true;
+  bool held_ = false;  // whether the last key is
 };
 
 }  // namespace snug::desktop

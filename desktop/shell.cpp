@@ -141,11 +141,12 @@ void Shell::show_course() {
 void Shell::present(bool on) {
   if (on == presenting) return;
   presenting = on, text_shown = false;
-  if (!on) demo.reset();
+  if (!on) demo.reset(), hall.lift();
   focus.leave();
   app::Settings& settings = app_.settings();
   if (!on) {
     settings.theme = before_presenting_.theme, settings.text_scale = before_presenting_.text_scale;
+    settings.least_words = 0;
     return;
   }
   before_presenting_ = settings;
@@ -154,12 +155,16 @@ void Shell::present(bool on) {
 
 bool Shell::fit_words(float width, float height) {
   constexpr float kWidth = 1280, kHeight = 720, kScale = 1.3f;
-  constexpr float kDemoScale = 1.5f;  // the smallest words of a stage have 12 px, of which a fortieth of kHeight is 1.5
+  constexpr float kDemoScale = 1.5f;  // a demo shows less beside its stage
+  // What the last row reads; a narrow window is nobody's projector.
+  constexpr float kOfHeight = 1 / 40.0f, kOfWidth = 3 / 160.0f;
   if (!presenting) return false;
+  const float least = std::min(height * kOfHeight, width * kOfWidth);
   const float larger = std::max(1.0f, std::min(width / kWidth, height / kHeight));
   const float scale =
       std::max(before_presenting_.text_scale, (demo ? kDemoScale : kScale) * larger / app::kProjector.text);
-  return std::exchange(app_.settings().text_scale, scale) != scale;
+  const bool other_scale = std::exchange(app_.settings().text_scale, scale) != scale;
+  return std::exchange(app_.settings().least_words, least) != least || other_scale;
 }
 
 void Shell::keep(bool dragging) {
@@ -254,7 +259,7 @@ void Shell::save_cover(std::string_view format) {
   const app::Cover& cover = *app_.cover();
   const bool picture = format == "png";
   const std::string text =
-      format == "svg" ? app::cover_svg(app_) : cover.file(picture ? cover.formats().front() : format);
+      format == "svg" ? app::cover_svg(app_, address()) : cover.file(picture ? cover.formats().front() : format);
   if (text.empty()) {
     notice = "Not saved: nothing has been measured yet.";
     return;
@@ -288,6 +293,6 @@ void Shell::record() {
              (states == 1 ? std::string("this state.") : std::to_string(states) + " states.");
 }
 
-void Shell::show_code() { hall.taken = code_words(session()); }
+void Shell::show_code() { hall.taken = code_words(session(), app_.hand_view()); }
 
 }  // namespace snug::desktop

@@ -70,9 +70,8 @@ class Shell {
   [[nodiscard]] std::optional<std::size_t> way_back() const;
   /// Starts or ends a presentation: the projector's theme, larger words, no bar and no text column.
   void present(bool on);
-  /// While it presents, makes words as large as the window asks for. In a demo none on the stage is lower than a
-  /// fortieth of its height, which the last row of a hall still reads; a lesson's controls would leave too little of
-  /// it. Returns whether they were of another size.
+  /// While it presents, makes words as large as the window asks for, and none lower than a fortieth of its height,
+  /// which the last row of a hall still reads. Returns whether they were of another size.
   bool fit_words(float width, float height);
   /// Keeps which invitations were followed and, unless it is moving, the open lesson's place.
   void keep(bool dragging = false);
@@ -188,7 +187,8 @@ class Shell {
   std::string notice;
   std::string
       picture_wanted;  // a file, to which the window draws the cover's chart or the stage after this frame; or empty
-  Hall hall;           // what a lecturer points with
+  PictureHow picture_how;  // how
+  Hall hall;               // what a lecturer points with
   bool keys_shown = false, about_shown = false;
   float keys_scroll = 0;  // how far a key scrolls the card of keys in the next frame
   std::string wish;       // what a menu asks of the window after this frame: "quit", "full_screen", "copy_picture"

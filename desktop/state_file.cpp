@@ -159,12 +159,15 @@ Json lesson_state(Shell& shell, float scale) {
     const lesson::Vote* const vote = shell.demo->vote();
     state["demo"] = {{"state", shell.demo->at() + 1},
                      {"notes", shell.demo->notes_wanted},
+                     {"next", shell.demo->next_text()},
                      {"vote", vote != nullptr ? vote->told_text() : ""},
                      {"shown", vote == nullptr           ? ""
                                : shell.demo->vote_told() ? vote->told_text()
                                                          : vote->hidden_text()}};
   }
   state["code"] = shell.hall.taken.letters;
+  state["codeAddress"] = shell.hall.taken.address;
+  state["hall"] = {{"black", shell.hall.black}, {"frozen", shell.hall.frozen}};
   add_places(state, shell, scale);
   return state;
 }

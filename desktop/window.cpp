@@ -15,6 +15,7 @@
 
 #include "app/chart_pen.hpp"
 #include "app/cover.hpp"
+#include "app/cover_picture.hpp"
 #include "app/look.hpp"
 #include "app/picture_svg.hpp"
 #include "app/timeline_buttons.hpp"
@@ -235,13 +236,11 @@ void draw_course(Shell& shell, const Parts& parts, double now) {
   draw_notice(shell, parts.window);
 }
 
-/// Where one is in the demo, in a corner that nothing else needs; or nothing but black.
+/// Where one is in the demo, in a corner that nothing else needs.
 void draw_demo(const DemoPlay& demo, const app::Look& look, const Parts& parts) {
   constexpr float kSize = 12, kLeft = 10, kBelow = 20;
   ImDrawList* const list = ImGui::GetForegroundDrawList();
-  const app::Rect &timeline = parts.app.timeline, &window = parts.window;
-  if (demo.black)
-    return list->AddRectFilled({window.x, window.y}, {window.x + window.width, window.y + window.height}, 0xff000000);
+  const app::Rect& timeline = parts.app.timeline;
   app::text(list, look, app::Face::kRegular, kSize,
             {timeline.x + kLeft, timeline.y + timeline.height - look.px(kSize) - kBelow}, look->muted,
             demo.place_text());
@@ -266,6 +265,8 @@ void draw(GlfwHost& host, Shell& shell, double now) {
   draw_loading(shell, shell.course_shown ? parts.window : parts.app.stage);
   draw_file_card(shell, parts.window);
   if (shell.demo) draw_demo(*shell.demo, look, parts);
+  if (shell.hall.black)
+    ImGui::GetForegroundDrawList()->AddRectFilled({0, 0}, {parts.window.width, parts.window.height}, 0xff000000);
   shell.focus.end_frame();
   finish(extent, shell.app(), shell.course_shown ? look->ground : look->panel);
 }
@@ -279,10 +280,10 @@ void draw(GlfwHost& host, app::App& app, const app::Chart& chart) {
   app::ScreenPen pen(ImGui::GetBackgroundDrawList());
   app::draw_chart(pen, look, {0, 0, extent.width, extent.height}, chart);
   ImGui::Render();
-  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look->ground);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(app.settings().ground ? look->ground : 0);
   glDisable(GL_SCISSOR_TEST);
   glViewport(0, 0, extent.device_width, extent.device_height);
-  glClearColor(ground.x, ground.y, ground.z, 1);
+  glClearColor(ground.x, ground.y, ground.z, ground.w);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -328,29 +329,30 @@ std::string stage_svg(GlfwHost& host, app::App& app, const std::string& address)
   return app::stage_svg(app, {.width = extent.width, .height = extent.height, .address = address}, host.now());
 }
 
-/// Steps as an animation.
+/// Steps as an animation. pause: seconds from step to step.
 template <class Draw>
-int take_animation(GlfwHost& host, lesson::Session& session, const WindowOptions& options, Draw&& draw) {
+int take_animation(GlfwHost& host, Shell& shell, const std::string& path, std::array<int, 2> steps, double pause,
+                   Draw&& draw) {
   constexpr double kLast = 2.5;  // times as long as the others
   const Extent extent = host.extent();
   const OffScreen picture(extent.device_width, extent.device_height);
   if (!picture.complete()) return stop("the graphics driver cannot draw off the screen at this size");
-  const auto [first, last] = *options.steps;
+  const auto [first, last] = steps;
+  lesson::Session& session = shell.session();
   session.jump(first);
-  Animation animation(extent.device_width, extent.device_height, page_address(session));
+  Animation animation(extent.device_width, extent.device_height, shell.address());
   for (int step = first; step <= last; ++step) {
     session.jump(step);
     for (int i = 0; i < kFramesForPicture; ++i) {
       picture.bind();
       draw();
     }
-    if (!animation.add(picture.pixels(), options.pause * (step == last ? kLast : 1)))
+    if (!animation.add(picture.pixels(), pause * (step == last ? kLast : 1)))
       return stop("the animation could not be encoded");
   }
   const std::string gif = animation.finish();
   if (gif.empty()) return stop("the animation could not be encoded");
-  const auto written = write_file(options.screenshot, gif);
-  return written ? 0 : stop(written.error().message());
+  return write_picture(path, gif);
 }
 
 /// Restores how the window looked, as far as nothing else was asked for.
@@ -428,7 +430,9 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (is_working(shell)) return key == "Escape" ? cancel_working(shell) : void();          // it has only just begun
   if (!shell.hall.taken.letters.empty()) return static_cast<void>(shell.hall.taken = {});  // any key puts the code away
   if (key == "Escape" && shell.hall.put_away()) return;
+  if (shell.demo && key == "F5") return host.fill_screen(true);  // a clicker's key that begins a show must not end it
   if (shell.demo && !control && shell.demo->answer_key(shell, key)) return;
+  if (shell.hall.black && !shell.demo) return static_cast<void>(shell.hall.black = false);
   if (!control && shell.presenting && shell.hall.answer_key(key)) return;
   if (!control && !shell.course_shown && (key == "q" || key == "Q")) return shell.show_code();
   if (!control && key == "D" && !shell.course_shown && shell.app().sitting() == nullptr) return shell.record();
@@ -457,46 +461,56 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   shell.app().command(shell.app().command_of_key(key, shift, control));
 }
 
-/// Writes the stage, twice as fine as the screen, or as SVG, as large as it stands there.
-bool write_stage(GlfwHost& host, Shell& shell, const std::string& path) {
-  const std::string address = shell.address();
-  Extent extent = host.extent();
-  const app::Rect stage = parts_of(extent, shell.app().look(), shell).app.stage;
-  constexpr float kFiner = 2;
-  extent.width = stage.width, extent.height = stage.height, extent.scale *= kFiner;
-  extent.device_width = static_cast<int>(stage.width * extent.scale);
-  extent.device_height = static_cast<int>(stage.height * extent.scale);
+/// The same as it stands, as large as on the screen: its stage, or its chart.
+int take_part(GlfwHost& host, Shell& shell, const PictureFile& file, const PictureHow& how, const app::Chart* chart) {
   app::App& app = shell.app();
-  const app::Settings settings = app.settings();
-  app.settings().prose_in_canvas = app.settings().tools = false;
-  app.settings().reduced_motion = true;
-  host.draw_as(extent);
-  const bool saved = ending_of(path) == "svg"
-                         ? write_file(path, stage_svg(host, app, address)).has_value()
-                         : take_picture(host, {path, address}, [&] { draw_stage(host, app, host.now()); }) == 0;
-  host.draw_as(std::nullopt);
-  app.settings() = settings;
-  return saved;
+  const auto frame = [&] { chart != nullptr ? draw(host, app, *chart) : draw_stage(host, app, host.now()); };
+  const std::string ending = ending_of(file.path);
+  if (ending == "gif") {
+    constexpr double kPause = 0.8;
+    const int step = shell.session().step();
+    const int status = take_animation(host, shell, file.path, *how.steps, kPause, frame);
+    shell.session().jump(step);
+    return status;
+  }
+  if (ending != "svg") return take_picture(host, file, frame);
+  if (chart == nullptr) return write_picture(file.path, stage_svg(host, app, file.address));
+  frame();  // in its theme
+  return write_picture(file.path, app::cover_svg(app, file.address));
 }
 
 /// Writes the chart that is shown, or else the stage. Returns whether that succeeded.
-bool write_picture(GlfwHost& host, Shell& shell, const std::string& path) {
-  const app::Cover* const cover = shell.app().cover();
+bool write_picture(GlfwHost& host, Shell& shell, const std::string& path, const PictureHow& how) {
+  app::App& app = shell.app();
+  const app::Cover* const cover = app.cover();
   const app::Chart* const shown = cover != nullptr && cover->shown() ? cover->picture() : nullptr;
-  bool saved = false;
-  if (shown != nullptr) {
-    const app::Chart chart = *shown;
-    saved = take_picture(host, {path}, [&] { draw(host, shell.app(), chart); }) == 0;
-  } else {
-    saved = write_stage(host, shell, path);
+  const std::optional<app::Chart> chart = shown != nullptr ? std::optional(*shown) : std::nullopt;
+  const PictureFile file{path, shell.address(), how.transparent};
+  Extent extent = host.extent();
+  if (!chart) {
+    const app::Rect stage = parts_of(extent, app.look(), shell).app.stage;
+    extent.width = stage.width, extent.height = stage.height;
   }
+  if (!how.steps) extent.scale *= static_cast<float>(how.scale);
+  extent.device_width = static_cast<int>(extent.width * extent.scale);
+  extent.device_height = static_cast<int>(extent.height * extent.scale);
+  const app::Settings before = app.settings();
+  app::Settings& settings = app.settings();
+  settings.prose_in_canvas = settings.tools = false;
+  settings.reduced_motion = true;
+  settings.labels = how.labels, settings.ground = !how.transparent || how.steps;
+  settings.theme = how.theme.value_or(settings.theme);
+  host.draw_as(extent);
+  const bool saved = take_part(host, shell, file, how, chart ? &*chart : nullptr) == 0;
+  host.draw_as(std::nullopt);
+  app.settings() = before;
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return saved;
 }
 
 void save_picture(GlfwHost& host, Shell& shell) {
   const std::string path = std::exchange(shell.picture_wanted, {});
-  const bool saved = write_picture(host, shell, path);
+  const bool saved = write_picture(host, shell, path, std::exchange(shell.picture_how, {}));
   shell.notice = saved ? "Saved as " + path + "." : "Not saved: the picture could not be written.";
   shell.measured_anew = true;  // the window is drawn again
 }
@@ -509,8 +523,9 @@ void show_notes(std::unique_ptr<SecondWindow>& notes, GlfwHost& host, Shell& she
   if (notes == nullptr) {
     notes = SecondWindow::make("Notes – Snug", 960, 720);
     if (notes == nullptr) return static_cast<void>(shell.demo->notes_wanted = false);
-    notes->on_key = [&](const std::string& key) {
-      if (shell.demo) shell.demo->answer_key(shell, key);
+    notes->on_key = [&](const std::string& key, bool held) {
+      if (shell.demo && held) shell.demo->hold_key(shell, key);
+      else if (shell.demo) shell.demo->answer_key(shell, key);
       shell.measured_anew = true;
     };
     drawn = true;
@@ -519,7 +534,7 @@ void show_notes(std::unique_ptr<SecondWindow>& notes, GlfwHost& host, Shell& she
   if (!drawn && !notes->stale() && second == shell.demo->notes_second) return;
   shell.demo->notes_second = second;
   notes->draw(shell.app().look(), [&](ImDrawList* list, const app::Rect& rect) {
-    draw_notes(list, shell.app().look(), rect, *shell.demo);
+    draw_notes(list, shell.app().look(), rect, *shell.demo, shell.hall);
   });
 }
 
@@ -529,7 +544,7 @@ void copy_picture(GlfwHost& host, Shell& shell) {
       std::filesystem::temp_directory_path() / ("snug-" + std::to_string(getpid()) + ".png");
   const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
   const std::string call = wayland ? "wl-copy --type image/png < " : "xclip -selection clipboard -t image/png -i ";
-  const bool drawn = write_picture(host, shell, file.string());
+  const bool drawn = write_picture(host, shell, file.string(), {});
   const bool copied = drawn && std::system((call + file.string() + " 2>/dev/null").c_str()) == 0;
   std::error_code error;
   std::filesystem::remove(file, error);
@@ -550,6 +565,7 @@ void grant(GlfwHost& host, Shell& shell) {
 /// Draws if there is something to draw, and otherwise sleeps.
 void run(GlfwHost& host, Shell& shell) {
   host.on_key = [&](const std::string& key, bool shift, bool control) { answer_key(host, shell, key, shift, control); };
+  host.on_held = [&](const std::string& key) { return shell.demo && shell.demo->hold_key(shell, key); };
   host.on_drop = [&](const std::vector<std::string>& paths) {
     shell.use_dropped(paths);
     shell.measured_anew = true;
@@ -568,7 +584,7 @@ void run(GlfwHost& host, Shell& shell) {
     if (due) {
       shell.app().settings().prose_in_canvas = !shell.demo || shell.demo->shows("caption");
       draw(host, shell, host.now());
-      if (!shell.demo || !shell.demo->frozen) host.swap();
+      if (!shell.hall.frozen) host.swap();
       shell.keep(ImGui::IsAnyMouseDown());
       state.write(shell, host.extent());  // last, so that what it tells is kept as well
     }
@@ -714,16 +730,20 @@ tl::expected<Lessons, InputError> lessons_of(const WindowOptions& options) {
   });
 }
 
+/// Frames are so many times as fine from now on.
+void refine(GlfwHost& host, int scale) {
+  Extent extent = host.extent();
+  extent.scale *= static_cast<float>(scale), extent.device_width *= scale, extent.device_height *= scale;
+  host.draw_as(extent);
+}
+
 /// A picture, or an animation, of where the shell stands.
 int render(GlfwHost& host, Shell& shell, const WindowOptions& options) {
-  Extent extent = host.extent();
-  const auto scale = static_cast<float>(options.scale);
-  extent.scale *= scale, extent.device_width *= options.scale, extent.device_height *= options.scale;
-  host.draw_as(extent);
+  refine(host, options.scale);
   const auto frame = [&] {
     options.stage_alone ? draw_stage(host, shell.app(), host.now()) : draw(host, shell, host.now());
   };
-  if (options.steps) return take_animation(host, shell.session(), options, frame);
+  if (options.steps) return take_animation(host, shell, options.screenshot, *options.steps, options.pause, frame);
   const std::string address = shell.address();
   if (ending_of(options.screenshot) != "svg")
     return take_picture(host, {options.screenshot, address, options.transparent}, frame);
@@ -744,10 +764,11 @@ int run_window(const WindowOptions& options) {
   }
   if (font_bytes("Inter-Regular").empty())
     return stop((data_folder() / "assets" / "fonts").string() + " lacks the fonts: build the target snug_assets");
+  const app::Theme theme = options.theme.empty() ? theme_of_environment() : theme_named(options.theme);
   if (chart && ending_of(options.screenshot) == "svg") {
-    const auto written =
-        write_file(options.screenshot, svg_of(*chart, static_cast<float>(options.width),
-                                              static_cast<float>(options.height), theme_of_environment(), font_bytes));
+    const auto written = write_file(options.screenshot, svg_of(*chart, static_cast<float>(options.width),
+                                                               static_cast<float>(options.height), theme, font_bytes,
+                                                               !options.transparent));
     return written ? 0 : stop(written.error().message());
   }
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
@@ -770,7 +791,11 @@ int run_window(const WindowOptions& options) {
   app.settings().theme = theme_of_environment(options.screenshot.empty() ? defaults().theme : "");
   if (!options.theme.empty()) app.settings().theme = theme_named(options.theme);
   app.settings().labels = options.labels, app.settings().ground = !options.transparent;
-  if (chart) return take_picture(**host, {options.screenshot}, [&] { draw(**host, app, *chart); });
+  if (chart) {
+    refine(**host, options.scale);
+    const PictureFile file{options.screenshot, "", options.transparent};
+    return take_picture(**host, file, [&] { draw(**host, app, *chart); });
+  }
   restore_view(app.settings(), kept.view);
   Shell shell(app, std::move(lessons->files), std::move(kept), std::move(lessons->drafts));
   if (auto exercises = read_exercises(options.folder))

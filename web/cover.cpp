@@ -67,10 +67,10 @@ val cover_object(app::App& app) {
   return object;
 }
 
-val cover_file_object(app::App& app, const std::string& format) {
+val cover_file_object(app::App& app, const std::string& format, const std::string& address) {
   val object = val::object();
   object.set("name", app.cover()->file_name() + "." + format);
-  object.set("text", format == "svg"   ? app::cover_svg(app)
+  object.set("text", format == "svg"   ? app::cover_svg(app, address)
                      : format == "png" ? std::string()
                                        : app.cover()->file(format));
   return object;
@@ -96,12 +96,12 @@ constexpr int kFramesForPicture = 6;  // until the stage has settled
 
 /// Draws a picture's frames, each by draw(last). Returns false if nothing can be drawn.
 template <class Draw>
-bool draw_frames(float width, float height, float scale, bool labels, Draw&& draw) {
+bool draw_frames(float width, float height, float scale, Draw&& draw) {
   Door& d = door();
   if (!d.graphics || session() == nullptr) return false;
   app::Settings& settings = d.app->settings();
   const app::Settings before = settings;
-  settings.labels = labels, settings.tools = false, settings.reduced_motion = true;
+  settings.tools = false, settings.reduced_motion = true;
   for (int left = kFramesForPicture; left > 0; --left) {
     begin_frame(width, height, scale, 0);
     draw(left == 1);
@@ -112,16 +112,16 @@ bool draw_frames(float width, float height, float scale, bool labels, Draw&& dra
 
 }  // namespace
 
-bool draw_picture(float width, float height, float scale, bool labels) {
-  return draw_frames(width, height, scale, labels, [&](bool) {
+bool draw_picture(float width, float height, float scale) {
+  return draw_frames(width, height, scale, [&](bool) {
     door().app->frame({.stage = {0, 0, width, height}}, door().last_frame);
     show_frame(width, height, scale);
   });
 }
 
-std::string picture_svg(float width, float height, bool labels, const std::string& address) {
+std::string picture_svg(float width, float height, const std::string& address) {
   std::string svg;
-  draw_frames(width, height, 1, labels, [&](bool last) {
+  draw_frames(width, height, 1, [&](bool last) {
     Door& d = door();
     if (last) {
       svg = app::stage_svg(*d.app, {.width = width, .height = height, .address = address}, d.last_frame);

@@ -22,8 +22,9 @@ namespace snug::web {
 /// has no cover.
 [[nodiscard]] emscripten::val cover_object(app::App& app);
 
-/// A file of what it shows: {name, text}. The page makes a PNG of what draw_cover draws; its text is empty.
-[[nodiscard]] emscripten::val cover_file_object(app::App& app, const std::string& format);
+/// A file of what it shows: {name, text}. The page makes a PNG of what draw_cover draws; its text is empty. address:
+/// for a picture.
+[[nodiscard]] emscripten::val cover_file_object(app::App& app, const std::string& format, const std::string& address);
 
 /// Draws the cover's chart alone onto the whole canvas, whose size the page has set: page pixels, and device pixels for
 /// each. Returns false if nothing can be drawn.
@@ -31,8 +32,8 @@ bool draw_cover(float width, float height, float scale);
 
 /// Draws the stage alone on the canvas, which has that size times the scale; the next frame draws the page's again.
 /// Returns false if nothing can be drawn.
-bool draw_picture(float width, float height, float scale, bool labels);
+bool draw_picture(float width, float height, float scale);
 /// The stage alone as SVG, of that size in page pixels, with the address of what it shows; empty if it cannot be drawn.
-[[nodiscard]] std::string picture_svg(float width, float height, bool labels, const std::string& address);
+[[nodiscard]] std::string picture_svg(float width, float height, const std::string& address);
 
 }  // namespace snug::web

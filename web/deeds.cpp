@@ -160,7 +160,9 @@ std::string put_down_points(const std::string& name) {
   if (loaded) remember();
   return sentence(loaded);
 }
-val cover_file(const std::string& format) { return cover_file_object(*door().app, format); }
+val cover_file(const std::string& format, const std::string& address) {
+  return cover_file_object(*door().app, format, address);
+}
 
 std::string read_exercise(const std::string& toml, const std::string& name) {
   lesson::ExerciseDraft draft = lesson::read_exercise(toml, name);

@@ -65,7 +65,7 @@ double measured();
 std::string playground_says();
 void carry_points();
 std::string put_down_points(const std::string& name);
-val cover_file(const std::string& format);
+val cover_file(const std::string& format, const std::string& address);
 /// Lights a mark that the prose links to, until another, or "" for none.
 /// Reads an exercise's file for open_exercise. Returns its first mistake, "" for none.
 std::string read_exercise(const std::string& toml, const std::string& name);

@@ -84,7 +84,8 @@ void set_layout(val from) {
   door().scale = from["scale"].as<float>();
 }
 
-/// {theme, textScale, reducedMotion, ground: [r, g, b] between the parts}
+/// {theme, textScale, leastWords, reducedMotion, labels, grounded, ground: [r, g, b] between the parts}: see
+/// app::Settings
 void set_settings(val from) {
   const std::string theme = from["theme"].as<std::string>();
   app::Settings& settings = door().app->settings();
@@ -93,7 +94,9 @@ void set_settings(val from) {
                    : theme == "projector" ? app::Theme::kProjector
                                           : app::Theme::kLight;
   settings.text_scale = from["textScale"].as<float>();
+  settings.least_words = from["leastWords"].as<float>();
   settings.reduced_motion = from["reducedMotion"].as<bool>();
+  settings.labels = from["labels"].as<bool>(), settings.ground = from["grounded"].as<bool>();
   for (int channel = 0; channel < 3; ++channel) door().ground[channel] = from["ground"][channel].as<float>();
 }
 

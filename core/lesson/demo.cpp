@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "lesson/demo_reveal.hpp"
 #include "lesson/names.hpp"
 #include "lesson/packed_rows.hpp"
 #include "lesson/read_lesson.hpp"
@@ -230,6 +231,15 @@ void pass_questions(Session& session) {
   }
   session.close_summary();
   session.jump(step);
+}
+
+void reveal_answer(Session& session) {
+  if (session.asked() == nullptr) return;
+  const std::string question = session.asked()->question->id;
+  session.skip();
+  session.decide();
+  pass_questions(session);
+  session.review(question);
 }
 
 std::string with_hashes(std::string_view toml, const Demo& demo, const std::vector<std::uint64_t>& hashes) {

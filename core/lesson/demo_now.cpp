@@ -103,8 +103,7 @@ tl::expected<DemoState, InputError> state_now(const Session& session, const Mesh
   const auto name = [&](int slot) {
     return session.method(slot) != nullptr ? name_in(lesson, *session.method(slot)) : std::string();
   };
-  if (!lesson.situations.empty() && session.situation() != lesson.situations.front().name)
-    state.situation = session.situation();
+  if (!lesson.situations.empty() && session.situation() != kOwnSituation) state.situation = session.situation();
   if (!lesson.algorithms.empty() && name(0) != lesson.algorithms.front()) state.algorithm = name(0);
   if (name(1) != lesson.compare) state.beside = name(1);
   if (session.subject().in_float() != session.own().in_float())

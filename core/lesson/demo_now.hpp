@@ -7,24 +7,25 @@
 
 namespace snug::lesson {
 
-/// The keys that describe a place in a lesson: their names in a demo's file and in the page's address, in this order.
+/// The keys that describe a place in a lesson: their names in a demo's file and in the page's address, in the order in
+/// which both write them, so that both make the same code of a state.
 struct PlaceKey {
   std::string_view in_file, in_address;
   bool is_number = false;
 };
 inline constexpr std::array<PlaceKey, 13> kPlaceKeys{{{"lesson", "lesson"},
+                                                      {"step", "step", true},
+                                                      {"seed", "seed", true},
                                                       {"situation", "situation"},
                                                       {"algorithm", "a"},
                                                       {"compare", "b"},
                                                       {"scalar", "scalar"},
-                                                      {"seed", "seed", true},
                                                       {"from", "from"},
                                                       {"sliders", "slide"},
                                                       {"moved", "moved"},
                                                       {"rows", "rows"},
                                                       {"packed", "packed"},
-                                                      {"camera", "camera"},
-                                                      {"step", "step", true}}};
+                                                      {"camera", "camera"}}};
 
 /// How an address names what the stage was filled from, apart from the seed: "" for the situation's own,
 /// "clusters:200", "bunny", "task"; none if it cannot, as for the points of a file.

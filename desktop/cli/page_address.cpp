@@ -14,7 +14,7 @@ std::string page_address(const lesson::Session& session, std::vector<double> cam
   return defaults().page + lesson::address_of(*state);
 }
 
-CodeWords code_words(const lesson::Session& session) {
+CodeWords code_words(const lesson::Session& session, std::vector<double> camera) {
   CodeWords words{.letters = lesson::fingerprint(session.trace_hash())};
   if (defaults().page.empty()) {
     words.says = "There is no code: a line page = \"https://...\" in snug.toml says where the class finds Snug's page.";
@@ -22,6 +22,7 @@ CodeWords code_words(const lesson::Session& session) {
   }
   auto state = lesson::state_now(session, mesh_named);
   if (!state) return words.says = state.error().message(), words;
+  state->camera = std::move(camera);
   const auto address = [&](bool same) {
     return defaults().page + lesson::address_of(*state) + (same ? "&mark=" + words.letters : "");
   };

@@ -17,6 +17,7 @@ namespace snug::desktop {
 struct CodeWords {
   std::string address, letters, says;
 };
-[[nodiscard]] CodeWords code_words(const lesson::Session& session);
+/// camera: as for page_address.
+[[nodiscard]] CodeWords code_words(const lesson::Session& session, std::vector<double> camera = {});
 
 }  // namespace snug::desktop

@@ -8,6 +8,7 @@
 #include "desktop/cli/drafts.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
+#include "desktop/cli/steps.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -80,18 +81,14 @@ std::optional<InputError> wrong_steps(const WindowOptions& options) {
   const auto [first, last] = *options.steps;
   if (options.scale * options.scale * options.width * options.height > kMostAnimationPixels)
     return InputError{.what = "--size: an animation has at most 1920x1080 pixels"};
+  if (options.transparent) return InputError{.what = "--transparent: an animation keeps its ground"};
   if (last - first >= kMostFrames) return InputError{.what = "--steps: an animation has at most 500 steps"};
   return std::nullopt;
 }
 
-/// Parses "3-12" as two steps.
 std::string parse_steps(const std::string& text, WindowOptions& options) {
-  int first = 0, last = 0;
-  char more = 0;
-  if (std::sscanf(text.c_str(), "%7d-%7d%c", &first, &last, &more) != 2 || first < 0 || last <= first)
-    return "\"" + text + "\" is no range of steps: K-M, such as 0-12";
-  options.steps = {first, last};
-  return {};
+  options.steps = steps_of(text);
+  return options.steps ? "" : '"' + text + "\" is no range of steps: K-M, such as 0-12";
 }
 
 /// The same for a chart, which can be SVG as well.
@@ -145,6 +142,14 @@ void add_common(CLI::App& command, WindowOptions& options) {
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
 }
 
+/// Adds --theme and --scale.
+void add_look(CLI::App& command, WindowOptions& options) {
+  command.add_option("--theme", options.theme, "light, dark, contrast or projector; by default as SNUG_THEME says")
+      ->check(CLI::IsMember({"light", "dark", "contrast", "projector"}));
+  command.add_option("--scale", options.scale, "1, 2 or 4 device pixels for each pixel of the size; 1 by default")
+      ->check(CLI::IsMember({1, 2, 4}));
+}
+
 }  // namespace
 
 void add_size(CLI::App& command, WindowOptions& options) {
@@ -155,6 +160,14 @@ void add_size(CLI::App& command, WindowOptions& options) {
           throw CLI::ValidationError("--size", wrong);
       },
       "WxH in pixels; 1280x800 by default");
+}
+
+std::optional<std::array<int, 2>> steps_of(const std::string& text) {
+  int first = 0, last = 0;
+  char more = 0;
+  if (std::sscanf(text.c_str(), "%7d-%7d%c", &first, &last, &more) != 2 || first < 0 || last <= first)
+    return std::nullopt;
+  return std::array{first, last};
 }
 
 bool is_own(const WindowOptions& options) { return !options.folder.empty() || is_path(options.lesson); }
@@ -215,10 +228,7 @@ void add_render(Commands& commands) {
   transparent->needs("--stage");
   command.add_flag_callback(
       "--no-labels", [options] { options->labels = false; }, "Without names and measures on the stage");
-  command.add_option("--theme", options->theme, "light, dark, contrast or projector; by default as SNUG_THEME says")
-      ->check(CLI::IsMember({"light", "dark", "contrast", "projector"}));
-  command.add_option("--scale", options->scale, "1, 2 or 4 device pixels for each pixel of the size; 1 by default")
-      ->check(CLI::IsMember({1, 2, 4}));
+  add_look(command, *options);
   command
       .add_option_function<std::string>(
           "--steps",
@@ -242,8 +252,8 @@ void add_chart(Commands& commands) {
       "RESULT is a table of costs, growth, a turn, or the trials of one claim, as snug cost writes it in CSV or JSON.\n"
       "The picture is a PNG or an SVG, by its name's ending. An SVG has the colours for a light and a dark background, "
       "and\n"
-      "needs no display; to draw a PNG, xvfb-run provides one. For another look set SNUG_THEME to dark, contrast or\n"
-      "projector. A chart can tell 28 series apart; a table with more is refused.");
+      "needs no display; to draw a PNG, xvfb-run provides one. For another look use --theme, or set SNUG_THEME.\n"
+      "A chart can tell 28 series apart; a table with more is refused.");
   const auto options = add_command<WindowOptions>(
       commands, command, [open_window = commands.open_window](const WindowOptions& chosen) -> CommandResult {
         if (auto wrong = wrong_chart(chosen.screenshot)) return bad_input(std::move(*wrong));
@@ -253,6 +263,8 @@ void add_chart(Commands& commands) {
   command.add_option("--against", options->chart_then,
                      "Earlier result of the same kind, on the same points, to draw beside it");
   add_size(command, *options);
+  command.add_flag("--transparent", options->transparent, "Without a ground");
+  add_look(command, *options);
   command.add_option("-o,--output", options->screenshot, "PNG or SVG file to write; - is a PNG on standard output")
       ->required();
 }

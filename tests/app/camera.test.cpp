@@ -49,6 +49,7 @@ TEST_CASE("a view that a hand has made is looked from again; one of another dime
       CHECK(std::abs(other.project(p).y - camera.project(p).y) < 1);
     }
     CHECK(other.hand_view() == view);
+    for (const double value : view) CHECK(value == std::round(value * 1e6) / 1e6);  // a short decimal, for an address
     CHECK_FALSE(framed(5 - dim, {V3::Zero(), 2}).look_from(view));
     CHECK_FALSE(other.look_from({0, 0, 0}));
   }

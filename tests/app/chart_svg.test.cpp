@@ -85,6 +85,20 @@ TEST_CASE("names stand at the ends of lines, and in a legend where there is no r
   CHECK(below.x > 0);
 }
 
+TEST_CASE("a chart's picture has the address of what shows it, and may have no ground") {
+  Bench bench(test::flat_kdop());
+  const Chart chart = growth_chart(growth_table());
+  ImGui::NewFrame();
+  const std::string usual = chart_svg(bench.app.look(), 1280, 800, chart);
+  const std::string clear = chart_svg(bench.app.look(), 1280, 800, chart, "?lesson=a&step=0", false);
+  ImGui::EndFrame();
+  constexpr std::string_view kGround = "width=\"1280\" height=\"800\"/>";
+  CHECK(usual.find("<metadata>") == std::string::npos);
+  CHECK(usual.find(kGround) != std::string::npos);
+  CHECK(clear.find("<metadata>?lesson=a&amp;step=0</metadata>") != std::string::npos);
+  CHECK(clear.find(kGround) == std::string::npos);
+}
+
 TEST_CASE("words and marks grow with a picture larger than the screen's") {
   Bench bench(test::flat_kdop());
   const Chart chart = growth_chart(growth_table());

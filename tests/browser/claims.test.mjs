@@ -1,5 +1,6 @@
 // The charts of the lectures' claims: predicted, tried while the page stays alive, a counter-example on the stage;
 // saved as files and as pictures.
+import { execFileSync } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import {
@@ -40,9 +41,11 @@ async function measured(t) {
 }
 
 /** Presses a button that saves, and gives the file. */
-async function saved(page, name) {
-  const [file] = await Promise.all([page.waitForEvent("download"), button(page, name).click()]);
-  return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
+async function saved(within, name) {
+  const page = within.page?.() ?? within;
+  const [file] = await Promise.all([page.waitForEvent("download"), button(within, name).click()]);
+  const path = await file.path();
+  return { name: file.suggestedFilename(), path, bytes: await readFile(path) };
 }
 
 test("each claim is answered before it is tried, and decided by its clouds", async (t) => {
@@ -84,6 +87,8 @@ test("a chart is saved as SVG with real words, as PNG at its own size, and as a 
   assert.equal(svg.name, "snug-claims.svg");
   assert.match(svg.bytes.toString(), /claimed: no larger<\/text>/);
   assert.match(svg.bytes.toString(), /prefers-color-scheme:dark/);
+  const address = /\?lesson=lecture-claims/;
+  assert.match(/<metadata>(.*)<\/metadata>/.exec(svg.bytes.toString())[1], address);
   const blank = await page.context().newPage(); // where no policy forbids the picture's own style
   const words = await blank.evaluate((text) => {
     const read = new DOMParser().parseFromString(text, "image/svg+xml");
@@ -96,6 +101,19 @@ test("a chart is saved as SVG with real words, as PNG at its own size, and as a 
   assert.equal(png.bytes.toString("latin1", 1, 4), "PNG");
   assert.deepEqual([png.bytes.readUInt32BE(16), png.bytes.readUInt32BE(20)], [2560, 1600]);
   assert.ok(png.bytes.length > 20_000, `${png.bytes.length} bytes: something is drawn`);
+  const told = (path, ...how) => execFileSync("convert", [path, ...how, "info:"], { encoding: "utf8" });
+  assert.match(told(png.path, "-format", "%[Source]"), address);
+
+  await button(page, "Share").click();
+  await button(page, "As a picture").click();
+  const dialog = page.getByRole("dialog", { name: "Pictures of the chart" });
+  await dialog.getByRole("checkbox", { name: "transparent" }).check();
+  const clear = await saved(dialog, "1280 × 800");
+  const opaque = Number(told(clear.path, "-alpha", "extract", "-format", "%[fx:mean]"));
+  assert.ok(opaque > 0.005 && opaque < 0.4, `${opaque} of it is opaque`);
+  assert.match(told(clear.path, "-format", "%[Source]"), address);
+  assert.doesNotMatch((await saved(dialog, "Save SVG")).bytes.toString(), /<rect[^>]* width="1280" height="800"/);
+  await button(dialog, "Close").click();
   await still(page);
   assert.deepEqual(
     await page.evaluate(() => {

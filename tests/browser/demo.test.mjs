@@ -1,7 +1,7 @@
 // A lecturer's demo on the page: walked through by the keys of a clicker, with wild drags between; its notes.
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { assert, handles, load, ready, start, state, still, stop, until } from "./support.mjs";
+import { assert, handles, load, low_words, ready, start, state, still, stop, until } from "./support.mjs";
 
 let site;
 before(async () => (site = await start()));
@@ -13,7 +13,8 @@ const kHall = { viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" 
 const demo_of = async (id) => (await fetch(`${site.url}demos/${id}.json`)).json();
 /** Where the demo stands, as the page says it: "7 of 20". */
 const place = (page) => page.locator(".demo-place").textContent();
-const classes = (page) => page.evaluate(() => document.documentElement.className.split(" ").sort().join(" "));
+const classes = (page) => page.evaluate(() =>
+  document.documentElement.className.split(" ").filter((name) => name !== "pointed").sort().join(" "));
 
 /** Until the page has the state open that it says it is at. */
 async function opened(page, says, hash) {
@@ -40,10 +41,10 @@ async function drag_wildly(page) {
   await page.keyboard.press(" ");
 }
 
-const kWalks = { collision: kHall, geometry: { ...kHall, viewport: { width: 1920, height: 1080 } } };
-for (const [id, size] of Object.entries(kWalks))
-  test(`${id} is walked through by clicker alone, and each state is as the file says, after any drag`, (t) =>
-    walk(t, id, size));
+for (const id of ["collision", "geometry"])
+  for (const [width, height] of [[1280, 720], [1920, 1080]])
+    test(`${id} is walked through by clicker alone at ${width}x${height}: each state as in its file, after any drag`,
+      (t) => walk(t, id, { ...kHall, viewport: { width, height } }));
 
 async function walk(t, id, size) {
   const { states } = await demo_of(id);
@@ -90,17 +91,24 @@ test("back leads to what was shown before, reveal by reveal; black, the address,
   assert.deepEqual([await standing(page), await classes(page)], [first, shown]);
 
   await page.keyboard.press(".");
-  assert.ok(await page.locator(".demo-black").isVisible());
+  await page.locator(".hall-black").waitFor();
   await page.keyboard.press("PageDown"); // brings the picture back, and does nothing else
-  assert.ok(!(await page.locator(".demo-black").isVisible()));
+  await page.locator(".hall-black").waitFor({ state: "hidden" });
   assert.deepEqual(await standing(page), first);
 
+  await drag_wildly(page);
+  for (let press = 0; press < 5; ++press) await page.keyboard.down("PageDown"); // held: told again by the keyboard
+  await page.keyboard.up("PageDown");
+  await opened(page, `9 of ${states.length}`, states[8].hash);
+  assert.deepEqual([await standing(page), await classes(page)], [first, shown], "as it was before that key");
+
   await page.keyboard.press("f");
+  await page.locator(".hall-picture").waitFor();
   await page.keyboard.press("ArrowRight");
   await until(page, (now) => now.step === now.steps);
-  assert.equal(await page.locator(".demo-picture").count(), 1, "the picture stands");
+  assert.equal(await page.locator(".hall-picture").count(), 1, "the picture stands");
   await page.keyboard.press("f");
-  assert.equal(await page.locator(".demo-picture").count(), 0);
+  await page.locator(".hall-picture").waitFor({ state: "detached" });
 
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => location.search.startsWith("?lesson=sphere-ritter"));
@@ -119,6 +127,9 @@ test("the notes follow the demo in a second tab and lead it; closed and opened a
     await notes.goto(`${site.url}?demo=geometry&notes=1`);
     await notes.getByRole("heading", { name: states[24 - i].slide }).waitFor();
     assert.ok((await notes.locator(".says").textContent()).startsWith(states[24 - i].notes.slice(0, 40)));
+    await notes.reload();
+    await notes.getByRole("heading", { name: states[24 - i].slide }).waitFor();
+    if (i === 1) assert.ok((await notes.locator(".next").textContent()).endsWith(states[24].slide), "the next state");
     await notes.getByRole("button", { name: "Back" }).click();
     await notes.getByRole("heading", { name: states[23 - i].slide }).waitFor();
     await opened(page, `${24 - i} of ${states.length}`, states[23 - i].hash);
@@ -160,22 +171,8 @@ test("a key adds what stands there to a demo's file, which grows by a state with
     await page.keyboard.press("ArrowRight");
   }
   assert.ok(texts[0].includes(`[[state]]\nhash = "${trace}"\n`), texts[0]);
-  assert.match(texts[0], /lesson = "sphere-ritter"\nseed = 7\nstep = 3\n/);
+  assert.match(texts[0], /lesson = "sphere-ritter"\nstep = 3\nseed = 7\n/);
   assert.ok(texts[1].startsWith(texts[0]) && texts[1].match(/\[\[state\]\]/g).length === 2, texts[1]);
-});
-
-/** The words of the page's HTML that are lower than a fortieth of the screen's height. */
-const low_words = (page) => page.evaluate(() => {
-  const low = [], all = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  for (let node = all.nextNode(); node; node = all.nextNode()) {
-    const parent = node.parentElement, range = document.createRange();
-    range.selectNodeContents(node);
-    const { width, height, top } = range.getBoundingClientRect();
-    const seen = parent.checkVisibility({ visibilityProperty: true }) && width > 2 && height > 2 && top < innerHeight;
-    const size = Number.parseFloat(getComputedStyle(parent).fontSize);
-    if (node.textContent.trim() && seen && size < innerHeight / 40 - 0.01) low.push(`${node.textContent}: ${size}`);
-  }
-  return low;
 });
 
 test("no word beside the stage is lower than a fortieth of the screen's height", async (t) => {
@@ -207,12 +204,103 @@ test("a class votes twice, and no number is on the page before the answer is rev
   assert.doesNotMatch((await vote.textContent()).replace(/P\d+/g, ""), /\d/, "nothing leaks");
   await notes.waitForFunction(() => document.querySelector(".vote").textContent.startsWith("First vote"));
   assert.match(await notes.locator(".vote").textContent(), / 12, .* 31\. Second vote: .* 4, .* 39$/);
-  await page.keyboard.press("PageDown");
-  await until(page, (now) => now.asked === null);
+  await page.keyboard.press("PageDown"); // plays the steps that decide it
+  await until(page, (now) => now.asked === null && now.outcome && now.step > 0);
   assert.match(await vote.textContent(), /12 \(28 %\), then 4 \(9 %\)/);
   await page.keyboard.press("PageUp");
   await until(page, (now) => now.asked !== null);
   assert.doesNotMatch((await vote.textContent()).replace(/P\d+/g, ""), /\d/, "and is hidden again");
+});
+
+test("a vote for a place is a dot there, of the size of its share, once the answer is shown", async (t) => {
+  const { states } = await demo_of("collision");
+  const page = await load(t, "?demo=collision&state=6", kHall);
+  await opened(page, `6 of ${states.length}`, states[5].hash);
+  const [one, two] = (await state(page)).asked.targets;
+  await page.waitForFunction(() => document.querySelector(".demo-vote"));
+  await page.keyboard.press("v");
+  for (const line of [`${one} 30`, `${two} 10`]) {
+    await page.keyboard.type(line);
+    await page.keyboard.press("Enter");
+  }
+  await page.keyboard.press("Enter");
+  assert.match(await page.locator(".demo-vote").textContent(), new RegExp(`^First vote: .*${one}.* counted$`));
+  assert.equal(await page.locator(".demo-dots span").count(), 0, "nothing leaks");
+  await page.keyboard.press("PageDown");
+  await until(page, (now) => now.asked === null);
+  await still(page);
+  const dots = await page.locator(".demo-dots span").evaluateAll((all) => all.map((dot) => {
+    const { x, y, width, height } = dot.getBoundingClientRect();
+    return { x: x + width / 2, y: y + height / 2, width };
+  }));
+  assert.equal(dots.length, 2);
+  assert.ok(Math.abs(dots[0].width / dots[1].width - Math.sqrt(3)) < 0.05, JSON.stringify(dots));
+  const places = (await handles(page)).filter(({ id }) => [one, two].includes(id));
+  for (const { x, y } of places)
+    assert.ok(dots.some((dot) => Math.hypot(dot.x - x, dot.y - y) < 2), JSON.stringify([dots, places]));
+});
+
+/** How much of the page the lecturer's own canvas covers. */
+const covered = (page) => page.evaluate(() => {
+  const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector("canvas.hall"));
+  if (!canvas || canvas.hidden) return 0;
+  const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  return data.filter((value, i) => i % 4 === 3 && value > 0).length / (data.length / 4);
+});
+const until_covered = async (page, least, most) => {
+  for (let share = -1, tries = 400; share < least || share > most; share = await covered(page))
+    assert.ok(tries-- > 0, `${share} is covered`);
+};
+
+test("a lesson that is presented has what a demo has: black, a standing picture, pointers, all keys", async (t) => {
+  const page = await load(t, "?lesson=sphere-ritter&step=3", kHall);
+  await page.keyboard.press("Shift+P");
+  await page.waitForFunction(() => document.fullscreenElement && document.querySelector(".presenting"));
+  await still(page);
+  const before = await standing(page);
+  for (const key of ["b", "."]) {
+    await page.keyboard.press(key);
+    await page.locator(".hall-black").waitFor();
+    await page.keyboard.press("PageDown");
+    await page.locator(".hall-black").waitFor({ state: "hidden" });
+  }
+  assert.deepEqual(await standing(page), before, "a key that brings the picture back does nothing else");
+  await page.keyboard.press("f");
+  await page.locator(".hall-picture").waitFor();
+  await page.keyboard.press("ArrowRight");
+  await until(page, (now, step) => now.step !== step || now.asked, before.step);
+  assert.equal(await page.locator(".hall-picture").count(), 1);
+  await page.keyboard.press("f");
+  await page.locator(".hall-picture").waitFor({ state: "detached" });
+
+  await page.mouse.move(400, 300);
+  await page.keyboard.press("l");
+  await page.mouse.move(401, 300);
+  await until_covered(page, 0.9, 0.99); // all but the spotlight
+  await page.keyboard.press("l");
+  await until_covered(page, 0, 0);
+  await page.keyboard.press("r");
+  await until_covered(page, 0.02, 0.3);
+  await page.keyboard.press("r");
+  await page.keyboard.press("w");
+  await page.mouse.down();
+  await page.mouse.move(700, 500, { steps: 3 });
+  await page.mouse.up();
+  await until_covered(page, 0.001, 0.02);
+  await page.keyboard.press("Escape"); // lays the pen down, and ends nothing
+  assert.match(await classes(page), /presenting/);
+  await until_covered(page, 0, 0); // what it wrote has faded
+
+  await page.keyboard.press("?");
+  const card = page.getByRole("dialog", { name: "Keys" });
+  for (const key of ["Page Down", "Home", "F5", "Esc", "B  .", "Tab", "held"])
+    assert.ok((await card.textContent()).includes(key), `the card says what ${key} does`);
+  await page.keyboard.press("?");
+  await card.waitFor({ state: "detached" });
+  await page.keyboard.press("Tab"); // to the first control, as everywhere
+  assert.notEqual(await page.evaluate(() => document.activeElement?.tagName), "BODY");
+  await page.keyboard.press("F5");
+  await page.waitForFunction(() => !document.fullscreenElement && !document.querySelector(".presenting"));
 });
 
 test("a state is taken along as a code; the phone says whether it shows the same", async (t) => {
@@ -223,6 +311,8 @@ test("a state is taken along as a code; the phone says whether it shows the same
   assert.ok(Math.min(width, height) > 0.6 * 720, "large enough for the last row");
   const letters = await page.locator(".qr .letters").textContent();
   assert.match(letters, /^[B-DF-HJKMNP-TV-Z]{4}$/);
+  const says = await page.locator(".qr .says").textContent();
+  assert.equal(says, `${site.url}?lesson=sphere-ritter&step=3&seed=7`, "as the window has it (desktop/demo.test.sh)");
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".qr").count(), 0);
   await page.goto(`${site.url}?lesson=sphere-ritter&step=3&seed=7&mark=${letters}`);
@@ -233,12 +323,15 @@ test("a state is taken along as a code; the phone says whether it shows the same
   await page.getByText(/^This is not the state on the screen: here [A-Z]{4}, there /).waitFor();
 });
 
-test("800 points of one's own survive in an address", async (t) => {
+test("800 points of one's own survive in an address; what is lost of more is told before it is shared", async (t) => {
   const page = await load(t, "?lesson=sphere-ritter&from=cube:800&step=0&seed=3");
-  const points = Array.from({ length: 800 }, (_, i) => [Math.cos(i) * (1 + i / 800), Math.sin(3 * i) / 3]);
-  await page.setInputFiles('input[type="file"]', {
-    name: "own.xyz", mimeType: "text/plain", buffer: Buffer.from(points.map((point) => point.join(" ")).join("\n")),
-  });
+  const give = async (count) => {
+    const points = Array.from({ length: count }, (_, i) => [Math.cos(i) * (1 + i / count), Math.sin(3 * i) / 3]);
+    const buffer = Buffer.from(points.map((point) => point.join(" ")).join("\n"));
+    await page.setInputFiles('input[type="file"]', { name: "own.xyz", mimeType: "text/plain", buffer });
+    await until(page, (now, size) => now.size === size && !now.preparing, count);
+  };
+  await give(800);
   await page.waitForFunction(() => location.hash.startsWith("#packed="));
   await still(page);
   const { trace } = await state(page);
@@ -248,4 +341,10 @@ test("800 points of one's own survive in an address", async (t) => {
   await page.goto(address);
   await ready(page);
   assert.equal((await state(page)).trace, trace);
+  await page.keyboard.press("q");
+  await page.locator(".qr .says", { hasText: "without what was edited here, which is too much for a code." }).waitFor();
+  await page.keyboard.press("Escape");
+  await give(3500);
+  await page.getByRole("button", { name: "Share" }).first().click();
+  await page.getByText("without what was edited here, which is too much for an address.").waitFor();
 });

@@ -1,7 +1,7 @@
 // The page at every size, theme and text size: nothing cut off, everything named, every pair of colours readable.
 import { after, before, test } from "node:test";
 import {
-  assert, kFirst, cut_off, handles, kPhone, lessons, load, start, state, still, stop, until, visit,
+  assert, kFirst, cut_off, handles, kinds, kPhone, lessons, load, low_words, start, state, still, stop, until, visit,
 } from "./support.mjs";
 
 before(start);
@@ -137,6 +137,27 @@ for (const [width, height] of [[1024, 768], [1280, 800]]) {
     assert.ok(await page.locator("#bar").isVisible());
   });
 }
+
+for (const [width, height] of [[1280, 720], [1920, 1080]])
+  test(`presented at ${width}x${height} no word is lower than a fortieth of it, nothing sticks out or overlaps`,
+    async (t) => {
+      const faults = [];
+      for (const { id } of await kinds()) {
+        const page = await visit(t, `?lesson=${id}&step=1`, { viewport: { width, height } });
+        await page.keyboard.press("F5");
+        await page.waitForFunction(() => document.querySelector(".presenting"));
+        for (const key of ["", "t"]) {
+          if (key) await page.keyboard.press(key); // the lesson's text
+          await still(page);
+          const own = [await low_words(page), await sticking_out(page), await overlaps(page)].flat();
+          const stage = await page.locator("#stage").boundingBox();
+          if (!key && stage.height < height / 2) own.push(`the stage is ${stage.height} high`);
+          faults.push(...own.map((fault) => `${id} ${key}: ${fault}`));
+        }
+        await page.keyboard.press("F5");
+      }
+      assert.deepEqual(faults, []);
+    });
 
 test("presented, the title stands above all, and no name in a selector is cut off", async (t) => {
   const page = await visit(t, "?lesson=obb-axes&step=5");

@@ -34,10 +34,36 @@ test("a step is saved as PNG and SVG, and steps as an animation", async (t) => {
   const bare = readFileSync(await save("Save SVG"), "utf8");
   assert.ok(bare.length < text.length, "names and measures can be left out");
 
+  await dialog.getByRole("checkbox", { name: "with names and measures" }).check();
+
+  // Without its ground, and in other colours: what is clear, and what is the ground's, is as it should be.
+  const share = (path, ...how) => Number(execFileSync("convert", [path, ...how, "-format", "%[fx:mean]", "info:"]));
+  await dialog.getByRole("checkbox", { name: "transparent" }).check();
+  const clear = await save("1280 × 800");
+  const opaque = share(clear, "-alpha", "extract");
+  assert.ok(opaque > 0.005 && opaque < 0.4, `${opaque} of it is opaque`);
+  assert.match(described(clear, "%[Source]"), address);
+  await dialog.getByLabel("Colours").selectOption("dark");
+  assert.doesNotMatch(readFileSync(await save("Save SVG"), "utf8"), /<rect x="0" y="0" width="1280" height="800"/);
+  await dialog.getByRole("checkbox", { name: "transparent" }).uncheck();
+  const dark = await save("1280 × 800");
+  assert.ok(share(dark, "-fill", "white", "+opaque", "#10141B", "-negate") > 0.3, "the ground is dark");
+  await dialog.getByLabel("Colours").selectOption("");
+
   await dialog.getByLabel("First step").fill("2");
   await dialog.getByLabel("Last step").fill("4");
   const gif = await save("Animate");
   assert.equal(described(gif, "%wx%h,"), "1280x800,".repeat(3));
   assert.match(described(gif, "%c"), address);
   assert.equal((await state(page)).step, before.step, "the stage is where it was");
+});
+
+test("a chart of nothing yet is no picture, and says so; of others see claims.test.mjs", async (t) => {
+  const page = await load(t, "?lesson=cost-chart&step=0");
+  await page.getByRole("button", { name: "Share" }).first().click();
+  await page.getByRole("button", { name: "As a picture" }).click();
+  const dialog = page.getByRole("dialog", { name: "Pictures of the chart" });
+  await dialog.getByRole("button", { name: "Save SVG" }).click();
+  await dialog.getByText("nothing has been measured yet").waitFor();
+  await dialog.getByRole("button", { name: "Close" }).click();
 });

@@ -347,6 +347,20 @@ export const cut_off = (page) => page.evaluate(() => {
     ...(beyond > 1 ? [`${beyond} pixels of ${ask.textContent}`] : [])];
 });
 
+/** The words of the page's HTML that are lower than a fortieth of the screen's height. */
+export const low_words = (page) => page.evaluate(() => {
+  const low = [], all = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let node = all.nextNode(); node; node = all.nextNode()) {
+    const parent = node.parentElement, range = document.createRange();
+    range.selectNodeContents(node);
+    const { width, height, top } = range.getBoundingClientRect();
+    const seen = parent.checkVisibility({ visibilityProperty: true }) && width > 2 && height > 2 && top < innerHeight;
+    const size = Number.parseFloat(getComputedStyle(parent).fontSize);
+    if (node.textContent.trim() && seen && size < innerHeight / 40 - 0.01) low.push(`${node.textContent}: ${size}`);
+  }
+  return low;
+});
+
 /** Shows the points' tools, which share their place with the lesson's text. */
 export const to_points = (page) => page.getByRole("tab", { name: "Points" }).click();
 

@@ -9,6 +9,7 @@ xdotool key Next # the sentence
 xdotool key Next # the numbers
 xdotool key Next
 at 2 0
+until_state 's.demo.next === "Next: the sentence. After that: AABB-AABB intersection"'
 xdotool key Right # the sentence
 xdotool key Right
 at 3 0
@@ -19,7 +20,7 @@ until_state 's.demo.vote.includes(" 12, ") && s.demo.vote.endsWith(" 31") && !/[
 xdotool key Return v 4 Return 3 9 Return Return
 until_state 's.demo.vote.includes("Second vote") && s.demo.shown.startsWith("Second vote") && !/ [0-9]/.test(s.demo.shown)'
 xdotool key Right # the answer, and with it the votes
-until_state 's.asked === null && s.outcome === "first-axis" && s.demo.shown === s.demo.vote && / 39$/.test(s.demo.shown)'
+until_state 's.asked === null && s.outcome === "first-axis" && s.step > 0 && s.demo.shown === s.demo.vote && / 39$/.test(s.demo.shown)'
 xdotool key Prior # as it was: asked again
 until_state 's.asked.id === "first-axis"'
 xdotool key Prior # the state before, with all that it reveals
@@ -35,6 +36,21 @@ until_state "s.trace !== '$(hash_of 2)'"
 xdotool key space
 xdotool key Home
 at 2 0
+next=$(state 's.demo.next')
+
+# So does a key that is held: what it did by being pressed is forgotten.
+read -r x y < <(handle A)
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.5 mousedown 1 sleep 0.2
+for i in 1 2 3 4 5 6; do xdotool mousemove --window "$window" $((x + 10 * i)) $((y - 5 * i)) sleep 0.03; done
+xdotool mouseup 1
+until_state "s.trace !== '$(hash_of 2)'"
+xdotool keydown Next
+until_state "s.trace === '$(hash_of 2)' && s.demo.next === '$next'"
+xdotool keyup Next
+at 2 0
+xdotool key F5 # the whole screen, which it has
+sleep 0.3
+until_state 's.presenting && s.demo.state === 2'
 
 # The notes have a window of their own; closed, opened and closed again, nothing of the demo is lost.
 for i in 1 2; do
@@ -50,13 +66,17 @@ for i in 1 2; do
     until_state '!s.demo.notes'
 done
 at 2 0
+xdotool key Tab Tab sleep 0.3 key Home # a clicker's key for links moves the focus, and nothing else
+at 2 0
 xdotool key q # the state as a code: without the class's page there is none, but its letters
 until_state 's.code.length === 4'
 xdotool key q
 until_state 's.code === ""'
 
 xdotool key b # black; the next key brings the picture back, and does nothing else
+until_state 's.hall.black'
 xdotool key Next
+until_state '!s.hall.black'
 sleep 0.5
 at 2 0
 xdotool key n # of a presentation without a demo
@@ -85,17 +105,26 @@ walk() { # demo width height
     ((i >= 20)) || fail "$1 has only $i states"
     close_window
 }
-walk collision 1280 720
-walk geometry 1920 1080
+for name in collision geometry; do
+    walk $name 1280 720
+    walk $name 1920 1080
+done
 
 # A demo is recorded by a key, with the view that a hand has made, and shows it again.
 cd "$work"
 folder=$OLDPWD
 snug=$folder/$snug
+export XDG_CONFIG_HOME=$work/config
+mkdir -p "$work/config/snug"
+echo 'page = "https://example.org/snug/"' >"$work/config/snug/snug.toml"
 open_window --lesson obb-axes --step 3
 trace=$(state s.trace)
 xdotool key ctrl+Left ctrl+Left
 sleep 1
+xdotool key q # its code has the view as well, and is of the same address as the page's
+until_state '/^https:..example.org.snug.[?]lesson=obb-axes&step=3&seed=[0-9]+&camera=[-0-9.,e]+&mark=[A-Z]{4}$/.test(s.codeAddress)'
+xdotool key q
+until_state 's.code === ""'
 xdotool key D
 until_state 's.notice.includes("with this state")'
 xdotool key Escape Right

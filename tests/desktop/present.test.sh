@@ -1,4 +1,5 @@
-# A lecture: the whole screen, without bar and text, from lesson to lesson by keys and buttons; the text on demand.
+# A lecture: the whole screen, without bar and text, from lesson to lesson by keys and buttons; the text on demand; black,
+# a picture that stands, pointers.
 . tests/desktop/support.sh
 size() { xdotool getwindowgeometry "$window" | grep -oP 'Geometry: \K\S+'; }
 open_window --size 1280x800 --lesson sphere-ritter
@@ -11,6 +12,46 @@ xdotool key t
 until_state 's.textShown && s.links.length > 0'
 xdotool key t
 until_state '!s.textShown'
+colors() { import -window "$window" png:- | identify -format %k -; }
+seen() { import -window "$window" png:- | convert - -format '%#' info:; }
+wait_for() { # what comes true...
+    local i
+    for i in $(seq 50); do "$@" && return; sleep 0.1; done
+    fail "never: $*"
+}
+is_black() { [[ $(colors) == 1 ]]; }
+is_seen() { (($(colors) > 50)); }
+differs() { [[ $(seen) != "$1" ]]; }
+step=$(state 's.step')
+for key in b period; do
+    xdotool key $key
+    until_state 's.hall.black'
+    wait_for is_black
+    xdotool key Next # brings the picture back, and does nothing else
+    until_state '!s.hall.black'
+    wait_for is_seen
+done
+[[ $(state 's.step') == "$step" ]] || fail "the key that ends black did more"
+xdotool mousemove --window "$window" 400 300 sleep 0.5
+before=$(seen)
+xdotool key f
+until_state 's.hall.frozen'
+xdotool key Next sleep 0.5
+until_state "s.step !== $step || s.asked !== null"
+[[ $(seen) == "$before" ]] || fail "the picture that stands has changed"
+xdotool key f
+wait_for differs "$before"
+for key in l w r; do # the spotlight, the pen, the ruler
+    sleep 0.5
+    before=$(seen)
+    xdotool key $key
+    wait_for differs "$before"
+    xdotool key Escape # lays it down, and ends nothing
+    until_state 's.presenting'
+done
+xdotool key question
+until_state 's.focus !== undefined'
+xdotool key question
 xdotool key n
 until_state 's.lesson === "sphere-pca" && s.step === 0 && s.presenting'
 tab_to "Next lesson (N)"

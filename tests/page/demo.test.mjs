@@ -1,14 +1,16 @@
-// A state as it is recorded on the page. How the page plays a demo is tested in tests/browser/demo.test.mjs.
+// A state as it is recorded on the page, what the notes say comes next, and a picture that is cut out. How the page
+// plays a demo is tested in tests/browser/demo.test.mjs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { state_text } from "../../web/page/demo_text.js";
+import { next_text, state_text } from "../../web/page/demo_text.js";
+import { cut_out } from "../../web/page/picture_bytes.js";
 
 // demo_keys.json
 /** @type {any} */
-const kKeys = [["lesson", "lesson", false], ["situation", "situation", false], ["algorithm", "a", false],
-  ["compare", "b", false], ["scalar", "scalar", false], ["seed", "seed", true], ["from", "from", false],
-  ["sliders", "slide", false], ["moved", "moved", false], ["rows", "rows", false], ["packed", "packed", false],
-  ["step", "step", true]];
+const kKeys = [["lesson", "lesson", false], ["step", "step", true], ["seed", "seed", true],
+  ["situation", "situation", false], ["algorithm", "a", false], ["compare", "b", false], ["scalar", "scalar", false],
+  ["from", "from", false], ["sliders", "slide", false], ["moved", "moved", false], ["rows", "rows", false],
+  ["packed", "packed", false], ["camera", "camera", false]];
 
 test("what stands on the page is recorded in the words of a demo's file", () => {
   const address = "?lesson=sphere-ritter&step=3&seed=7&a=aabb_center&b=none&from=clusters:200&slide=0.5,2&moved=0,1,-2";
@@ -16,14 +18,34 @@ test("what stands on the page is recorded in the words of a demo's file", () => 
 hash = "0123456789abcdef"
 slide = "A \\"title\\""
 lesson = "sphere-ritter"
+step = 3
+seed = 7
 algorithm = "aabb_center"
 compare = "none"
-seed = 7
 from = "clusters:200"
 sliders = "0.5,2"
 moved = "0,1,-2"
-step = 3
 shows = ["caption", "numbers", "code"]
 notes = "What you say."
 `);
+});
+
+test("the notes say what is left to reveal, and what the next state is about", () => {
+  /** @type {any} */
+  const file = { states: [{ slide: "One", reveal: ["answer", "numbers"] }, { slide: "Two", reveal: ["steps"] }] };
+  const next = (at, revealed) => next_text(file, { at, revealed });
+  assert.equal(next(0, 0), "Next: the answer, then the numbers. After that: Two");
+  assert.equal(next(0, 1), "Next: the numbers. After that: Two");
+  assert.equal(next(0, 2), "Next: Two");
+  assert.equal(next(1, 0), "Next: the steps, played. This is the last state.");
+  assert.equal(next(1, 1), "This is the last state.");
+});
+
+test("a picture without a ground has the opacity by which it looks otherwise over black than over white", () => {
+  const over = (ground) => Uint8ClampedArray.from([
+    ...[ground, ground, ground, 255], // nothing
+    ...[10, 95, 191, 255], // a colour
+    ...[100, 50, 0].map((channel) => channel + ground * 0.6), 255, // another, of which two fifths are opaque
+  ]);
+  assert.deepEqual([...cut_out(over(0), over(255))], [0, 0, 0, 0, 10, 95, 191, 255, 250, 125, 0, 102]);
 });

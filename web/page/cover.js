@@ -8,14 +8,13 @@ const kSlice = 4; // milliseconds: beside a frame's own work
 const kLongestSlice = 50; // where frames are slow
 /** @type {Record<CoverFormat, string>} */
 const kTypes = { csv: "text/csv", json: "application/json", svg: "image/svg+xml", png: "image/png" };
-/** @type {[number, number, number]} */
-const kPicture = [1280, 800, 2]; // of a PNG: width, height, and device pixels for each
 const kPercent = { role: "progressbar", "aria-valuemin": 0, "aria-valuemax": 100 };
 
 export class CoverTools {
   #door;
   #act;
   #stage;
+  #place;
   #timer = 0;
   #says = element("p", { class: "label", role: "status" });
   #measured = element("div", {});
@@ -37,12 +36,13 @@ export class CoverTools {
   #sliced_at = Infinity; // milliseconds
   #section;
 
-  /** stage: function that gives the stage, which draws frames and pictures.
-   *  @param {Door} door @param {Act} act @param {() => Stage} stage */
-  constructor(door, act, stage) {
+  /** stage: function that gives the stage, which draws frames and pictures; place: the address of what is shown.
+   *  @param {Door} door @param {Act} act @param {() => Stage} stage @param {() => string} place */
+  constructor(door, act, stage, place) {
     this.#door = door;
     this.#act = act;
     this.#stage = stage;
+    this.#place = place;
     this.#section = element("section", { class: "cover", "aria-label": "Measurement", hidden: true }, this.#choices,
       element("div", { class: "row" }, ...this.#work, this.#other), this.#bar,
       element("div", { class: "row cover-says" }, this.#says, this.#files), this.#told);
@@ -72,12 +72,11 @@ export class CoverTools {
   }
 
   async #save(/** @type {CoverFormat} */ format) {
-    const { name, text } = this.#door.cover_file(format);
-    const blob = format === "png"
-      ? await this.#stage().picture(...kPicture, (...size) => this.#door.draw_cover(...size))
-      : new Blob([text], { type: kTypes[format] });
-    if (!blob) return;
-    save_file(blob, name, blob.type);
+    const address = new URL(this.#place(), location.href).href;
+    const { name, text } = this.#door.cover_file(format, address);
+    if (format !== "png") return save_file(text, name, kTypes[format]);
+    const { save_chart } = await import("./pictures.js");
+    save_chart(this.#door, this.#stage(), name, address);
   }
 
   #show_progress = when_changed((/** @type {number} */ progress) => {

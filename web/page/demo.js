@@ -1,6 +1,7 @@
 // A demo: states of lessons in the order of a lecture's slides, led by the keys of a clicker. Only a demo loads this.
 import { read_address } from "./address.js";
-import { by_id, element, is_within, kWrites, set_hidden, set_text } from "./dom.js";
+import { by_id, element, is_within, kWrites, set_text } from "./dom.js";
+import { hall } from "./hall.js";
 import { lecture } from "./lecture.js";
 import { notice, veil } from "./messages.js";
 import { kPresentingScale } from "./settings.js";
@@ -13,20 +14,21 @@ import { Votes } from "./vote.js";
  *  stands */
 
 const kParts = ["caption", "prose", "numbers", "code"];
-const kWords = 1.5 / kPresentingScale; // against a lesson's: no word of the stage is below a fortieth of the height
+const kWords = 1.5 / kPresentingScale; // against a lesson's: a demo shows less beside its stage
 /** What each key does; a clicker has those of the first lines.
  *  @type {Record<string, string>} */
 const kKeys = {
   PageDown: "next", ArrowRight: "next",
   PageUp: "back", ArrowLeft: "back",
   F5: "fill",
-  b: "black", ".": "black",
+  b: "b", ".": "b", // black
   Home: "again", h: "again",
-  f: "freeze",
+  f: "f", // the picture stands
   s: "notes",
   l: "l", w: "w", r: "r", // the spotlight, the pen, the ruler
   n: "nothing", p: "nothing", // which lead to other lessons otherwise
 };
+const kHeld = 4; // repetitions of a key, a moment after the first: nobody presses a clicker that long by mistake
 const kEverywhere = new Set(["PageDown", "PageUp", "F5", "Escape"]); // even while something is typed
 
 /** The channel between the demo and its notes, in another tab. */
@@ -53,8 +55,8 @@ export class Demo {
   #over = false;
   #channel;
   #place = element("p", { class: "demo-place" });
-  #black = element("div", { class: "demo-black", hidden: true });
-  #picture = /** @type {HTMLElement | null} */ (null); // that stands while it is frozen
+  #before = [0, 0]; // the state and the reveals before the last key that led
+  #repeated = 0; // how often that was told again since it was pressed
   #votes = /** @type {Votes | null} */ (null);
 
   /** @param {DemoFile} file @param {Page} page @param {Settings} settings */
@@ -63,9 +65,10 @@ export class Demo {
     this.#page = page;
     this.#settings = settings;
     this.#channel = channel_of(file.id);
-    this.#channel.onmessage = ({ data }) => (data.asks ? this.#tell() : this.#do(data.does));
+    this.#channel.onmessage = ({ data }) =>
+      data.asks ? this.#tell() : data.held ? this.#hold(data.does) : this.#do(data.does);
     addEventListener("keydown", this.#key, { capture: true });
-    this.#black.addEventListener("pointerdown", () => this.#do("black"));
+    hall.changed = () => this.#tell();
   }
 
   get address() {
@@ -74,9 +77,8 @@ export class Demo {
 
   /** state: counted from 1. */
   async begin(/** @type {number} */ state) {
-    await bring_style("demo.css");
+    await Promise.all(["demo.css", "hall.css"].map(bring_style));
     by_id("work").append(this.#place);
-    document.body.append(this.#black);
     this.#settings.enlarge(kWords);
     this.#settings.present(true);
     this.#settings.on_change(() => this.#settings.presenting || this.#leave());
@@ -98,7 +100,9 @@ export class Demo {
     this.#settings.enlarge(1);
     document.documentElement.classList.remove("demo", ...kParts.map((part) => `without-${part}`));
     this.#votes?.end();
-    for (const node of [this.#place, this.#black, this.#picture]) node?.remove();
+    this.#place.remove();
+    hall.changed = () => {};
+    hall.lift();
   }
 
   /** The lesson stays, as one left it. */
@@ -119,7 +123,7 @@ export class Demo {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { key } = event;
     if (is_within(event.target, kWrites) && !kEverywhere.has(key)) return;
-    if (this.#black.hidden && !this.#answered && this.#votes?.take_key(this.#at, key)) {
+    if (!hall.black && !this.#answered && this.#votes?.take_key(this.#at, key)) {
       event.preventDefault();
       event.stopImmediatePropagation();
       this.#show_votes();
@@ -129,15 +133,25 @@ export class Demo {
     if (!does) return;
     event.preventDefault();
     event.stopImmediatePropagation();
-    if (!event.repeat) this.#do(does);
+    if (event.repeat) this.#hold(does);
+    else this.#do(does);
   };
+
+  /** A key is held, and the keyboard tells it again: then what stood there before it was pressed is shown as it was. */
+  #hold(/** @type {string} */ does) {
+    if (!["next", "back"].includes(does) || ++this.#repeated !== kHeld) return;
+    const [at, revealed] = this.#before;
+    this.#show(at, revealed);
+    this.#tell();
+  }
 
   #do(/** @type {string} */ does) {
     if (does === "notes") return this.#open_notes();
-    if (["l", "w", "r"].includes(does)) return void import("./hall.js").then(({ hall }) => hall.answer_key(does));
-    if (does === "black") this.#darken(Boolean(this.#black.hidden));
-    else if (!this.#black.hidden) this.#darken(false); // the first key brings the picture back, and does nothing else
-    else if (does === "freeze") this.#freeze(!this.#picture);
+    if (["l", "w", "r", "b", "f"].includes(does)) return void hall.answer_key(does, this.#page.door);
+    const { black } = hall;
+    this.#repeated = black ? kHeld : 0;
+    this.#before = [this.#at, this.#revealed];
+    if (black) hall.darken(false); // the first key brings the picture back, and does nothing else
     else if (does === "next") this.#next();
     else if (does === "back") this.#back();
     else if (does === "again") this.#show(this.#at, this.#revealed);
@@ -147,9 +161,7 @@ export class Demo {
   }
 
   /** The pointers first. */
-  async #put_away() {
-    if (!document.querySelector(".hall")) return this.#leave();
-    const { hall } = await import("./hall.js");
+  #put_away() {
     if (!hall.put_away()) this.#leave();
   }
 
@@ -196,8 +208,8 @@ export class Demo {
       if (what === "steps" && !playing) door.command("pass_questions");
       if (what === "steps" && !played) door.jump(steps);
       if (what === "steps" && played && !playing) door.command("play");
-      if (what === "answer" && asked) door.command("skip_question");
-      if (what === "answer" && !played && door.view()?.deciding) door.command("continue");
+      if (what === "answer" && asked) door.command("reveal_answer");
+      if (what === "answer" && asked && played) door.command("watch_outcome");
     });
   }
 
@@ -223,29 +235,6 @@ export class Demo {
     this.#votes?.show(this.#at, this.#answered, covers);
   }
 
-  #darken(/** @type {boolean} */ on) {
-    set_hidden(this.#black, !on);
-  }
-
-  /** A picture of the page lies over it, and lets every press through. */
-  #freeze(/** @type {boolean} */ on) {
-    this.#picture?.remove();
-    this.#picture = null;
-    if (!on) return;
-    const work = by_id("work");
-    const copy = /** @type {HTMLElement} */ (work.cloneNode(true));
-    const canvas = copy.querySelector("canvas");
-    this.#page.door.frame(performance.now() / 1000); // what was drawn is there only within the same task
-    canvas?.getContext("2d")?.drawImage(by_id("canvas"), 0, 0);
-    const { left, top, width, height } = work.getBoundingClientRect();
-    Object.assign(copy.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
-    copy.classList.add("demo-picture");
-    copy.inert = true;
-    copy.setAttribute("aria-hidden", "true");
-    document.body.append(copy);
-    this.#picture = copy;
-  }
-
   // ---- the notes, in another tab --------------------------------------------------------------------------------
 
   #tell() {
@@ -253,8 +242,8 @@ export class Demo {
     this.#channel.postMessage({
       at: this.#at,
       revealed: this.#revealed,
-      black: !this.#black.hidden,
-      frozen: this.#picture !== null,
+      black: hall.black,
+      frozen: hall.frozen,
       vote: this.#votes?.told(this.#at) ?? "",
     });
   }

@@ -2,15 +2,12 @@
 // through a channel, and leads it; if it is closed or loaded anew, nothing of the demo is lost.
 import { button, element, set_text } from "./dom.js";
 import { channel_of } from "./demo.js";
+import { next_text } from "./demo_text.js";
 import { bring_style } from "./sheet.js";
 /** @import { Downloads } from "./download.js"
  *  @import { Standing } from "./demo.js" */
 
 const kTick = 1000; // milliseconds
-const kSays = {
-  caption: "the sentence", prose: "the lesson’s text", numbers: "the numbers", code: "the code",
-  steps: "the steps, played", answer: "the answer",
-};
 
 const two = (/** @type {number} */ number) => String(Math.floor(number)).padStart(2, "0");
 
@@ -20,15 +17,6 @@ function clock_text(now, since) {
   const seconds = Math.max(0, (now.getTime() - since.getTime()) / 1000);
   const ago = `${Math.floor(seconds / 60)}:${two(seconds % 60)}`;
   return `${two(now.getHours())}:${two(now.getMinutes())} · ${ago}`;
-}
-
-/** What the next press does, and how many there are in this state.
- *  @param {DemoFile} file @param {Standing} standing */
-export function next_text(file, { at, revealed }) {
-  const { reveal } = file.states[at];
-  const says = /** @type {Record<string, string>} */ (kSays);
-  if (revealed < reveal.length) return `Next: ${reveal.slice(revealed).map((what) => says[what]).join(", then ")}`;
-  return at + 1 < file.states.length ? `Next: ${file.states[at + 1].slide}` : "This is the last state.";
 }
 
 /** @param {string} id @param {Downloads} downloads */
@@ -46,8 +34,8 @@ export async function show_notes(id, downloads) {
   const does = (/** @type {string} */ words, /** @type {string} */ what) =>
     button(words, () => channel.postMessage({ does: what }));
   const buttons = element("div", { class: "buttons" },
-    does("Back", "back"), does("Next", "next"), does("This state again", "again"), does("Black", "black"),
-    does("Freeze", "freeze"),
+    does("Back", "back"), does("Next", "next"), does("This state again", "again"), does("Black", "b"),
+    does("Freeze", "f"),
   );
   const says = [clock, place, slide, notes, vote, next, buttons, state];
   const parts = file ? says : [`There is no demo “${id.slice(0, 60)}”.`];
@@ -71,12 +59,12 @@ export async function show_notes(id, downloads) {
   };
   channel.onmessage = ({ data }) => "at" in data && show(data);
   /** @type {Record<string, string>} */
-  const keys = { PageDown: "next", ArrowRight: "next", PageUp: "back", ArrowLeft: "back", Home: "again", b: "black",
-    ".": "black", f: "freeze" };
+  const keys = { PageDown: "next", ArrowRight: "next", PageUp: "back", ArrowLeft: "back", Home: "again", b: "b",
+    ".": "b", f: "f" };
   addEventListener("keydown", (event) => {
     if (!keys[event.key]) return;
     event.preventDefault();
-    channel.postMessage({ does: keys[event.key] });
+    channel.postMessage({ does: keys[event.key], held: event.repeat });
   });
   channel.postMessage({ asks: true });
 }

@@ -1,6 +1,6 @@
-// What a lecturer points and measures with, over the whole page: a spotlight, a pen that fades, a ruler for the height
-// of type.
-import { element } from "./dom.js";
+// What a lecturer has over the whole page: a spotlight, a pen that fades, a ruler for the height of type; black, and a
+// picture that stands.
+import { by_id, element } from "./dom.js";
 import { bring_style } from "./sheet.js";
 
 const kStays = 3000, kFades = 1500; // milliseconds
@@ -14,19 +14,25 @@ class Hall {
   #strokes = /** @type {{ points: Point[], ended: number }[]} */ ([]);
   #writing = false;
   #frame = 0;
+  #black = element("div", { class: "hall-black", hidden: true });
+  #picture = /** @type {HTMLElement | null} */ (null); // that stands
+  changed = () => {}; // called when it gets black or light, or a picture stands or goes
 
   constructor() {
     addEventListener("pointermove", (event) => this.#move(event), { capture: true });
     this.#canvas.addEventListener("pointerdown", (event) => this.#press(event));
     this.#canvas.addEventListener("pointerup", () => (this.#writing = false));
     addEventListener("resize", () => this.#request());
-    document.body.append(this.#canvas);
+    this.#black.addEventListener("pointerdown", () => this.darken(false));
+    document.body.append(this.#canvas, this.#black);
   }
 
-  /** l: the spotlight; w: the pen; r: the ruler.
-   *  @param {string} key */
-  answer_key(key) {
-    bring_style("hall.css");
+  /** l: the spotlight; w: the pen; r: the ruler; b and a full stop: black; f: the picture stands.
+   *  @param {string} key @param {Door} door */
+  async answer_key(key, door) {
+    await bring_style("hall.css");
+    if (key === "b" || key === ".") return this.darken(!this.black);
+    if (key === "f") return this.freeze(this.frozen ? null : door);
     const name = /** @type {"l" | "w" | "r"} */ (key);
     this.#on[name] = !this.#on[name];
     this.#show();
@@ -38,6 +44,49 @@ class Hall {
     this.#on = { l: false, w: false, r: false };
     this.#show();
     return any;
+  }
+
+  get black() {
+    return !this.#black.hidden;
+  }
+
+  get frozen() {
+    return this.#picture !== null;
+  }
+
+  darken(/** @type {boolean} */ on) {
+    this.#black.hidden = !on;
+    this.changed();
+  }
+
+  /** A picture of the page lies over it, and lets every press through. door: draws it; null takes it away.
+   *  @param {Door | null} door */
+  freeze(door) {
+    this.#picture?.remove();
+    this.#picture = null;
+    if (door) this.#lay_over(door);
+    this.changed();
+  }
+
+  #lay_over(/** @type {Door} */ door) {
+    const work = by_id("work");
+    const copy = /** @type {HTMLElement} */ (work.cloneNode(true));
+    const canvas = copy.querySelector("canvas");
+    door.frame(performance.now() / 1000); // what was drawn is there only within the same task
+    canvas?.getContext("2d")?.drawImage(by_id("canvas"), 0, 0);
+    const { left, top, width, height } = work.getBoundingClientRect();
+    Object.assign(copy.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+    copy.classList.add("hall-picture");
+    copy.inert = true;
+    copy.setAttribute("aria-hidden", "true");
+    document.body.append(copy);
+    this.#picture = copy;
+  }
+
+  /** Lets the class see the page again. */
+  lift() {
+    this.darken(false);
+    this.freeze(null);
   }
 
   #show() {

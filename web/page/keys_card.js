@@ -25,12 +25,15 @@ const kPresenting = [
   ["L", "the pointer as a spotlight"],
   ["W", "the pointer as a pen, whose strokes fade"],
   ["R", "a ruler for the height of type"],
-  ["Esc", "lays those down; then ends the presentation"],
+  ["B  .", "black, and the picture again by any key"],
+  ["F", "the picture stands while you prepare another"],
+  ["Tab, Enter", "to the next button or link, and press it"],
+  ["Esc", "lays the pointers down; then ends the presentation"],
 ];
 const kDemo = [
   ["Page Down, →", "the next reveal, or the next state"],
   ["Page Up, ←", "back, to what was shown then"],
-  ["Home, H", "this state as it was, after any drag"],
+  ["Home, H", "this state as it was, after any drag; so does a key for next or back that is held"],
   ["B  .", "black, and the picture again"],
   ["F", "the picture stands while you prepare another"],
   ["S", "the notes, in a second window"],
@@ -46,8 +49,12 @@ const list = (/** @type {string} */ title, /** @type {string[][]} */ rows) =>
 export function show_keys() {
   if (document.querySelector(".keys-card")) return;
   bring_style("hall.css");
+  const lists = [list("In a lesson", kLesson), list("In a presentation", kPresenting), list("In a demo", kDemo)];
+  const { classList } = document.documentElement;
+  const first = classList.contains("demo") ? 2 : classList.contains("presenting") ? 1 : 0; // what one is in
+  lists.unshift(...lists.splice(first, 1));
   const dialog = show_dialog("keys-card", "Keys",
-    ...list("In a lesson", kLesson), ...list("In a presentation", kPresenting), ...list("In a demo", kDemo),
+    ...lists.flat(),
     button("Close", () => dialog.close(), { class: "button primary" }));
   dialog.addEventListener("keydown", (event) => event.key === "?" && dialog.close());
   dialog.querySelector("h2")?.focus(); // not the button at its end, which would scroll there

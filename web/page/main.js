@@ -149,11 +149,11 @@ export class Page {
       new ScalarSwitch(door, act),
       new SceneFile(door, act),
       new SituationTools(door, act),
-      new CoverTools(door, act, () => this.#stage),
+      new CoverTools(door, act, () => this.#stage, () => this.#place()),
       new Player(door, act),
       this.#tabs,
       new Side(door),
-      new Presentation(settings, lessons, go_to, () => this.#reading.bring_section()),
+      new Presentation(settings, door, lessons, go_to, () => this.#reading.bring_section()),
       new Invitations(door, kept, lessons[0]?.id, (place) => this.#stage.on_page(place)),
     ];
     this.#menu = new LessonMenu(lessons, go_to);
@@ -667,20 +667,23 @@ export class Page {
     });
   }
 
+  /** The address of what stands here, which is no demo's. */
+  #place(/** @type {SharedRows} */ rows = this.#door.shared_rows()) {
+    return write_address(this.#view, this.#lesson, rows, false);
+  }
+
   /** What stands here as a code to scan. */
   async #show_code() {
     if (this.#opening || !this.#view || this.#view.exercise) return;
     const { show_code } = await import("./qr.js");
     const shared = this.#door.shared_rows();
     const bare = { slide: shared.slide, how: shared.how, camera: shared.camera };
-    const write = (/** @type {SharedRows} */ rows) => write_address(this.#view, this.#lesson, rows, false);
-    await show_code(write(shared), write(bare), this.#door.trace() ?? "");
+    await show_code(this.#place(shared), this.#place(bare), this.#door.trace() ?? "");
   }
 
   async #pictures() {
     const { show_pictures } = await import("./pictures.js");
-    const address = write_address(this.#view, this.#lesson, this.#door.shared_rows(), false);
-    show_pictures(this.#door, this.#stage, this.#lesson, address);
+    show_pictures(this.#door, this.#stage, this.#lesson, this.#settings, this.#place());
   }
 
   /** Whether a phone shows what the screen does that its address was scanned from. */

@@ -4,16 +4,19 @@ import { by_id, is_within, kWrites } from "./dom.js";
 
 export class Presentation {
   #settings;
+  #door;
   #lessons;
   #go_to;
   #shows;
   #here = 0; // the index of the open lesson
-  #hall = /** @type {typeof import("./hall.js").hall | null} */ (null); // the pointers, once one was used here
+  #hall = /** @type {typeof import("./hall.js").hall | null} */ (null); // once something of it was used here
 
   /** shows(): called when the text is shown.
-   *  @param {Settings} settings @param {CourseLesson[]} lessons @param {GoTo} go_to @param {() => void} shows */
-  constructor(settings, lessons, go_to, shows) {
+   *  @param {Settings} settings @param {Door} door @param {CourseLesson[]} lessons @param {GoTo} go_to
+   *  @param {() => void} shows */
+  constructor(settings, door, lessons, go_to, shows) {
     this.#settings = settings;
+    this.#door = door;
     this.#lessons = lessons;
     this.#go_to = go_to;
     this.#shows = shows;
@@ -44,22 +47,23 @@ export class Presentation {
 
   #end() {
     this.#show_text(false);
-    if (document.querySelector(".hall")) import("./hall.js").then(({ hall }) => hall.put_away()); // a demo's as well
+    if (document.querySelector(".hall")) import("./hall.js").then(({ hall }) => (hall.put_away(), hall.lift()));
   }
 
   async #point(/** @type {string} */ key) {
     this.#hall ??= (await import("./hall.js")).hall;
-    this.#hall.answer_key(key);
+    this.#hall.answer_key(key, this.#door);
   }
 
   #key(/** @type {KeyboardEvent} */ event) {
     if (!this.#settings.presenting || event.defaultPrevented) return;
     if (event.ctrlKey || event.metaKey || event.altKey || is_within(event.target, kWrites)) return;
     const key = event.key.toLowerCase();
-    if (key === "n") this.#move(1);
+    if (this.#hall?.black) key === "shift" || this.#hall.darken(false); // any key, which then does nothing else
+    else if (key === "n") this.#move(1);
     else if (key === "p") this.#move(-1);
     else if (key === "t") this.#show_text();
-    else if (["l", "w", "r"].includes(key)) this.#point(key);
+    else if (["l", "w", "r", "b", ".", "f"].includes(key)) this.#point(key);
     else if (key !== "escape" || !this.#hall?.put_away()) return;
     event.preventDefault();
   }

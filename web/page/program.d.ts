@@ -391,10 +391,10 @@ interface Door {
   measure(milliseconds: number): void;
   measuring(): boolean;
   measured(): number;
-  cover_file(format: CoverFormat): { name: string; text: string };
+  cover_file(format: CoverFormat, address: string): { name: string; text: string };
   draw_cover(width: number, height: number, scale: number): boolean;
-  draw_picture(width: number, height: number, scale: number, labels: boolean): boolean;
-  picture_svg(width: number, height: number, labels: boolean, address: string): string;
+  draw_picture(width: number, height: number, scale: number): boolean;
+  picture_svg(width: number, height: number, address: string): string;
   playground_says(): string;
   carry_points(): void;
   put_down_points(name: string): Refusal;
@@ -414,7 +414,15 @@ type QrCode = { size: number; quiet: number; dark: string };
 
 type Handle = { id: string; x: number; y: number };
 type LessonRead = { draws: boolean; mesh: string; error: string };
-type StageSettings = { theme: string; textScale: number; reducedMotion: boolean; ground: number[] };
+type StageSettings = {
+  theme: string;
+  textScale: number;
+  leastWords: number;
+  reducedMotion: boolean;
+  labels: boolean;
+  grounded: boolean;
+  ground: number[];
+};
 type StageLayout = {
   width: number;
   height: number;

@@ -9,6 +9,7 @@ const kProjectorScale = 1.2; // the same as in app/palette.hpp: the canvas appli
 export const kPresentingScale = 1.3;
 const kLow = 690; // pixels, for words of the size that they are made for
 const kScreen = { width: 1280, height: 720 }; // on a larger one everything that is presented is larger
+const kLeast = { height: 1 / 40, width: 3 / 160 }; // no word is lower then, unless the window is no projector's
 const kSurePatience = 6000; // milliseconds for which a press waits for a second one
 const asks = (/** @type {string} */ query) => matchMedia(query);
 
@@ -166,12 +167,18 @@ export class Settings {
     return this.presenting ? Math.max(scale, kPresentingScale * this.larger * screen) : scale;
   }
 
+  /** The least height of words, pixels: what the last row of a hall reads. */
+  get least() {
+    return this.presenting ? Math.min(innerHeight * kLeast.height, innerWidth * kLeast.width) : 0;
+  }
+
   #apply() {
     const root = document.documentElement;
     root.dataset.theme = this.theme;
     root.classList.toggle("presenting", this.presenting);
     root.classList.toggle("low", innerHeight < kLow * this.text_scale);
     root.style.setProperty("--text-scale", String(this.text_scale));
+    root.style.setProperty("--least", `${this.least}px`);
     set_text(by_id("theme-name"), kNames[this.theme]);
     by_id("theme").setAttribute("aria-label", `Theme: ${kNames[this.theme]}`);
     by_id("theme").title = "Theme";
@@ -188,6 +195,8 @@ export class Settings {
     const panel = getComputedStyle(document.documentElement).getPropertyValue("--panel").trim();
     const ground = [1, 3, 5].map((i) => parseInt(panel.slice(i, i + 2), 16) / 255);
     const scale = this.text_scale / (this.theme === "projector" ? kProjectorScale : 1);
-    return { theme: this.theme, textScale: scale, reducedMotion: this.motion.matches, ground };
+    const whole = { labels: true, grounded: true }; // a picture may do without
+    return { theme: this.theme, textScale: scale, leastWords: this.least, reducedMotion: this.motion.matches, ground,
+      ...whole };
   }
 }

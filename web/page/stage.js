@@ -95,17 +95,16 @@ export class Stage {
     else if (Number.isFinite(seconds)) this.#alarm = setTimeout(() => this.request(), seconds * 1000);
   }
 
-  /** A PNG of what `draw` draws on the canvas, at a size of its own; the next frame draws the stage again. Null if it
-   *  cannot.
-   *  @param {number} width @param {number} height @param {number} scale @param {Door["draw_cover"]} draw
-   *  @returns {Promise<Blob | null>} */
-  async picture(width, height, scale, draw) {
+  /** What `take` takes of what `draw` draws on the canvas, at a size of its own; the next frame draws the stage again.
+   *  Null if it cannot be drawn.
+   *  @template T @param {number} width @param {number} height @param {number} scale @param {Door["draw_picture"]} draw
+   *  @param {(canvas: HTMLCanvasElement) => T} take */
+  picture(width, height, scale, draw, take) {
     [this.#canvas.width, this.#canvas.height] = [width * scale, height * scale];
-    const drawn = draw(width, height, scale);
-    const blob = new Promise((done) => (drawn ? this.#canvas.toBlob(done, "image/png") : done(null)));
+    const taken = draw(width, height, scale) ? take(this.#canvas) : null;
     this.#moved = true; // its own size comes back
     this.request();
-    return blob;
+    return taken;
   }
 
   #arrange() {

@@ -3,6 +3,7 @@
 
 #include "core/lesson/small_lesson.hpp"
 #include "lesson/demo_now.hpp"
+#include "lesson/demo_reveal.hpp"
 #include "lesson/packed_rows.hpp"
 
 using namespace snug;
@@ -77,17 +78,17 @@ TEST_CASE("an address and a file name the same things; each in its own words") {
                         .camera = {2, 0.5, 0},
                         .moved = {{0, 1.5, -2}},
                         .step = 3};
-  CHECK(address_of(state) == "?lesson=small&a=welzl&b=none&seed=7&moved=0,1.5,-2&camera=2,0.5,0&step=3");
+  CHECK(address_of(state) == "?lesson=small&step=3&seed=7&a=welzl&b=none&moved=0,1.5,-2&camera=2,0.5,0");
   CHECK(state_text(state, "A \"title\"", 0x12) == R"([[state]]
 hash = "0000000000000012"
 slide = "A \"title\""
 lesson = "small"
+step = 3
+seed = 7
 algorithm = "welzl"
 compare = "none"
-seed = 7
 moved = "0,1.5,-2"
 camera = "2,0.5,0"
-step = 3
 shows = ["caption", "numbers", "code"]
 notes = "What you say."
 )");
@@ -113,4 +114,32 @@ TEST_CASE("questions are passed, and the step stays") {
   session.go(session.steps());
   CHECK(session.step() == session.steps());
   CHECK(session.asked() == nullptr);
+}
+
+TEST_CASE("an answer is revealed at the step that decides it, and nothing else is asked") {
+  Session session = open_small();
+  session.first();
+  while (session.asked() == nullptr && session.step() < session.steps()) session.forward();
+  REQUIRE(session.asked() != nullptr);
+  const std::string question = session.asked()->question->id;
+  const int decided = session.asked()->until;
+  reveal_answer(session);
+  REQUIRE(session.outcome() != nullptr);
+  CHECK(session.outcome()->question == question);
+  CHECK(session.step() == decided);
+  session.acknowledge();
+  session.go(session.steps());
+  CHECK(session.step() == session.steps());
+}
+
+TEST_CASE("a state names its situation, unless it is the lesson's own") {
+  const std::string text = test::small_lesson_with("seed = 5", "seed = 5\nsituation_title = \"Six points\"") +
+                           "[[situation]]\nname = \"three\"\ntitle = \"Three\"\n"
+                           "[situation.points]\ndim = 2\nlist = [[0, 0], [1, 0], [0, 1]]\n";
+  Session session = test::open(text);
+  CHECK(state_now(session, kNoMesh)->situation.empty());
+  REQUIRE(session.show_situation("three"));
+  const auto state = state_now(session, kNoMesh);
+  CHECK(state->situation == "three");
+  CHECK(state->rows.empty());
 }
