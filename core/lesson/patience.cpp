@@ -148,7 +148,7 @@ void Preparation::refuse(double time, Index most, const Piece* piece) {
           ? "this lesson would take about " + long_time(time) + " for " + points + "; " + up_to +
                 " take less than ten seconds here"
           : (piece->method != nullptr ? title_in(lesson_, *piece->method) + " alone" : std::string("this lesson")) +
-                " would take about " + long_time(time) + " for " + points + ", and nothing would answer meanwhile; " +
+                " would take about " + long_time(time) + " for " + points + ", and could not be stopped; " +
                 up_to + " can be shown here";
   refused_ = InputError{.what = what};
 }
