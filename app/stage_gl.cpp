@@ -429,7 +429,7 @@ void StageGl::draw(const GlScene& scene, int width, int height, float scale) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   glClearColor(ground.r, ground.g, ground.b, ground.a);
-  glClear(GL_COLOR_BUFFER_BIT);  // only the stage: the door clears the rest, and the depth
+  if (ground.a > 0) glClear(GL_COLOR_BUFFER_BIT);  // only the stage: the door clears the rest, and the depth
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
