@@ -283,6 +283,7 @@ test("a lesson that is presented has what a demo has: black, a standing picture,
   await until_covered(page, 0.02, 0.3);
   await page.keyboard.press("r");
   await page.keyboard.press("w");
+  await page.locator("canvas.hall.writes:not([hidden])").waitFor();
   await page.mouse.down();
   await page.mouse.move(700, 500, { steps: 3 });
   await page.mouse.up();
