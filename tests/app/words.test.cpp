@@ -1,6 +1,5 @@
 // At the steps of every lesson, in each situation, beside a second algorithm and at its questions, on screens of many
-// sizes: no words over others, none cut off, and in a lecture none below a fortieth of the height; and beside a
-// question none that tell its answer.
+// sizes: no words over others, none cut off; and beside a question none that tell its answer.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -28,7 +27,6 @@ struct Screen {
   float text_scale = 1;
   bool prose_in_canvas = false;
   Theme theme = Theme::kLight;
-  float least = 0;  // of words
 };
 
 /// The page's and the window's parts, as their doors lay them out.
@@ -44,18 +42,6 @@ const std::vector<Screen>& screens() {
       {"window 960", {{300, 48, 380, 816}, {300, 864, 380, 136}, {680, 48, 280, 952}}, 1, true},
       {"presentation", {{0, 0, 999, 664}, {0, 664, 999, 136}, {999, 80, 281, 720}, false, 120}, 1, true},
       {"window 1920", {{422, 48, 1162, 880}, {422, 928, 1162, 152}, {1584, 48, 336, 1032}}, 1, true},
-      {"lecture, window 1280",
-       {{0, 0, 880, 560}, {0, 617, 880, 103}, {881, 76, 399, 360}, false, 210},
-       1.3f / 1.2f,
-       true,
-       Theme::kProjector,
-       18},
-      {"lecture, page 1920",
-       {{0, 0, 1267, 840}, {0, 926, 1267, 154}, {1268, 114, 652, 540}, false, 315},
-       1.95f / 1.2f,
-       false,
-       Theme::kProjector,
-       27},
       {"projector",
        {{0, 0, 1268, 896}, {0, 896, 1268, 160}, {1268, 0, 380, 1032}, false, 88},
        1,
@@ -103,7 +89,6 @@ class Faults {
     }
     seen_ += words.size();
     for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i].size < screen.least - 0.01f) add(words[i].words + " | is low", where);
       const DrawnWords here = shown(words[i]);
       const Rect& part = part_of(screen.layout, words[i]);
       const bool scrolls = &part == &screen.layout.inspector;
@@ -150,7 +135,6 @@ class Watched {
       : bench_(lesson, screen.layout, mesh_of(lesson.points.mesh)), screen_(screen), faults_(faults) {
     bench_.app.settings().text_scale = screen.text_scale;
     bench_.app.settings().theme = screen.theme;
-    bench_.app.settings().least_words = screen.least;
     bench_.app.settings().prose_in_canvas = screen.prose_in_canvas;
     bench_.app.note_words(&drawn_);
   }
