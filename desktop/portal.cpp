@@ -17,7 +17,7 @@ constexpr int kByte = 'y', kUint32 = 'u', kString = 's', kObjectPath = 'o', kArr
               kDictEntry = 'e';
 using Connection = void;
 using Message = void;
-/// Of the library's own layout; larger than that is in any of its versions.
+/// Room for the library's own iterator, which is smaller in all of its versions.
 struct alignas(void*) Iter {
   unsigned char bytes[256];
 };

@@ -81,7 +81,7 @@ struct WrongRule {
   std::optional<Answer> (*decides)(const Asked& asked, const Run& run);
 };
 
-/// Of a wrong range: which way the right one lies.
+/// Says of a wrong range which way the right one lies.
 inline constexpr std::string_view kMore = "It is more than that.", kLess = "It is less than that.";
 
 /// Something that can be asked of a step.

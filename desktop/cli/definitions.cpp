@@ -64,7 +64,7 @@ std::vector<std::string> values_of(const CLI::Option& option) {
 }
 
 std::string ids_of(const Defined& command, const CLI::Option& option) {
-  // By the names that the help has for it.
+  // The completions name an option as the help does.
   const std::string name = option.nonpositional() ? names_of(option).back() : option.get_name();
   if (name == "LESSON" || name == "--lesson") return "lessons";
   if (name == "--case") return "cases";
