@@ -143,13 +143,12 @@ bool Preparation::is_lessons_own() const {
 void Preparation::refuse(double time, Index most, const Piece* piece) {
   const std::string points = count_text(count_of(*next.subject)) + " such points",
                     up_to = "up to about " + count_text(most);
-  const std::string what =
-      piece == nullptr
-          ? "this lesson would take about " + long_time(time) + " for " + points + "; " + up_to +
-                " take less than ten seconds here"
-          : (piece->method != nullptr ? title_in(lesson_, *piece->method) + " alone" : std::string("this lesson")) +
-                " would take about " + long_time(time) + " for " + points + ", and could not be stopped; " +
-                up_to + " can be shown here";
+  const std::string what = piece == nullptr ? "this lesson would take about " + long_time(time) + " for " + points +
+                                                  "; " + up_to + " take less than ten seconds here"
+                                            : (piece->method != nullptr ? title_in(lesson_, *piece->method) + " alone"
+                                                                        : std::string("this lesson")) +
+                                                  " would take about " + long_time(time) + " for " + points +
+                                                  ", and could not be stopped; " + up_to + " can be shown here";
   refused_ = InputError{.what = what};
 }
 

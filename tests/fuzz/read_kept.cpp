@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   const desktop::Kept kept;
   fuzz::require(kept.invited >= 0);
-  if (const desktop::KeptLesson* lesson = kept.lesson(kept.last())) {
+  if (const desktop::KeptLesson* lesson = kept.lesson(kept.last(), 0)) {
     fuzz::require(lesson->step >= 0 && lesson->steps >= 0 && lesson->answered >= 0);
     const lesson::KeptAnswers answers = lesson::kept_answers_of(lesson->answers);
     const lesson::KeptAnswers again = lesson::kept_answers_of(lesson::kept_text(answers));
