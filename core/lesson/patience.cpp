@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lesson/names.hpp"
 #include "lesson/point_subject.hpp"
@@ -56,6 +57,7 @@ Index round_number(double n) {
 }  // namespace
 
 void GrowingTime::add(Index some, double time) {
+  if (static_cast<double>(some) == some_[2]) return static_cast<void>(time_[2] = std::clamp(time, 1.0, time_[2]));
   some_ = {some_[1], some_[2], static_cast<double>(some)};
   time_ = {time_[1], time_[2], std::max(time, 1.0)};
 }
@@ -162,6 +164,8 @@ void Preparation::judge() {
   const bool holds = takes(longest) > kLongestHeld, tells = longest.growth.tells();
   const Index most = std::min(n, longest.growth.most_in(kLongestHeld / times(longest)));
   const double all = whole(n);
+  const bool refuses = tells && (holds || all > kLongestShown);
+  if (refuses && !std::exchange(measured_again_, true)) return;
   if (all > kLongestShown && tells) {
     // Each piece grows by its own law: the number that they all keep to is found by halving.
     Index few = 1, many = n;
@@ -174,7 +178,7 @@ void Preparation::judge() {
   if (holds && tells) return refuse(takes(longest), most, &longest);
   const bool doubtful = holds || all > kLongestShown;
   if (some_ >= n / (doubtful ? 2 : kLastPart)) return static_cast<void>((some_ = 0, all_.clear()));
-  some_ = std::min(2 * some_, n);
+  some_ = std::min(2 * some_, n), measured_again_ = false;
 }
 
 /// The next piece of the estimate.

@@ -18,7 +18,8 @@ namespace snug::lesson {
 /// answers, ns. Half a second is promised, because a piece may take somewhat longer than estimated.
 inline constexpr double kLongestShown = 10e9, kLongestPiece = 0.4e9;
 
-/// The time of a computation on more and more of its points, each time about twice as many.
+/// The time of a computation on more and more of its points, each time about twice as many. Of the same points measured
+/// again, the shorter time counts.
 class GrowingTime {
  public:
   void add(Index some, double time);
@@ -93,7 +94,8 @@ class Preparation {
   std::vector<Piece> pieces_;
   std::size_t at_ = 0;  // the next piece: of the estimate, and then of all
   std::vector<Point3> all_;
-  Index some_ = 0;  // how many the estimate is at; 0: it is over
+  Index some_ = 0;               // how many the estimate is at; 0: it is over
+  bool measured_again_ = false;  // before it refuses: a slow moment of the machine is no reason to
   std::unique_ptr<Subject> sample_;
   Work of_sample_;
   double share_ = 0;

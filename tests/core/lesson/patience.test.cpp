@@ -23,6 +23,15 @@ double g_step = 0;
 double ticking() { return g_now += g_step; }
 double standing() { return g_now; }
 
+/// How often the clock was looked at, and at which looks the machine is slow.
+int g_looks = 0, g_slow_from = 0, g_slow_until = 0;
+
+double hindered() {
+  const bool slow = g_looks >= g_slow_from && g_looks < g_slow_until;
+  ++g_looks;
+  return g_now += slow ? 3e9 : 1e3;
+}
+
 Session open_small(Clock clock) {
   auto lesson = read_lesson(kSmallLesson, "small.toml");
   REQUIRE(lesson.has_value());
@@ -81,6 +90,16 @@ TEST_CASE("points that a lesson cannot show in time are refused with how many it
   g_step = 1;
   CHECK(session.set_generator("cube", 5'000, 2, 3).has_value());
   CHECK(session.size() == 5'000);
+}
+
+TEST_CASE("a slow moment of the machine refuses nothing: before that, the same points are measured again") {
+  Session session = open_small(&hindered);
+  g_looks = 0, g_slow_from = 0, g_slow_until = 1 << 30;
+  REQUIRE_FALSE(session.set_generator("cube", 50'000, 2, 3).has_value());
+  const int round = g_looks / 4;  // three times more and more points, and the last of them again
+  g_looks = 0, g_slow_from = 2 * round, g_slow_until = 3 * round;
+  CHECK(session.set_generator("cube", 50'000, 2, 3).has_value());
+  CHECK(g_looks > g_slow_until);
 }
 
 TEST_CASE("an edit that takes long goes in pieces, and the stage stays until all is there") {
