@@ -231,7 +231,7 @@ void App::State::set_speed(int by) {
 
 bool App::State::player(std::string_view name) {
   const int before = session->step();
-  const bool previewing = session->previewing();
+  const bool previewing = session->previewing(), asks = session->asked() != nullptr;
   if (go_on(name)) return playing = session->deciding() != nullptr, true;
   if (name == "play") return toggle_play(), true;
   if (name == "slower") return set_speed(-1), true;
@@ -246,7 +246,7 @@ bool App::State::player(std::string_view name) {
   else if (name == "commit_answer") return session->commit();
   else return false;
   playing = false;
-  return session->step() != before || session->previewing() != previewing;
+  return session->step() != before || session->previewing() != previewing || (session->asked() != nullptr) != asks;
 }
 
 /// Starts what decides the predictions about the cover, once all of them are given and one waits for it.

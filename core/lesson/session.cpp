@@ -213,7 +213,7 @@ std::string_view Session::asked_figure() const {
 }
 
 bool Session::predicting() const {
-  const Asked* question = asked();
+  const Asked* question = fresh_ ? standing() : asked();
   return question != nullptr && question->step != Asked::kAnytime;
 }
 

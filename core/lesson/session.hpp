@@ -226,7 +226,8 @@ class Session {
   // ---- questions and the task -------------------------------------------------------------------------------
   // A question is asked, answered (a wrong answer may have a second try), decided (the steps up to there are played),
   // told, and acknowledged; only then is the next one asked.
-  /// The open question at the current step; null while an outcome is shown. Playing waits for it.
+  /// The open question at the current step; null while an outcome is shown. Playing waits for it. A lesson opens
+  /// without one: what is seen first can be looked at, and the first step asks.
   [[nodiscard]] const Asked* asked() const;
   /// The first open question about what is measured, which belongs to no step; null for none.
   [[nodiscard]] const Asked* to_predict() const;
@@ -472,6 +473,7 @@ class Session {
   mutable std::optional<std::uint64_t> hash_;
   int step_ = 0;
   bool previewing_ = false;
+  bool fresh_ = true;           // the player was not used yet
   bool predicts_ = false;       // whether to_predict() is asked
   std::uint64_t practice_ = 0;  // the seed that was scattered to practise; 0 for none
   std::vector<Mark> marks_;

@@ -49,9 +49,9 @@ int Session::step_of(int slot) const {
 }
 
 void Session::stand(int step) {
-  if (step == step_ && !previewing_) return;
+  if (step == step_ && !previewing_ && !fresh_) return;
   step_ = step;
-  previewing_ = false;
+  previewing_ = fresh_ = false;
   if (step >= shown_at_) deciding_ = false;
   if (!deciding_ && step != shown_at_) shown_outcome_ = -1;
   if (conduct_.decides) {

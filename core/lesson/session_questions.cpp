@@ -71,7 +71,11 @@ Outcome Session::judged(const Asked& asked, const Answer& answer) const {
   return outcome;
 }
 
-const Asked* Session::asked() const { return deciding_ || outcome() != nullptr ? nullptr : standing(); }
+const Asked* Session::asked() const {
+  const Asked* now = standing();
+  const bool comes_later = now != nullptr && fresh_ && now->step != Asked::kAnytime;
+  return comes_later || deciding_ || outcome() != nullptr ? nullptr : now;
+}
 
 const Asked* Session::open_at(int step) const {
   const auto found = std::find_if(asked_.begin(), asked_.end(),

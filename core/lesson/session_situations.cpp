@@ -59,6 +59,7 @@ void Session::enter_situation() {
   const bool again = place.method == slots_[0].method;  // null before the first time
   const bool shows_end = lesson_->start == Lesson::Start::kEnd;
   previewing_ = again ? place.previewing : shows_end;
+  fresh_ = false;  // somebody chose it
   step_ = again ? place.step : shows_end ? steps() : 0;
   predicts_ = !lesson_->subject->predict_when_measuring;
   run_changed(previewing_);

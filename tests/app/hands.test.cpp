@@ -204,6 +204,7 @@ TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
 
 TEST_CASE("the keys that go on skip a question at their second press; play waits for it") {
   Bench bench(asking_at_start());
+  bench.session().first();
   REQUIRE(bench.session().asked() != nullptr);
   bench.app.command("play");
   CHECK_FALSE(bench.app.playing());
@@ -225,6 +226,7 @@ TEST_CASE("the keys that go on skip a question at their second press; play waits
 
 TEST_CASE("watching an outcome plays from its question to it, and stops there") {
   Bench bench(asking_at_start());
+  bench.session().first();
   CHECK_FALSE(bench.app.command("watch_outcome"));
   REQUIRE(bench.session().answer({lesson::Answer::Kind::kPoint, 6}));
   const int decided = bench.session().step();
@@ -247,6 +249,7 @@ TEST_CASE("watching an outcome plays from its question to it, and stops there") 
 
 TEST_CASE("answering plays what was skipped, in four seconds at most, and tells the outcome then") {
   Bench bench(asking_at_start());
+  bench.session().first();
   bench.app.settings().reduced_motion = false;
   bench.frames(1);
   const int decided = bench.session().asked()->until;
@@ -281,6 +284,7 @@ TEST_CASE("answering plays what was skipped, in four seconds at most, and tells 
 
 TEST_CASE("who wants no motion is taken to the outcome at once") {
   Bench bench(asking_at_start());
+  bench.session().first();
   const int decided = bench.session().asked()->until;
   REQUIRE(bench.app.command("skip_question"));
   CHECK(bench.session().step() == decided);

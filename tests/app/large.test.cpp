@@ -22,7 +22,7 @@ struct StageSize {
   Theme theme = Theme::kLight;
 };
 const StageSize kStages[]{{"laptop", {628, 566}, 0},
-                          {"laptop, asked", {628, 566}, 150},
+                          {"laptop, asked", {628, 566}, 188},
                           {"large", {1162, 846}, 0},
                           {"presentation", {999, 664}, 0, Theme::kProjector},
                           {"presentation, asked", {999, 664}, 170, Theme::kProjector},

@@ -122,6 +122,7 @@ TEST_CASE("an order: every choice has its place, and equal ones may change their
   Session session = test::open(test::small_lesson_with(
       "[[question]]\nid = \"pair\"",
       "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[question]]\nid = \"pair\""));
+  session.first();
   REQUIRE(session.asked() != nullptr);
   REQUIRE(session.asked()->ordered);
   CHECK(session.comparing());
@@ -142,6 +143,7 @@ TEST_CASE("an order: every choice has its place, and equal ones may change their
 TEST_CASE("a wrong order has a second try, and is called an order") {
   Session session = test::open(with_question(
       "algorithm = \"ritter\"\nbefore = \"extremes_found\"\nasks = \"sequence\"\nchoices = [\"1\", \"2\", \"3\"]\n"));
+  session.first();
   REQUIRE(session.asked() != nullptr);
   for (int i = 0; i < 3; ++i) REQUIRE(session.pick(choice(i)));  // never shown in order
   REQUIRE(session.commit());
@@ -154,6 +156,7 @@ TEST_CASE("lines to be put into order are never shown in order") {
                                      "choices = [\"first\", \"second\", \"third\"]\n");
     text.replace(text.find("\"own\""), 5, '"' + std::string(id) + '"');
     Session session = test::open(text);
+    session.first();
     REQUIRE(session.asked() != nullptr);
     const std::vector<std::string> shown = session.asked()->choices;
     CHECK(shown != std::vector<std::string>{"first", "second", "third"});

@@ -237,8 +237,27 @@ TEST_CASE("a slot without a method has neither volume nor support") {
   CHECK(session.support(1).empty());
 }
 
+TEST_CASE("a lesson opens without a question before its first step, and the first press asks it") {
+  const std::string own = "[[question]]\nid = \"own\"\nalgorithm = \"ritter\"\nbefore = \"extremes_found\"\n"
+                          "asks = \"choice\"\nchoices = [\"a\", \"b\"]\nanswer = \"a\"\nholds = \"always\"\n"
+                          "prompt = \"Which?\"\nwrong = { b = \"No.\" }\nbecause = \"So.\"\n\n";
+  const std::string text = test::small_lesson_with("[[question]]\nid = \"pair\"", own + "[[question]]\nid = \"pair\"");
+  for (const bool places : {false, true}) {
+    Session session = test::open(text);
+    CHECK(session.step() == 0);
+    CHECK(session.asked() == nullptr);
+    CHECK(session.predicting());  // what would give it away stays hidden
+    if (places) session.jump(0);  // an address names the step
+    else session.forward();
+    REQUIRE(session.asked() != nullptr);
+    CHECK(session.asked()->question->id == "own");
+    CHECK(session.step() == 0);
+  }
+}
+
 TEST_CASE("the revision moves with whatever a view shows, and with nothing else") {
   Session session = open_small();
+  session.first();
   auto revision = session.revision();
   const auto changed = [&] { return std::exchange(revision, session.revision()) != revision; };
   session.go(0);

@@ -23,7 +23,9 @@ lesson::Session frustum_session(const std::string& test, bool asks) {
     question.gate = {test, "plane_tested", 1, ""};
     question.asks = "p_vertex";
   }
-  return *lesson::Session::open(std::move(lesson));
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  session.first();
+  return session;
 }
 
 lesson::Session ball_session(const std::string& test) {

@@ -21,7 +21,9 @@ lesson::Session tree_session(std::string_view volume, const std::string& method,
     question.gate = {method, before, 1, ""};
     question.asks = asks;
   }
-  return *lesson::Session::open(std::move(lesson));
+  lesson::Session session = *lesson::Session::open(std::move(lesson));
+  session.first();
+  return session;
 }
 
 }  // namespace

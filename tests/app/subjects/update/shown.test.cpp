@@ -53,6 +53,7 @@ asks = "point"
 prompt = "Which is next?"
 because = "It reaches farthest."
 )");
+  session.first();
   REQUIRE(session.asked() != nullptr);
   const UpdateShown shown = update_shown_at(session);
   REQUIRE(shown.climb);

@@ -46,6 +46,8 @@ prompt = "In which order?"
 because = "So."
 )"),
               kPanelBeside);
+  CHECK_FALSE(is_said(bench.words(), "Looseness over a whole turn"));  // nor before it is asked
+  bench.session().first();
   REQUIRE(bench.session().asked() != nullptr);
   CHECK_FALSE(is_said(bench.words(), "Looseness over a whole turn"));
   REQUIRE(bench.session().skip());

@@ -54,6 +54,7 @@ Session asking(const BoxPair& pair, std::vector<Question> questions) {
   }
   auto session = Session::open(std::move(lesson));
   REQUIRE(session.has_value());
+  session->first();
   return *std::move(session);
 }
 
@@ -387,6 +388,7 @@ TEST_CASE("each mistake about a frustum is told with its line") {
 
 TEST_CASE("a point is on one of two sides of a plane, and not across it") {
   Session session = session_of("frustum-point");
+  session.first();
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->question->id == "left-sign");
   CHECK(session.asked()->choices ==
@@ -398,6 +400,7 @@ TEST_CASE("a point is on one of two sides of a plane, and not across it") {
 
 TEST_CASE("a number of one plane is hidden where it is asked for, and told at the planes before") {
   Session session = session_of("frustum-point");
+  session.first();
   const auto distance = [&] {
     for (const Figure& figure : session.figures())
       if (figure.key == "distance") return figure.text;

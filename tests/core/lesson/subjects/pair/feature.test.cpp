@@ -28,7 +28,8 @@ Session session_at(const std::string& center, int dim = 3) {
 }
 
 std::string right_answer(const std::string& center, int dim = 3) {
-  const Session session = session_at(center, dim);
+  Session session = session_at(center, dim);
+  session.first();
   REQUIRE(session.asked() != nullptr);
   const Answer answer = model_answer(*session.asked(), session.run(0));
   return session.asked()->choices[answer.value];

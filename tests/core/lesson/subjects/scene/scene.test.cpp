@@ -139,6 +139,7 @@ TEST_CASE("a figure is not told before the first question about it is answered")
       if (figure.key == key) return figure.known;
     return false;
   };
+  session.first();
   session.answer({lesson::Answer::Kind::kChoice, 0});
   CHECK(session.step() == 1);
   CHECK(told("after_broad"));

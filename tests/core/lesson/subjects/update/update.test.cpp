@@ -199,6 +199,7 @@ asks = "extreme"
 prompt = "Is it the extreme?"
 because = "No neighbour reaches farther."
 )");
+  session.first();
   REQUIRE(session.asked() != nullptr);
   CHECK(session.asked()->on_stage);
   CHECK(session.asked()->stage_points == std::vector<Index>{0, 1, 2, 3, 4, 5});
