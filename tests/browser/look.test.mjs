@@ -65,6 +65,40 @@ for (const [width, height] of kSizes) {
   });
 }
 
+/** Goes through what a lesson asks in its own run, and tells of each card its share of the stage. In the page, so that
+ *  no message goes to and fro for each step. */
+const shares_of_cards = (page) =>
+  page.evaluate(async () => {
+    const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const press = (key) =>
+      document.getElementById("canvas").dispatchEvent(new KeyboardEvent("keydown", { key, code: key, bubbles: true }));
+    const area = (id) => {
+      const { width, height } = document.getElementById(id).getBoundingClientRect();
+      return width * height;
+    };
+    const shares = {};
+    for (;;) {
+      await drawn();
+      const { asked, outcome, step, steps } = window.snug.state();
+      if (asked) shares[asked.id] = area("ask") / area("stage");
+      if (!asked && !outcome && step >= steps) return shares;
+      press(asked ? "s" : outcome ? "Enter" : "PageDown");
+    }
+  });
+
+test("on a laptop a question's card covers at most a third of the stage, whatever is asked", async (t) => {
+  let asked = 0;
+  for (const { id } of await lessons()) {
+    const page = await visit(t, `?lesson=${id}&step=0`);
+    for (const [question, share] of Object.entries(await shares_of_cards(page))) {
+      assert.ok(share <= 1 / 3, `${id}, ${question}: ${share.toFixed(3)}`);
+      ++asked;
+    }
+    await page.close();
+  }
+  assert.ok(asked > 120, `${asked} questions`);
+});
+
 test("on a phone on its side the stage has what the timeline leaves of its column, situations beside", async (t) => {
   for (const lesson of ["bvh-build&step=4", "which-volume&step=0", "frustum-sphere&step=1"]) {
     const page = await visit(t, `?lesson=${lesson}`, { ...kPhone, viewport: { width: 844, height: 390 } });
