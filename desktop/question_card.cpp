@@ -23,6 +23,7 @@ using lesson::Standing;
 
 constexpr Writing kPromptWriting{16, 23};
 constexpr float kPad = 20, kBeside = 24, kBelow = 12, kWheel = 48;
+constexpr float kLow = 640;  // of a stage: what is lower leaves a card no line for its heading
 constexpr float kLeastText = 150, kAnswerAndSkip = 150;  // what a row's text, and both buttons, should have at least
 
 /// A field for a number, or to name handles without pointing at them: type it and press Enter.
@@ -99,7 +100,8 @@ void draw_right_choices(Column& column, const lesson::Session& session, const le
   column.gap(height + gap);
 }
 
-void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
+/// low: whether which question it is stands before how it is answered, and not in a line above.
+void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, bool low) {
   lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   lesson::ProseFigures figures(session);
@@ -107,7 +109,8 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   const auto [words, place] = sitting != nullptr ? decision_place(*sitting, session)
                                                  : std::pair(std::string(lesson::kPredictionWord),
                                                              lesson::place_text(asked, session.questions()));
-  if (!shell.demo) draw_kicker(column, words, place, Standing::kOpen);
+  low = low && sitting == nullptr;
+  if (!shell.demo && !low) draw_kicker(column, words, place, Standing::kOpen);
   if (sitting != nullptr) draw_before(column, *sitting, session);
   draw_prompt(column, asked.prompt, figures, kPromptWriting);
   if (sitting != nullptr) draw_hints(column, *sitting, session);
@@ -132,6 +135,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked) {
   const std::string_view field = lesson::field_word(asked);
   if (!field.empty() && draw_answer_field(shell, column, field)) return;
   std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
+  if (low && !place.empty() && session.answer_says().empty()) says = place + " · " + says;
   const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
   if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
   const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
@@ -322,9 +326,10 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && io.MouseWheel != 0)
       ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() - kWheel * io.MouseWheel, 0.0f, ImGui::GetScrollMaxY()));
-    const float top = card.y + 16 - ImGui::GetScrollY();
+    const bool low = !shell.presenting && place.height < look.px(kLow);
+    const float pad = low ? 12 : 16, top = card.y + pad - ImGui::GetScrollY();
     Column column(look, card.x + kPad, top, card.width - 2 * kPad);
-    if (asked != nullptr) draw_question(shell, column, *asked);
+    if (asked != nullptr) draw_question(shell, column, *asked, low);
     else if (deciding != nullptr) draw_deciding(shell, column, *deciding);
     else if (outcome != nullptr) draw_outcome(shell, column, *outcome);
     else if (sitting != nullptr && sitting->looks_at(session) == lesson::Sitting::Looked::kRight)
@@ -332,9 +337,9 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
     else if (over && sitting != nullptr) command = draw_mark(shell, column, *sitting);
     else if (builds) command = draw_build(shell, column, *sitting);
     else command = draw_summary(shell, column);
-    shell.question_height = std::ceil(column.y() - top + 32);
+    shell.question_height = std::ceil(column.y() - top + 2 * pad);
     if (shell.question_height != before) ImGui::SetScrollY(0);  // it says something else
-    ImGui::SetCursorScreenPos({column.x(), column.y() + 15});
+    ImGui::SetCursorScreenPos({column.x(), column.y() + pad - 1});
     ImGui::Dummy({1, 1});
     app::fade_foot(pane.list(), {card.x + 1, card.y, card.width - 2, card.height - 1}, look->panel);
   }

@@ -1,6 +1,9 @@
 # A question is answered by the key of its number and Enter, as on the page; until then no step is taken.
 . tests/desktop/support.sh
 open_window --lesson scene-broad
+[[ $(state 's.asked') == null ]] || fail "it asks before anything was seen"
+xdotool key Right # which asks
+until_state 's.asked !== null'
 xdotool key Right
 sleep 0.5
 [[ $(state 's.step') == 0 ]] || fail "it stepped past its question"

@@ -59,6 +59,7 @@ rm -f "$SNUG_STATE"
 
 # A question's card comes first; what is chosen is given by its button, and its successor has the keyboard.
 open_window --lesson scene-broad
+xdotool key Right
 until_state 's.asked !== null'
 choice=$(state 's.asked.choices[0]')
 xdotool key Tab

@@ -4,6 +4,8 @@
 open_window --size 1366x700 --lesson scene-broad
 card() { import -window "$window" -crop 560x260+430+290 +repage "$work/$1.png"; } # on the stage's foot
 xdotool mousemove --window "$window" 700 300
+xdotool key Right
+until_state 's.asked !== null'
 xdotool key s
 until_state 's.asked === null && s.outcome !== null'
 xdotool key space # which continues
@@ -27,6 +29,7 @@ kill "$pid"; wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"
 
 open_window --lesson frustum-2d
+xdotool key Right
 until_state 's.asked && s.asked.targets.length === 4'
 xdotool key bracketright
 until_state 's.asked.says.startsWith(s.asked.targets[0] + " chosen.")'
