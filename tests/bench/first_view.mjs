@@ -1,0 +1,63 @@
+// node first_view.mjs [VIEWS]: how long a lesson's first frame takes by its link, over 10 Mbit/s with 40 ms each way and
+// back: as built, and without what index.html and boot.js ask for ahead. In turns, so that both meet the same machine.
+import { readFileSync } from "node:fs";
+import { chromium } from "../browser/node_modules/playwright-core/index.mjs";
+import { ready, serve_site } from "../browser/support.mjs";
+
+const kSite = process.env.SNUG_SITE ?? new URL("../../build/wasm/site/", import.meta.url).pathname;
+const kNetwork = { offline: false, latency: 40, downloadThroughput: 10e6 / 8, uploadThroughput: 10e6 / 8 };
+const kLesson = "?lesson=sphere-ritter";
+
+const text_of = (name) => readFileSync(`${kSite}/${name}`, "utf8");
+const when_found = {
+  "index.html": text_of("index.html").replace(/<link rel="(module)?preload"[^>]*>/g, ""),
+  "boot.js": text_of("boot.js").replaceAll("document.head.append(", "void ("),
+};
+
+/** How many answers are waited for one after the other: each file is asked for after the ones that were there by then. */
+function rounds_of(files) {
+  const done = [];
+  for (const { startTime, responseEnd } of [...files].sort((a, b) => a.startTime - b.startTime)) {
+    const before = done.filter(({ end }) => end <= startTime).map(({ round }) => round);
+    done.push({ end: responseEnd, round: Math.max(0, ...before) + 1 });
+  }
+  return Math.max(...done.map(({ round }) => round));
+}
+
+async function view(browser, changed) {
+  const site = await serve_site();
+  for (const [name, text] of Object.entries(changed)) site.add.set(name, text);
+  const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
+  const session = await page.context().newCDPSession(page);
+  await session.send("Network.enable");
+  await session.send("Network.emulateNetworkConditions", kNetwork);
+  await page.addInitScript(() => {
+    const look = () => (window.snug?.state()?.framesDrawn > 0 ? (window.first = performance.now()) : requestAnimationFrame(look));
+    addEventListener("DOMContentLoaded", look);
+  });
+  await page.goto(site.url + kLesson);
+  await ready(page);
+  const seen = await page.evaluate(() => ({
+    first: window.first,
+    files: performance.getEntriesByType("resource").concat(performance.getEntriesByType("navigation"))
+      .filter(({ startTime }) => startTime < window.first)
+      .map(({ startTime, responseEnd, encodedBodySize }) => ({ startTime, responseEnd, encodedBodySize })),
+  }));
+  await page.context().close();
+  site.close();
+  const bytes = seen.files.reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0);
+  return { first: seen.first, bytes, files: seen.files.length, rounds: rounds_of(seen.files) };
+}
+
+const browser = await chromium.launch({ executablePath: process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+const ways = { "as built": {}, "each file when it is found": when_found };
+const views = Object.fromEntries(Object.keys(ways).map((name) => [name, []]));
+for (let i = 0; i < Number(process.argv[2] ?? 5); ++i)
+  for (const [name, changed] of Object.entries(ways)) views[name].push(await view(browser, changed));
+for (const [name, all] of Object.entries(views)) {
+  const [{ bytes, files, rounds }] = all;
+  const times = all.map(({ first }) => first).sort((a, b) => a - b);
+  const shown = times.map((time) => (time / 1000).toFixed(2)).join(" ");
+  console.log(`${name}: ${files} files, ${bytes} bytes, ${rounds} rounds; first frame after ${shown} s`);
+}
+await browser.close();
