@@ -28,7 +28,7 @@ test("a finger drags the camera on a phone", async (t) => {
 });
 
 test("what the first plane saves is predicted, and then shown", async (t) => {
-  const page = await visit(t, "?lesson=frustum-field");
+  const page = await visit(t, "?lesson=frustum-field&step=0");
   const { asked } = await until(page, (now) => now.asked);
   assert.equal(asked.id, "one-by-one");
   const { outcome } = await answer(page, "20 to 40 %");

@@ -70,7 +70,7 @@ for (const lesson of kLessons)
   });
 
 test("the corner's signs answer by keyboard as well", async (t) => {
-  const page = await visit(t, "?lesson=frustum-2d");
+  const page = await visit(t, "?lesson=frustum-2d&step=0");
   await until(page, (now) => now.asked);
   const { outcome } = await answer(page, "−+", "keyboard");
   assert.equal(outcome.predicted, "−+");

@@ -85,7 +85,7 @@ test("a conversation goes on where it stood: at a second try, on the way, at an 
 });
 
 test("a wrong first answer before the first step is kept too", async (t) => {
-  const page = await load(t, "?lesson=kdop-space");
+  const page = await load(t, "?lesson=kdop-space&step=0");
   await until(page, (now) => now.asked?.id === "tightest" && now.step === 0);
   await page.locator("#canvas").focus();
   await page.keyboard.press("1"); // the 14-DOP, which is not the tightest

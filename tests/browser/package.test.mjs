@@ -2,12 +2,12 @@
 // the connection, has two tabs open, or finds the package replaced.
 import { execFileSync, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { appendFileSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { assert, load, start_on, stop } from "./support.mjs";
-import { answers_of, kProgram, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
+import { answers_of, kept_before, kProgram, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
 
 const shop = workshop();
 let host;
@@ -207,22 +207,10 @@ for (const site of ["strict", "worst"])
   });
 
 test("a package that was replaced keeps what fits, and says what does not, on either site", async (t) => {
-  const copy = shop.site_copy("site");
-  const course = JSON.parse(readFileSync(join(copy, "course.json"), "utf8"));
-  const [, set] = course.sets;
-  set.exercises = set.exercises.filter(({ id }) => id !== "be-welzl");
-  writeFileSync(join(copy, "course.json"), JSON.stringify(course));
-  appendFileSync(join(copy, "lessons/exercises/be-quickhull.toml"), "\n# another text, another hash\n");
-  shop.unpacked("set:geometry", "replaced", copy);
+  shop.replaced("replaced");
   for (const site of ["strict", "worst"]) {
     const page = await enter(t, null, site);
-    const keep = { tries: 1, best: model_of("be-pivot"), now: null, at: 1 };
-    const begun = { ...model_of(kQuick), decisions: model_of(kQuick).decisions.slice(0, 1), mark: 1 };
-    const exercises = {
-      "be-pivot": keep, "be-welzl": { ...keep, best: model_of("be-welzl") },
-      [kQuick]: { tries: 1, best: { ...model_of(kQuick), mark: 3 }, now: begun, at: 2 },
-    };
-    await fill(page, "set.geometry", { exercises });
+    await fill(page, "set.geometry", { exercises: kept_before() });
     await lms(page, "open", "replaced/");
     assert.match(await lms(page, "notices"), /replaced this package, now without be-welzl/);
     const { decision } = await page.evaluate((to) => window.lms.go(`?exercise=${to}`), kQuick);

@@ -2,7 +2,9 @@
 // know.
 import { execFileSync } from "node:child_process";
 import { once } from "node:events";
-import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import {
+  appendFileSync, cpSync, existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync,
+} from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { extname, join, normalize } from "node:path";
@@ -53,6 +55,17 @@ export function model_of(id, seed = 1) {
   return models.get(key);
 }
 
+/** What a device keeps of a student who had begun all of the set on geometry, before it is replaced. */
+export function kept_before() {
+  const quick = model_of("be-quickhull");
+  const begun = { ...quick, decisions: quick.decisions.slice(0, 1), mark: 1 };
+  const done = (id, at) => ({ tries: 1, best: model_of(id), now: null, at });
+  return {
+    "be-pivot": done("be-pivot", 1), "be-welzl": done("be-welzl", 1),
+    "be-quickhull": { tries: 1, best: { ...quick, mark: 3 }, now: begun, at: 2 },
+  };
+}
+
 /** A folder for the packages of a test file, removed with it. */
 export function workshop() {
   const folder = mkdtempSync(join(tmpdir(), "snug-packages-"));
@@ -69,6 +82,16 @@ export function workshop() {
     site_copy(name) {
       cpSync(kSite, at(name), { recursive: true });
       return at(name);
+    },
+    /** The set on geometry as its teacher has replaced it: without be-welzl, and with another be-quickhull. */
+    replaced(name) {
+      const copy = this.site_copy("site");
+      const course = JSON.parse(readFileSync(join(copy, "course.json"), "utf8"));
+      const set = course.sets.find(({ id }) => id === "geometry");
+      set.exercises = set.exercises.filter(({ id }) => id !== "be-welzl");
+      writeFileSync(join(copy, "course.json"), JSON.stringify(course));
+      appendFileSync(join(copy, "lessons/exercises/be-quickhull.toml"), "\n# another text, another hash\n");
+      this.unpacked("set:geometry", name, copy);
     },
     remove: () => rmSync(folder, { recursive: true }),
   };

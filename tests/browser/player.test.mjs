@@ -125,7 +125,7 @@ test("a typed name that there is not is told, and asks again", async (t) => {
 });
 
 test("with a finger on a phone the first tap chooses, the second answers", async (t) => {
-  const page = await visit(t, "?lesson=frustum-2d", kPhone);
+  const page = await visit(t, "?lesson=frustum-2d&step=0", kPhone);
   const { asked } = await until(page, (it) => it.asked);
   await page.locator("#stage").scrollIntoViewIfNeeded();
   await still(page);
