@@ -1,5 +1,5 @@
-// node first_view.mjs [VIEWS]: how long a lesson's first frame takes by its link, over 10 Mbit/s with 40 ms each way and
-// back: as built, and without what index.html and boot.js ask for ahead. In turns, so that both meet the same machine.
+// node first_view.mjs [VIEWS]: how long a lesson's first frame takes by its link, over 10 Mbit/s and 40 ms: as built, and
+// without what index.html and boot.js ask for ahead. In turns, so that both meet the same machine.
 import { readFileSync } from "node:fs";
 import { chromium } from "../browser/node_modules/playwright-core/index.mjs";
 import { ready, serve_site } from "../browser/support.mjs";
@@ -14,7 +14,7 @@ const when_found = {
   "boot.js": text_of("boot.js").replaceAll("document.head.append(", "void ("),
 };
 
-/** How many answers are waited for one after the other: each file is asked for after the ones that were there by then. */
+/** How many answers are waited for one after the other: a file is asked for after those that were there by then. */
 function rounds_of(files) {
   const done = [];
   for (const { startTime, responseEnd } of [...files].sort((a, b) => a.startTime - b.startTime)) {
@@ -32,7 +32,10 @@ async function view(browser, changed) {
   await session.send("Network.enable");
   await session.send("Network.emulateNetworkConditions", kNetwork);
   await page.addInitScript(() => {
-    const look = () => (window.snug?.state()?.framesDrawn > 0 ? (window.first = performance.now()) : requestAnimationFrame(look));
+    const look = () => {
+      if (window.snug?.state()?.framesDrawn > 0) window.first = performance.now();
+      else requestAnimationFrame(look);
+    };
     addEventListener("DOMContentLoaded", look);
   });
   await page.goto(site.url + kLesson);
@@ -49,7 +52,8 @@ async function view(browser, changed) {
   return { first: seen.first, bytes, files: seen.files.length, rounds: rounds_of(seen.files) };
 }
 
-const browser = await chromium.launch({ executablePath: process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+const executablePath = process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium";
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
 const ways = { "as built": {}, "each file when it is found": when_found };
 const views = Object.fromEntries(Object.keys(ways).map((name) => [name, []]));
 for (let i = 0; i < Number(process.argv[2] ?? 5); ++i)

@@ -7,7 +7,9 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { brotliDecompressSync, gunzipSync } from "node:zlib";
 import { assert, load, start_on, stop } from "./support.mjs";
-import { answers_of, kept_before, kProgram, kSite, model_of, serve_packages, snug, workshop } from "./package_support.mjs";
+import {
+  answers_of, kept_before, kProgram, kSite, model_of, serve_packages, snug, workshop,
+} from "./package_support.mjs";
 
 const shop = workshop();
 let host;
