@@ -14,16 +14,6 @@ const when_found = {
   "boot.js": text_of("boot.js").replaceAll("document.head.append(", "void ("),
 };
 
-/** How many answers are waited for one after the other: a file is asked for after those that were there by then. */
-function rounds_of(files) {
-  const done = [];
-  for (const { startTime, responseEnd } of [...files].sort((a, b) => a.startTime - b.startTime)) {
-    const before = done.filter(({ end }) => end <= startTime).map(({ round }) => round);
-    done.push({ end: responseEnd, round: Math.max(0, ...before) + 1 });
-  }
-  return Math.max(...done.map(({ round }) => round));
-}
-
 async function view(browser, changed) {
   const site = await serve_site();
   for (const [name, text] of Object.entries(changed)) site.add.set(name, text);
@@ -42,14 +32,13 @@ async function view(browser, changed) {
   await ready(page);
   const seen = await page.evaluate(() => ({
     first: window.first,
-    files: performance.getEntriesByType("resource").concat(performance.getEntriesByType("navigation"))
+    sizes: performance.getEntriesByType("resource").concat(performance.getEntriesByType("navigation"))
       .filter(({ startTime }) => startTime < window.first)
-      .map(({ startTime, responseEnd, encodedBodySize }) => ({ startTime, responseEnd, encodedBodySize })),
+      .map(({ encodedBodySize }) => encodedBodySize),
   }));
   await page.context().close();
   site.close();
-  const bytes = seen.files.reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0);
-  return { first: seen.first, bytes, files: seen.files.length, rounds: rounds_of(seen.files) };
+  return { first: seen.first, bytes: seen.sizes.reduce((sum, size) => sum + size, 0), files: seen.sizes.length };
 }
 
 const executablePath = process.env.SNUG_CHROMIUM ?? "/usr/bin/chromium";
@@ -59,9 +48,9 @@ const views = Object.fromEntries(Object.keys(ways).map((name) => [name, []]));
 for (let i = 0; i < Number(process.argv[2] ?? 5); ++i)
   for (const [name, changed] of Object.entries(ways)) views[name].push(await view(browser, changed));
 for (const [name, all] of Object.entries(views)) {
-  const [{ bytes, files, rounds }] = all;
+  const [{ bytes, files }] = all;
   const times = all.map(({ first }) => first).sort((a, b) => a - b);
   const shown = times.map((time) => (time / 1000).toFixed(2)).join(" ");
-  console.log(`${name}: ${files} files, ${bytes} bytes, ${rounds} rounds; first frame after ${shown} s`);
+  console.log(`${name}: ${files} files, ${bytes} bytes; first frame after ${shown} s`);
 }
 await browser.close();

@@ -124,7 +124,7 @@ test("the address carries the boxes to the last digit", async (t) => {
 });
 
 test("an axis is chosen by its row in the table beside the stage", async (t) => {
-  const page = await visit(t, "?lesson=obb-axes&a=sat_all");
+  const page = await visit(t, "?lesson=obb-axes&a=sat_all&step=0");
   const asked = (await until(page, (now) => now.asked?.id === "which-axis")).asked;
   const numbers = await page.locator("#numbers").boundingBox();
   // Down the inspector until a row takes the click: what it takes is the axis whose row it is. The second gives it.

@@ -51,7 +51,7 @@ test("a finger drags the frustum's corner on a phone", async (t) => {
 
 for (const lesson of kLessons)
   test(`${lesson}: which corner is it? A click on the stage answers, and the step shows p and n`, async (t) => {
-    const page = await visit(t, `?lesson=${lesson}${lesson === "frustum-3d" ? "&step=1" : ""}`);
+    const page = await visit(t, `?lesson=${lesson}&step=${lesson === "frustum-3d" ? 1 : 0}`);
     const { asked, step: from } = await until(page, (now) => now.asked);
     assert.equal(asked.id, "p-vertex");
     const places = await handles(page);
