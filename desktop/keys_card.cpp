@@ -89,6 +89,7 @@ std::vector<KeyRow> key_rows(Shell& shell) {
     rows.push_back({"PgDn →  PgUp ←", "the demo: the next reveal or state, and back"});
     rows.push_back({"Home  H", "the demo: this state as it was; so does a key for next or back that is held"});
     rows.push_back({"S  F5", "the demo: the notes in a second window; the whole screen"});
+    rows.push_back({"Esc", "the demo: lays the pointers down; then leaves it, and the lesson stays"});
     rows.push_back(
         {"V, a number", "the class votes: hands for each answer, Enter after each; V again: the second vote"});
   }

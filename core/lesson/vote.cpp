@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace snug::lesson {
 namespace {
@@ -106,7 +107,8 @@ bool Vote::take_key(std::string_view key) {
     return entered_.pop_back(), true;
   }
   if (key == "Backspace") return line_.empty() || (line_.pop_back(), true);
-  if (!letter || static_cast<unsigned char>(key[0]) >= 0x80) return false;  // a clicker goes on
+  const bool black = key == "." && (line_.empty() || !open_);                        // "2.5" can only be what is typed
+  if (!letter || black || static_cast<unsigned char>(key[0]) >= 0x80) return false;  // a clicker goes on
   if (line_.size() < kLongestLine && (key[0] != ' ' || !line_.empty())) line_ += upper(key[0]);
   return mistake_.clear(), true;
 }

@@ -40,6 +40,8 @@ const kDemo = [
   ["F5", "the whole screen"],
   ["V, a number", "a vote: the hands for each answer, Enter after each; or “B 31”. V again: the second vote"],
   ["L  W  R  Q", "spotlight, pen, ruler, and the code to scan"],
+  ["Tab, Enter", "to the next button or link, and press it"],
+  ["Esc", "lays the pointers down; then leaves the demo, and the lesson stays"],
 ];
 
 const list = (/** @type {string} */ title, /** @type {string[][]} */ rows) =>
