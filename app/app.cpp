@@ -79,6 +79,7 @@ struct App::State {
   std::uint64_t drawn_revision = 0;
   int drawn_cover = 0, drawn_percent = 0;
   int settle = kSettleFrames;
+  bool to_top = false;  // another lesson's numbers begin at their top
   long frames = 0;
   float figures_height = 0;
 
@@ -430,6 +431,7 @@ void App::State::open(lesson::Session next, bool anew) {
   if (anew) stage.open_anew(*session, *view);
   else stage.open(*session, *view);
   stage.light("");
+  to_top = !anew;
   playing = false;
   watched_pause = 0;
   settle = kSettleFrames;
@@ -578,6 +580,7 @@ void App::frame(const Layout& layout, double now) {
   }
   s.figures_height = 0;
   if (shows(layout.inspector)) {
+    if (std::exchange(s.to_top, false)) ImGui::SetNextWindowScroll({0, 0});
     const Pane pane("##inspector", layout.inspector, Pane::Kind::kScrolls);
     s.figures_height = draw_inspector(s.look, *s.session, *s.view, layout.inspector);
     const bool changed = s.session->revision() != s.drawn_revision;

@@ -96,7 +96,7 @@ void draw_pseudocode(Shell& shell, Column& column) {
 
 void draw_code_panel(Shell& shell, const app::Rect& rect) {
   draw_lower(shell, "##code", rect, shell.code_height, [&](Column& column) {
-    if (shell.app().sitting() == nullptr) draw_algorithms(shell, column);
+    if (shell.app().sitting() == nullptr && !shell.demo) draw_algorithms(shell, column);
     column.gap(4);
     draw_pseudocode(shell, column);
     column.gap(16);

@@ -125,7 +125,10 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, boo
   if (sitting != nullptr && !session.conduct().told && !session.given().empty())
     row.push_back({"take_back", lesson::kTakeBackWord, ButtonKind::kQuiet});
   if (!hint.empty()) row.push_back({"hint", hint, ButtonKind::kQuiet});
-  const Choices choices = choices_of(session, asked);
+  Choices choices = choices_of(session, asked);
+  if (shell.demo)  // called as its vote calls them
+    for (std::size_t i = 0; i < choices.words.size(); ++i)
+      choices.words[i].insert(0, {static_cast<char>('A' + i % 26), ' ', ' '});
   const int chosen = column.buttons("choice", choices.words, choices.chosen);
   if (shell.demo) {  // the class answers by its hands, and a press reveals
     if (chosen >= 0) shell.app().pick_choice(chosen);

@@ -68,12 +68,14 @@ std::string draw_form(Shell& shell, Column& column, const lesson::StoredForm& fo
   const app::Look& look = column.look();
   std::string meant;
   column.words(form.name, Face::kSemiBold, 14);
-  column.words(form.bytes(), Face::kRegular, 12, look->muted);
+  const bool asks = shell.demo && shell.session().asked() != nullptr;
+  if (!asks) column.words(form.bytes(), Face::kRegular, 12, look->muted);
   column.gap(2);
   for (const lesson::StoredMember& member : form.members)
     if (draw_member(shell, column, member)) meant = member.mark;
   column.gap(4);
-  for (const lesson::StoredOperation& operation : form.operations) draw_operation(column, operation);
+  if (!shell.demo)  // the members are what a slide is about
+    for (const lesson::StoredOperation& operation : form.operations) draw_operation(column, operation);
   column.gap(14);
   return meant;
 }
@@ -105,6 +107,7 @@ void draw_side_tabs(Shell& shell, const app::Rect& rect) {
 
 void draw_stored_panel(Shell& shell, const app::Rect& rect) {
   const app::Look& look = shell.app().look();
+  if (shell.stored_before.empty()) ImGui::SetNextWindowScroll({0, 0});  // another lesson's begins at its top
   const app::Pane pane("##stored", rect, app::Pane::Kind::kScrolls);
   pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   Column column(look, rect.x + 24, rect.y + 14 - ImGui::GetScrollY(), rect.width - 48);

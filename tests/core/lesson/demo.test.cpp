@@ -116,6 +116,20 @@ TEST_CASE("questions are passed, and the step stays") {
   CHECK(session.asked() == nullptr);
 }
 
+TEST_CASE("questions of other algorithms are passed as well: the numbers keep nothing from the class") {
+  const std::string keys = "algorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"tightest_order\"\n";
+  Session session = test::open(test::small_lesson_with(
+      "[[question]]\nid = \"pair\"",
+      "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[question]]\nid = \"pair\""));
+  session.jump(session.steps());
+  REQUIRE(session.comparing());
+  pass_questions(session);
+  CHECK(session.step() == session.steps());
+  CHECK(session.waiting().empty());
+  CHECK_FALSE(session.comparing());
+  CHECK_FALSE(session.hides_result(*session.method(0)));
+}
+
 TEST_CASE("an answer is revealed at the step that decides it, and nothing else is asked") {
   Session session = open_small();
   session.first();
