@@ -73,6 +73,9 @@ export async function serve_site() {
   return { url, refuse, add, sent, close: () => server.close() };
 }
 
+/** How long is waited for what must come, milliseconds: machines that do other work as well may be very slow. */
+export const kPatience = 60_000;
+
 let browser;
 let site;
 
@@ -136,7 +139,7 @@ async function open_page({ newcomer = false, ...options } = {}) {
         localStorage.setItem("snug-course", JSON.stringify({ version: 1, last: null, invited: 3, lessons: {} }));
     });
   const page = await context.newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   const complaints = [];
   page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
   page.on("pageerror", (error) => complaints.push(error.stack));
@@ -268,10 +271,10 @@ export async function choose(page, id, by = "menu") {
 
 /** Until no frame is drawn any more. */
 export async function still(page) {
-  await page.evaluate(() => new Promise((/** @type {(value?: unknown) => void} */ resolve, reject) => {
+  await page.evaluate((patience) => new Promise((/** @type {(value?: unknown) => void} */ resolve, reject) => {
     let last = -1;
     let same = 0;
-    setTimeout(() => reject(new Error("frames are drawn for 20 seconds on end")), 20_000);
+    setTimeout(() => reject(new Error(`frames are drawn for ${patience / 1000} seconds on end`)), patience);
     const look = () => {
       const now = window.snug.state()?.framesDrawn ?? 0;
       same = now === last ? same + 1 : 0;
@@ -280,7 +283,7 @@ export async function still(page) {
       else requestAnimationFrame(look);
     };
     look();
-  }));
+  }), kPatience);
 }
 
 /** What the panels beside the stage tell, as the page has it in HTML: of each its title, its head and its rows. */
@@ -370,7 +373,7 @@ const kLook = 20; // milliseconds
  *  to waitForFunction as text, which the page's policy would not let it evaluate.
  *  @param {Page} page @param {(now: PageState, ...given: any[]) => unknown} test @param {...any} given */
 export async function until(page, test, ...given) {
-  return until_within(20_000, page, test, ...given);
+  return until_within(kPatience, page, test, ...given);
 }
 
 /** @param {number} patience @param {Page} page @param {(now: PageState, ...given: any[]) => unknown} test

@@ -68,6 +68,7 @@ export class Demo {
     this.#channel.onmessage = ({ data }) =>
       data.asks ? this.#tell() : data.held ? this.#hold(data.does) : this.#do(data.does);
     addEventListener("keydown", this.#key, { capture: true });
+    addEventListener("pagehide", this.#gone);
     hall.changed = () => this.#tell();
   }
 
@@ -95,7 +96,9 @@ export class Demo {
     if (this.#over) return;
     this.#over = true;
     this.#turn += 1;
+    this.#gone();
     this.#channel.close();
+    removeEventListener("pagehide", this.#gone);
     removeEventListener("keydown", this.#key, { capture: true });
     this.#settings.enlarge(1);
     document.documentElement.classList.remove("demo", ...kParts.map((part) => `without-${part}`));
@@ -195,6 +198,7 @@ export class Demo {
     await this.#page.open(read_address(this.#state.address), lesson_view, this);
     if (turn !== this.#turn) return;
     this.#opening = false;
+    by_id("stored").scrollTop = 0;
     if (!this.#state.reveal.includes("answer")) this.#page.act(() => this.#page.door.command("pass_questions"));
     for (const what of this.#state.reveal.slice(0, revealed)) this.#reveal(what, false);
     this.#tell();
@@ -236,6 +240,9 @@ export class Demo {
   }
 
   // ---- the notes, in another tab --------------------------------------------------------------------------------
+
+  /** Tells the notes that nothing is presented any more. */
+  #gone = () => this.#channel.postMessage({ gone: true });
 
   #tell() {
     if (this.#over) return;

@@ -57,7 +57,10 @@ export async function show_notes(id, downloads) {
     set_text(next, next_text(file, standing));
     set_text(state, standing.black ? "The screen is black." : standing.frozen ? "The picture stands." : "");
   };
-  channel.onmessage = ({ data }) => "at" in data && show(data);
+  channel.onmessage = ({ data }) => {
+    if ("at" in data) show(data);
+    else if ("gone" in data) set_text(state, waits);
+  };
   /** @type {Record<string, string>} */
   const keys = { PageDown: "next", ArrowRight: "next", PageUp: "back", ArrowLeft: "back", Home: "again", b: "b",
     ".": "b", f: "f" };
