@@ -223,7 +223,7 @@ test("the code of a state is seen beside its numbers: nothing is chosen there", 
   const { states } = await demo_of("collision");
   const page = await load(t, "?demo=collision&state=7", kHall);
   await opened(page, `7 of ${states.length}`, states[6].hash);
-  for (const _ of states[6].reveal) await page.keyboard.press("PageDown");
+  for (let press = 0; press < states[6].reveal.length; ++press) await page.keyboard.press("PageDown");
   await still(page);
   const beyond = await page.locator("#code").evaluate((code) => code.scrollHeight - code.clientHeight);
   assert.ok(beyond <= 1, `${beyond} pixels of it are not seen`);

@@ -28,11 +28,17 @@ at 2 0
 until_state 's.asked === null'
 
 # Whatever is done to a state, Home brings it back; what has been scrolled begins at its top again.
+whole=$(state s.height)
+xdotool windowsize --sync "$window" 900 600
+until_state 's.height === 600'
 read -r x y < <(state 'Math.round(s.stored[0].x) + " " + Math.round(s.stored[0].y)')
-for i in 1 2 3 4 5 6; do xdotool mousemove --window "$window" "$x" "$y" click 5 sleep 0.1; done
+xdotool mousemove --window "$window" "$x" "$y" sleep 0.3
+for i in 1 2 3 4 5 6; do xdotool click 5 sleep 0.1; done
 until_state "s.stored[0].y < $y - 5"
 xdotool key Home
 until_state "Math.round(s.stored[0].y) === $y"
+xdotool windowsize --sync "$window" $(xdotool getdisplaygeometry)
+until_state "s.height === $whole"
 read -r x y < <(handle A)
 xdotool mousemove --window "$window" "$x" "$y" sleep 0.5 mousedown 1 sleep 0.2
 for i in 1 2 3 4 5 6; do xdotool mousemove --window "$window" $((x + 10 * i)) $((y - 5 * i)) sleep 0.03; done

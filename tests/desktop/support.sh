@@ -14,7 +14,7 @@ state() { node -e 's = JSON.parse(require("fs").readFileSync(process.env.SNUG_ST
 # Waits until the expression is true of the state.
 until_state() { # expression
     local i
-    for i in $(seq 100); do
+    for i in $(seq 600); do # machines that do other work as well may be very slow
         [[ -s $SNUG_STATE && $(state "$1" 2>/dev/null) == true ]] && return
         sleep 0.1
     done
