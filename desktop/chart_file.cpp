@@ -47,7 +47,7 @@ tl::expected<app::Chart, InputError> chart_of_trials(const std::string& text, co
   if (!then.empty()) return wrong("is a table of trials, which are the same everywhere: --against has no use for it");
   if (table->rows.empty()) return wrong("has no rows");
   const std::string& name = table->rows.front().claim;
-  const cost::TrialClaim* const claim = cost::find_trial(name);
+  const cost::Claim* const claim = cost::find_trial(name);
   if (claim == nullptr) return wrong("is about a claim that is not known here: " + name);
   for (const cost::TrialRow& row : table->rows) {
     const auto kinds = cost::trial_kinds();

@@ -2,21 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdarg>
-#include <cstdio>
-#include <string>
-#include <vector>
+#include <numeric>
 
-#include "geometry/generate.hpp"
-#include "geometry/pose.hpp"
-#include "geometry/random.hpp"
-#include "geometry/turn.hpp"
-#include "measure/census.hpp"
-#include "measure/growth.hpp"
 #include "measure/hard_cloud.hpp"
-#include "measure/naive_welzl.hpp"
-#include "measure/sample.hpp"
 #include "measure/volume_cost.hpp"
 
 namespace snug::cost {
@@ -25,219 +13,157 @@ namespace {
 constexpr std::string_view kGeometry = "Data Structures & Algorithms for Geometry";
 constexpr std::string_view kPhysics = "Physics based animation, Lecture 09";
 
-constexpr std::string_view kHolds = "holds", kTypical = "typical", kFalse = "false";
+/// Equal sizes differ by rounding.
+constexpr double kSame = 1 + 1e-9;
 
-/// If the student has more points than this, they are sampled, because the exact box is fitted again and again.
-constexpr Index kMostPoints = 20'000;
-
-__attribute__((format(printf, 1, 2))) std::string said(const char* format, ...) {
-  std::array<char, 512> text{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text.data(), text.size(), format, arguments);
-  va_end(arguments);
-  return text.data();
-}
-
-const fit::Algorithm& row_of(std::string_view volume, std::string_view name) {
+const fit::Algorithm& algorithm_of(std::string_view volume, std::string_view name) {
   return *fit::find_algorithm(volume, name);
 }
-
-// ---- within so many per cent of the smallest
-
-void within(const char* algorithm, double claimed, const ClaimContext& context, ClaimRow& row) {
-  const fit::Algorithm& own = row_of("sphere", algorithm);
-  const Excess excess = excess_of(own, context.seed);
-  const double here = excess_on(own, context.points, context.seed);
-  row.figure = std::max({excess.most, excess.found, here});
-  row.verdict = row.figure <= claimed ? kHolds : excess.median <= claimed ? kTypical : kFalse;
-  row.measured = said(
-      "radius above the smallest: %.1f %% on these points; %.1f %% in the median and at most %.1f %% on %d clouds of "
-      "every kind; %.1f %% on eight points that were moved %d times to make it worse",
-      100 * here, 100 * excess.median, 100 * excess.most, excess.clouds, 100 * excess.found, excess.tried);
-}
-void ritter(const ClaimContext& context, ClaimRow& row) { within("ritter", 0.10, context, row); }
-void iterative(const ClaimContext& context, ClaimRow& row) { within("ritter_iterative", 0.05, context, row); }
-
-// ---- powers of n
-
-/// Times on points on a sphere: all of them are on the hull, which is the most work for algorithms that use the hull.
-std::vector<GrowthRow> growth_of(std::string_view volume, std::string_view algorithm, Index most,
-                                 const ClaimContext& context) {
-  const fit::Options options{.seed = context.seed};
-  const auto points = std::make_shared<PointStock>("sphere", 3, false, context.seed);
-  GrowthRun run({workload_of(row_of(volume, algorithm), 3, most, points, options)},
-                {.repeats = 3, .batch = 1e6, .enough = context.longest}, context.longest, context.clock);
-  while (!run.done()) run.step();
-  return run.rows();
+double size_by(std::string_view volume, std::string_view name, const AnyPointSet& points, std::uint64_t seed) {
+  return fit::size_of(algorithm_of(volume, name).fit(points, {.seed = seed}).volume, 3);
 }
 
-/// claimed: the power of n, without any logarithm. A time that grows more slowly is within the bound.
-void power(std::string_view volume, std::string_view algorithm, Index most, double claimed, const char* what,
-           const ClaimContext& context, ClaimRow& row) {
-  constexpr double kNoise = 0.15;
-  const std::vector<GrowthRow> rows = growth_of(volume, algorithm, most, context);
-  if (!rows.back().exponent) {
-    row.measured = std::string(kTooFewToTell) + (rows.back().stopped.empty() ? "" : ": " + rows.back().stopped);
-    return;
-  }
-  row.figure = *rows.back().exponent;
-  row.verdict = row.figure <= claimed + kNoise ? kHolds : kFalse;
-  row.measured = said("%s: time grows as n^%.2f up to %d points on a sphere, where one run takes %.3g ms",
-                      row.verdict == kHolds ? what : "above the bound in this measurement", row.figure,
-                      static_cast<int>(rows.back().points), rows.back().time.median / 1e6);
-}
-void brute_force(const ClaimContext& context, ClaimRow& row) {
-  power("sphere", "brute_force", 40, 5,
-        "within the bound, because a candidate that is no smaller is never tested against the points", context, row);
-}
-void orourke(const ClaimContext& context, ClaimRow& row) {
-  power("obb", "exact", 10'000, 3, "within the bound, because most pairs of edges are ruled out at once", context, row);
+// ---- size over the smallest
+
+/// Of what shows a counter-example.
+double over_smallest(const Claim& claim, const AnyPointSet& points, std::uint64_t seed) {
+  return 1 + excess_on(algorithm_of(claim.volume, claim.algorithm), points, seed);
 }
 
-// ---- Welzl's stack
+// ---- the first sphere and the last
 
-void stack(const ClaimContext& context, ClaimRow& row) {
-  constexpr int kPoints = 2000;
-  constexpr double kUsual = 8.0 * 1024 * 1024;  // a main thread's stack on Linux; other systems give less
-  const auto set = PointSet<double, 3>::make(*generate("cube", kPoints, 3, context.seed));
-  const RecursionDepth depth = naive_welzl_depth(set->span());
-  row.figure = depth.bytes_per_call;
-  row.verdict = depth.deepest >= kPoints ? kHolds : kFalse;
-  row.measured = said("the printed recursion reaches a call depth of %d on %d points, at %.0f bytes a call: a stack of "
-                      "8 MiB is full at about %.0f points. The loop that this program runs has a call depth of five at "
-                      "most, however many points there are",
-                      static_cast<int>(depth.deepest), kPoints, depth.bytes_per_call, kUsual / depth.bytes_per_call);
-}
+/// The radius of the first sphere of a growing pass, and of the last.
+struct Grown {
+  double first = 0, last = 0;
+};
 
-// ---- 14-DOPs beside oriented boxes
-
-double measure_by(std::string_view volume, std::string_view algorithm, const AnyPointSet& points, std::uint64_t seed) {
-  return fit::measure_of(row_of(volume, algorithm).fit(points, {.seed = seed}).volume, 3);
-}
-
-/// The vertices of a cube, rotated so that no axis of a 14-DOP lies along it.
-AnyPointSet rotated_cube() {
-  const Matrix<double, 3> rotation = turn(Vector<double, 3>(1, 2, 3), 0.7);
-  std::vector<Vector<double, 3>> corners;
-  for (int corner = 0; corner < 8; ++corner)
-    corners.push_back(turned<double, 3>(
-        rotation, Vector<double, 3>((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5)));
-  return *PointSet<double, 3>::make(std::move(corners));
-}
-
-/// A 14-DOP's volume over the smallest box's.
-double kdop_over_box(const AnyPointSet& points, std::uint64_t seed) {
-  return measure_by("kdop", "k14", points, seed) / measure_by("obb", "exact", points, seed);
-}
-
-void storage(const ClaimContext& context, ClaimRow& row) {
-  const auto bytes = [&](std::string_view volume, std::string_view algorithm) {
-    return static_cast<int>(
-        bytes_of(row_of(volume, algorithm).fit(rotated_cube(), {.seed = context.seed}).volume, 3, true));
+Grown grown_by(std::string_view algorithm, const AnyPointSet& points) {
+  Grown grown;
+  const auto see = [&](const fit::Step3& step, const OperationCounts&) {
+    if (const fit::Sphere3* ball = fit::ball_of(step); ball != nullptr && grown.first == 0) grown.first = ball->radius;
   };
-  const int kdop = bytes("kdop", "k14"), box = bytes("obb", "exact");
-  row.figure = static_cast<double>(kdop) / box;
-  row.verdict = std::abs(row.figure - 1) <= 0.1 ? kHolds : kFalse;
-  row.measured = said(
-      "%d bytes in float, against %d for a box by centre, axes and half extents; with a quaternion in place of the "
-      "axes the box takes 20 fewer",
-      kdop, box);
+  grown.last = fit::size_of(algorithm_of("sphere", algorithm).watch(points, {}, see).result.volume, 3);
+  return grown;
 }
 
-void tighter(const ClaimContext& context, ClaimRow& row) {
-  int tighter = 0, clouds = 0;
-  std::string kinds;
-  for (const CensusRow& counted : census()) {
-    tighter += counted.tighter(), clouds += static_cast<int>(counted.ratios.size());
-    kinds += said("%s%s %d of %d", kinds.empty() ? "" : ", ", std::string(counted.kind).c_str(), counted.tighter(),
-                  static_cast<int>(counted.ratios.size()));
-  }
-  const double here = kdop_over_box(context.points, context.seed), cube = kdop_over_box(rotated_cube(), context.seed);
-  row.figure = here;
-  row.verdict = tighter == clouds && cube < 1 && here < 1 ? kHolds
-                : 2 * tighter > clouds || here < 1        ? kTypical
-                                                          : kFalse;
-  row.measured = said("volume over the smallest box's: %.3f on these points; below 1 on %d of %d clouds (%s); %.3f "
-                      "on a rotated cube, where the box is the cube itself",
-                      here, tighter, clouds, kinds.c_str(), cube);
+/// The radius that grew from the larger first sphere, over that from the smaller. The sphere through two points is
+/// never larger than the smallest sphere of all: the larger is the better guess.
+double better_start(const Claim&, const AnyPointSet& points, std::uint64_t) {
+  const Grown ritter = grown_by("ritter", points), pca = grown_by("pca", points);
+  const bool by_pca = pca.first > ritter.first;
+  return by_pca ? pca.last / ritter.last : ritter.last / pca.last;
 }
 
-// ---- boxes
+// ---- work
 
-/// A cube's vertices, and a cluster along one of its diagonals, which pulls the longest axis to that diagonal.
-AnyPointSet clustered_diagonal(std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Vector<double, 3>> points;
-  for (int corner = 0; corner < 8; ++corner) points.emplace_back(corner & 1, corner >> 1 & 1, corner >> 2);
-  for (int i = 0; i < 400; ++i) points.push_back(Vector<double, 3>::Constant(random.unit()));
-  return *PointSet<double, 3>::make(std::move(points));
+double work_by(std::string_view algorithm, const AnyPointSet& points, std::uint64_t seed) {
+  const fit::Watched run = algorithm_of("sphere", algorithm).watch(points, {.seed = seed}, {});
+  return static_cast<double>(std::accumulate(run.counts.begin(), run.counts.end(), std::int64_t{0}));
 }
 
-void pca_boxes(const ClaimContext& context, ClaimRow& row) {
-  const fit::Algorithm& pca = row_of("obb", "pca");
-  const double here = 1 + excess_on(pca, context.points, context.seed);
-  const double cluster = 1 + excess_on(pca, clustered_diagonal(context.seed), context.seed);
-  const double hull = 1 + excess_on(row_of("obb", "pca_hull"), context.points, context.seed);
-  const double hull_cluster = 1 + excess_on(row_of("obb", "pca_hull"), clustered_diagonal(context.seed), context.seed);
-  row.figure = std::max(here, cluster);
-  row.verdict = row.figure > 1.01 ? kHolds : kFalse;
-  row.measured = said("volume over the smallest box's: %.3f on these points, %.2f on a cube with a cluster along its "
-                      "diagonal; by PCA of the hull %.3f and %.2f",
-                      here, cluster, hull, hull_cluster);
+/// The first points of a cloud.
+AnyPointSet first_of(const AnyPointSet& points, Index n) {
+  std::vector<Vector<double, 3>> some;
+  for (Index i = 0; i < n; ++i) some.push_back(fit::point_of(points, i));
+  return *PointSet<double, 3>::make(std::move(some));
 }
 
-void faces(const ClaimContext& context, ClaimRow& row) {
-  const fit::Algorithm& aligned = row_of("obb", "face_aligned");
-  const double here = 1 + excess_on(aligned, context.points, context.seed);
-  const auto tetrahedron = PointSet<double, 3>::make({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
-  const double four = 1 + excess_on(aligned, *tetrahedron, context.seed);
-  const std::vector<GrowthRow> rows = growth_of("obb", "face_aligned", 3000, context);
-  row.figure = std::max(here, four);
-  row.verdict = row.figure > 1 + 1e-9 ? kFalse : kHolds;
-  row.measured = said("volume of the best box on a face over the smallest: %.4f on these points, %.2f on a regular "
-                      "tetrahedron",
-                      here, four);
-  if (const auto power = rows.back().exponent)
-    row.measured +=
-        said(". Time grows as n^%.2f up to %d points on a sphere", *power, static_cast<int>(rows.back().points));
+/// The work for each point over that for a tenth of the points.
+double welzl_growth(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
+  constexpr Index kTimes = 10;
+  const AnyPointSet few = first_of(points, fit::size_of(points) / kTimes);
+  return work_by("welzl", points, seed) / work_by("welzl", few, seed) / static_cast<double>(kTimes);
+}
+
+/// How many times the work for half of the points.
+double brute_growth(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
+  const AnyPointSet few = first_of(points, fit::size_of(points) / 2);
+  return work_by("brute_force", points, seed) / work_by("brute_force", few, seed);
+}
+
+// ---- boxes, k-DOPs
+
+double hull_over_points(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
+  return size_by("obb", "pca_hull", points, seed) / size_by("obb", "pca", points, seed);
+}
+double kdop_over_box(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
+  return size_by("kdop", "k14", points, seed) / size_by("obb", "exact", points, seed);
+}
+
+// ---- memory
+
+/// The numbers of both in float: the same for every cloud.
+double kdop_bytes_over_box(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
+  const auto bytes = [&](std::string_view volume, std::string_view name) {
+    return static_cast<double>(bytes_of(algorithm_of(volume, name).fit(points, {.seed = seed}).volume, 3, true));
+  };
+  return bytes("kdop", "k14") / bytes("obb", "pca");
 }
 
 constexpr std::array kClaims{
+    Claim{"four_points", kGeometry, "Brute-force", "The smallest sphere is one through four of the points",
+          "Four points", "radius of the smallest sphere through four points, over the smallest of all", "no larger",
+          kSame, "sphere", "brute_force_slide", 12, over_smallest},
+    Claim{"better_start", kGeometry, "Ritter's Algorithm (cont.)",
+          "The better the first sphere, the better the final one", "First sphere",
+          "final radius from the better first sphere, over that from the worse", "no larger", kSame, "sphere", "pca",
+          26, better_start},
+    Claim{"brute_force_growth", kGeometry, "Sphere Creation", "Brute force takes O(n^5)", "Brute force",
+          "operations for 16 points, over those for 8", "at most 2^5 = 32 times", 32, "sphere", "brute_force", 16,
+          brute_growth},
+    Claim{"welzl_growth", kGeometry, "Welzl's Algorithm (cont.)", "Welzl's algorithm runs in expected O(n)", "Welzl",
+          "operations per point of 300, over those per point of 30", "no more", 1, "sphere", "welzl", 300,
+          welzl_growth},
+    Claim{"hull_helps", kGeometry, "PCA for OBB", "The hull makes the box of PCA smaller", "Hull",
+          "volume of the box by PCA of the hull, over that by PCA of the points", "no larger", kSame, "obb", "pca_hull",
+          40, hull_over_points},
     Claim{"ritter_ten_per_cent", kGeometry, "Ritter's Algorithm", "Ritter's sphere comes within 10 % of the smallest",
-          ritter},
+          "Ritter", "radius of Ritter’s sphere, over the smallest", "at most 10 % larger", 1.10, "sphere", "ritter", 26,
+          over_smallest},
     Claim{"iterative_five_per_cent", kGeometry, "Sphere Creation",
-          "The iterated sphere comes within 5 % of the smallest", iterative},
-    Claim{"brute_force_fifth_power", kGeometry, "Sphere Creation", "Trying every sphere takes O(n^5)", brute_force},
-    Claim{"welzl_stack", kGeometry, "Welzl's Algorithm (cont.)", "Welzl's first recursion easily overflows the stack",
-          stack},
-    Claim{"kdop_storage", kPhysics, "k-DOP pros and cons", "A 14-DOP takes about as much storage as an oriented box",
-          storage},
+          "The iterated sphere comes within 5 % of the smallest", "Iterated",
+          "radius of the iterated sphere, over the smallest", "at most 5 % larger", 1.05, "sphere", "ritter_iterative",
+          26, over_smallest},
+    Claim{"brute_force_fifth_power", kGeometry, "Sphere Creation", "Trying every sphere takes O(n^5)"},
+    Claim{"welzl_stack", kGeometry, "Welzl's Algorithm (cont.)", "Welzl's first recursion easily overflows the stack"},
+    Claim{"kdop_storage", kPhysics, "k-DOP pros and cons", "A 14-DOP takes about as much storage as an oriented box"},
     Claim{"kdop_tighter", kPhysics, "k-DOP pros and cons", "A 14-DOP is likely to be tighter than an oriented box",
-          tighter},
+          "14-DOP", "volume of the 14-DOP, over that of the smallest box", "no larger", 1, "kdop", "k14", 40,
+          kdop_over_box},
+    Claim{"as_much_memory", kPhysics, "k-DOP pros and cons", "A 14-DOP takes about as much memory as an oriented box",
+          "Memory", "bytes of the 14-DOP in float, over those of the box", "at most 10 % more", 1.10, "kdop", "k14", 40,
+          kdop_bytes_over_box},
     Claim{"pca_not_optimal", kGeometry, "PCA for OBB",
-          "PCA boxes are not the smallest; using the hull improves them but does not make them optimal", pca_boxes},
-    Claim{"box_on_a_face", kGeometry, "OBB Creation",
-          "The smallest box has a side flush with a face of the hull: O(n^2 log n)", faces},
-    Claim{"orourke_cube", kPhysics, "Computing an OBB", "O'Rourke's smallest box takes O(n^3)", orourke},
+          "PCA boxes are not the smallest; using the hull improves them but does not make them optimal"},
+    Claim{"box_on_a_face", kGeometry, "OBB Creation", "The smallest box has a side flush with a face of the hull",
+          "On a face", "volume of the best box on a face, over the smallest", "no larger", kSame, "obb", "face_aligned",
+          26, over_smallest},
+    Claim{"orourke_cube", kPhysics, "Computing an OBB", "O'Rourke's smallest box takes O(n^3)"},
 };
 
 }  // namespace
 
 std::span<const Claim> claims() { return kClaims; }
 
-ClaimRow run_claim(const Claim& claim, const ClaimContext& context) {
-  ClaimRow row{.claim = std::string(claim.name),
-               .lecture = std::string(claim.lecture),
-               .slide = std::string(claim.slide),
-               .says = std::string(claim.says)};
-  if (fit::size_of(context.points) <= kMostPoints) {
-    claim.run(context, row);
-  } else {
-    const AnyPointSet fewer = sample(context.points, kMostPoints, context.seed);
-    claim.run({fewer, context.seed, context.clock, context.longest}, row);
-  }
-  return row;
+const Claim* find_claim(std::string_view name) {
+  const auto* const found =
+      std::find_if(kClaims.begin(), kClaims.end(), [&](const Claim& c) { return c.name == name; });
+  return found != kClaims.end() ? found : nullptr;
+}
+
+const std::vector<const Claim*>& tried_claims() {
+  static const std::vector<const Claim*> tried = [] {
+    std::vector<const Claim*> all;
+    for (const Claim& claim : kClaims)
+      if (claim.measure != nullptr) all.push_back(&claim);
+    return all;
+  }();
+  return tried;
+}
+
+const Claim* find_trial(std::string_view name) {
+  const Claim* const claim = find_claim(name);
+  return claim != nullptr && claim->measure != nullptr ? claim : nullptr;
 }
 
 }  // namespace snug::cost

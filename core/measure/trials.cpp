@@ -15,15 +15,16 @@ constexpr int kTrialClouds = kTrialSeeds * static_cast<int>(kTrialKinds.size());
 
 std::span<const std::string_view> trial_kinds() { return kTrialKinds; }
 
-const TrialClaim* find_trial(std::string_view name) {
-  for (const TrialClaim& claim : trial_claims())
-    if (claim.name == name) return &claim;
-  return nullptr;
-}
-
 AnyPointSet trial_cloud(std::string_view kind, Index points, std::int64_t seed) {
   // Finite, for the kind is one of trial_kinds().
   return *PointSet<double, 3>::make(*generate(kind, points, 3, static_cast<std::uint64_t>(seed)));
+}
+
+TrialRow trial_of(const Claim& claim, std::string_view kind, Index points, std::int64_t seed) {
+  TrialRow row{.claim = std::string(claim.name), .kind = std::string(kind), .seed = seed, .points = points};
+  row.value = claim.measure(claim, trial_cloud(kind, points, seed), static_cast<std::uint64_t>(seed));
+  row.holds = row.value <= claim.limit;
+  return row;
 }
 
 std::string_view TrialTally::verdict() const {
@@ -42,32 +43,37 @@ TrialTally tally_trials(std::string_view claim, std::span<const TrialRow> rows) 
   return tally;
 }
 
-std::vector<const TrialClaim*> every_trial() {
-  std::vector<const TrialClaim*> claims;
-  for (const TrialClaim& claim : trial_claims()) claims.push_back(&claim);
-  return claims;
-}
-
 const std::vector<TrialRow>& all_trials() {
   static const std::vector<TrialRow> rows = [] {
-    TrialRun run(every_trial());
+    TrialRun run(tried_claims());
     while (!run.done()) run.step();
     return run.rows();
   }();
   return rows;
 }
 
+int CensusRow::tighter() const {
+  return static_cast<int>(std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio < 1; }));
+}
+
+const std::vector<CensusRow>& census() {
+  static const std::vector<CensusRow> rows = [] {
+    std::vector<CensusRow> counted;
+    for (const std::string_view kind : kTrialKinds) {
+      if (kind == "sphere") continue;
+      CensusRow& row = counted.emplace_back(CensusRow{kind, {}});
+      for (int seed = 1; seed <= kTrialSeeds; ++seed)
+        row.ratios.push_back(trial_of(*find_trial("kdop_tighter"), kind, kCensusPoints, seed).value);
+    }
+    return counted;
+  }();
+  return rows;
+}
+
 void TrialRun::step() {
   if (done()) return;
-  const TrialClaim& claim = *claims_[at_];
-  const std::string_view kind = kTrialKinds[cloud_ / kTrialSeeds];
-  TrialRow row{.claim = std::string(claim.name),
-               .kind = std::string(kind),
-               .seed = 1 + cloud_ % kTrialSeeds,
-               .points = claim.points};
-  row.value = claim.measure(trial_cloud(kind, claim.points, row.seed), static_cast<std::uint64_t>(row.seed));
-  row.holds = row.value <= claim.limit;
-  rows_.push_back(std::move(row));
+  const Claim& claim = *claims_[at_];
+  rows_.push_back(trial_of(claim, kTrialKinds[cloud_ / kTrialSeeds], claim.points, 1 + cloud_ % kTrialSeeds));
   if (++cloud_ == kTrialClouds) cloud_ = 0, ++at_;
 }
 

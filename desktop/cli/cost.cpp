@@ -9,7 +9,7 @@
 #include "desktop/cli/measured_points.hpp"
 #include "desktop/cli/progress.hpp"
 #include "desktop/cli/timing.hpp"
-#include "measure/claims.hpp"
+#include "measure/claim_runs.hpp"
 #include "measure/cost_run.hpp"
 #include "measure/growth.hpp"
 #include "measure/sample.hpp"
@@ -42,7 +42,7 @@ struct CostOptions {
 /// The claims that can be tried.
 std::string trial_names() {
   std::string list;
-  for (const cost::TrialClaim& claim : cost::trial_claims()) list.append(list.empty() ? "" : ", ").append(claim.name);
+  for (const cost::Claim* claim : cost::tried_claims()) list.append(list.empty() ? "" : ", ").append(claim->name);
   return list;
 }
 
@@ -163,10 +163,10 @@ Measured full_turn(const CostOptions& options, const MeasuredPoints& subject) {
 }
 
 Measured claims(const CostOptions& options, const MeasuredPoints& subject) {
-  const auto all = cost::claims();
+  const auto all = cost::measured_claims();
   Progress bar("checking", static_cast<int>(all.size()));
   std::vector<cost::ClaimRow> rows;
-  for (const cost::Claim& claim : all) {
+  for (const cost::MeasuredClaim& claim : all) {
     rows.push_back(
         cost::run_claim(claim, {.points = subject.points, .seed = options.points.seed, .clock = native_clock()}));
     bar.advance();
@@ -176,7 +176,7 @@ Measured claims(const CostOptions& options, const MeasuredPoints& subject) {
 
 /// One claim on all of its clouds, which are generated: no points of the student's are measured.
 tl::expected<Measured, InputError> trials(const CostOptions& options) {
-  const cost::TrialClaim* const claim = cost::find_trial(options.trials);
+  const cost::Claim* const claim = cost::find_trial(options.trials);
   if (claim == nullptr) return wrong("there is no claim \"" + options.trials + "\" to try; known: " + trial_names());
   if (!options.points.generate.empty() || !options.points.file.empty())
     return wrong("--trials generates its own clouds: give no points");

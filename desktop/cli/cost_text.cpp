@@ -353,12 +353,12 @@ std::string text_of(const cost::Provenance& provenance, std::span<const cost::Wh
 
 std::string text_of(const cost::Provenance& provenance, std::span<const cost::TrialRow> rows) {
   std::string text = head_of(provenance);
-  for (const cost::TrialClaim& claim : cost::trial_claims()) {
-    const cost::TrialTally tally = cost::tally_trials(claim.name, rows);
+  for (const cost::Claim* claim : cost::tried_claims()) {
+    const cost::TrialTally tally = cost::tally_trials(claim->name, rows);
     if (tally.clouds == 0) continue;
-    text += wrapped(std::string(claim.says)) + '\n' +
-            wrapped(std::string(claim.lecture) + ": " + std::string(claim.slide), "  ") + '\n' +
-            wrapped(std::string(claim.value) + "; claimed: " + std::string(claim.claimed), "  ") + "\n  " +
+    text += wrapped(std::string(claim->says)) + '\n' +
+            wrapped(std::string(claim->lecture) + ": " + std::string(claim->slide), "  ") + '\n' +
+            wrapped(std::string(claim->value) + "; claimed: " + std::string(claim->claimed), "  ") + "\n  " +
             std::string(tally.verdict()) + ": holds on " + std::to_string(tally.held) + " of " +
             std::to_string(tally.clouds) + " clouds\n";
     if (tally.worst)

@@ -68,7 +68,7 @@ Ids labs_by_name() {
 
 Ids claims() {
   Ids ids;
-  for (const cost::TrialClaim& claim : cost::trial_claims()) ids.emplace_back(claim.name);
+  for (const cost::Claim* claim : cost::tried_claims()) ids.emplace_back(claim->name);
   return ids;
 }
 

@@ -173,7 +173,7 @@ TEST_CASE("an SVG has the colours of both grounds, one of high contrast its own 
 }
 
 TEST_CASE("a claim's chart has a line for each kind of cloud, and each mark is the cloud that its row names") {
-  const cost::TrialClaim& claim = *cost::find_trial("hull_helps");
+  const cost::Claim& claim = *cost::find_trial("hull_helps");
   const Chart chart = trial_chart(claim, cost::all_trials());
   REQUIRE(chart.series.size() == cost::trial_kinds().size());
   REQUIRE(chart.limit.has_value());

@@ -67,14 +67,14 @@ void ClaimsCover::follow(const lesson::Session& session) {
   const std::string id = now != nullptr ? now->question->id : "";
   if (id == followed_) return;
   followed_ = id;
-  const cost::TrialClaim* const claim = now != nullptr ? cost::find_trial(now->question->figure) : nullptr;
+  const cost::Claim* const claim = now != nullptr ? cost::find_trial(now->question->figure) : nullptr;
   if (claim == nullptr) return;
-  at_ = static_cast<int>(claim - cost::trial_claims().data());
+  claim_ = claim;
   take_rows();
 }
 
-void ClaimsCover::look_at(int claim) {
-  at_ = claim;
+void ClaimsCover::look_at(const cost::Claim& claim) {
+  claim_ = &claim;
   take_rows();
   show(true);
 }
@@ -113,19 +113,22 @@ bool ClaimsCover::put_on_stage(lesson::Session& session) {
 
 bool ClaimsCover::command(lesson::Session& session, std::string_view name) {
   follow(session);
-  const int all = static_cast<int>(cost::trial_claims().size());
-  if (name == "show_other") return look_at((at_ + 1) % all), true;
+  const std::vector<const cost::Claim*>& all = cost::tried_claims();
+  if (name == "show_other") {
+    const auto next = std::find(all.begin(), all.end(), claim_) + 1;
+    return look_at(next != all.end() ? **next : *all.front()), true;
+  }
   if (name.starts_with(kShowClaim)) {
-    const cost::TrialClaim* found = cost::find_trial(name.substr(kShowClaim.size()));
-    if (found != nullptr) look_at(static_cast<int>(found - cost::trial_claims().data()));
+    const cost::Claim* found = cost::find_trial(name.substr(kShowClaim.size()));
+    if (found != nullptr) look_at(*found);
     return found != nullptr;
   }
   if (name == "measure") {
     if (running() || !clock_ || session.asked() != nullptr) return false;
     if (session.to_predict() != nullptr) return session.ask_predictions(), true;
-    run_ = std::make_unique<cost::TrialRun>(cost::every_trial());
+    run_ = std::make_unique<cost::TrialRun>(all);
     rows_.clear();
-    at_ = 0;
+    claim_ = all.front();
     take_rows();
     show(true);
   } else if (name == "stop_measuring") {
@@ -171,7 +174,7 @@ void ClaimsCover::work(lesson::Session& session, double budget) {
 /// Ends the run. What came of all clouds decides the predictions; of some of them, nothing.
 void ClaimsCover::finish(lesson::Session& session) {
   rows_ = run_->rows();
-  const bool whole = rows_.size() == cost::trial_claims().size() * cost::trial_kinds().size() * cost::kTrialSeeds;
+  const bool whole = rows_.size() == cost::tried_claims().size() * cost::trial_kinds().size() * cost::kTrialSeeds;
   run_.reset();
   take_rows();
   if (whole) session.inform<lesson::ClaimsSubject>([&](lesson::ClaimsSubject& claims) { claims.tried(rows_); });
@@ -181,9 +184,8 @@ void ClaimsCover::finish(lesson::Session& session) {
 
 std::vector<CoverButton> ClaimsCover::choices(const lesson::Session&) const {
   std::vector<CoverButton> buttons;
-  for (const cost::TrialClaim& one : cost::trial_claims())
-    buttons.push_back(
-        {std::string(kShowClaim).append(one.name), std::string(one.title), one.name == claim().name, true});
+  for (const cost::Claim* one : cost::tried_claims())
+    buttons.push_back({std::string(kShowClaim).append(one->name), std::string(one->title), one == claim_, true});
   return buttons;
 }
 
@@ -195,7 +197,7 @@ std::array<CoverButton, 2> ClaimsCover::work_buttons(const lesson::Session& sess
 std::string ClaimsCover::status(const lesson::Session& session) const {
   if (session.asked() != nullptr) return "Answer the questions first: the charts would give the answers away.";
   if (session.to_predict() != nullptr) return std::string(kPressMeasure);
-  const std::string all = std::to_string(cost::trial_claims().size()) + " claims, " +
+  const std::string all = std::to_string(cost::tried_claims().size()) + " claims, " +
                           std::to_string(cost::trial_kinds().size() * cost::kTrialSeeds) + " clouds each";
   if (running()) return "Trying " + all + ".";
   return rows_.empty() ? "Now press Measure: " + all + "." : "Tried: " + all + ".";
@@ -217,10 +219,10 @@ std::string ClaimsCover::caption(const lesson::Session& session) const {
 
 WordTable ClaimsCover::table(const lesson::Session&) const {
   WordTable table{{"Claim", "Verdict", "Holds on", "Worst cloud"}, {}};
-  for (const cost::TrialClaim& one : cost::trial_claims()) {
-    const cost::TrialTally tally = cost::tally_trials(one.name, rows_);
+  for (const cost::Claim* one : cost::tried_claims()) {
+    const cost::TrialTally tally = cost::tally_trials(one->name, rows_);
     if (tally.clouds == 0) continue;
-    table.rows.push_back({std::string(one.says), claim_verdict(tally), lesson::tally_text(tally),
+    table.rows.push_back({std::string(one->says), claim_verdict(tally), lesson::tally_text(tally),
                           tally.worst ? cloud_words(*tally.worst) : "none"});
   }
   return table;

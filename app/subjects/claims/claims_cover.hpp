@@ -53,10 +53,10 @@ class ClaimsCover final : public Cover {
   [[nodiscard]] int version() const override { return version_; }
 
   /// The claim whose chart is shown.
-  [[nodiscard]] const cost::TrialClaim& claim() const { return cost::trial_claims()[at_]; }
+  [[nodiscard]] const cost::Claim& claim() const { return *claim_; }
 
  private:
-  void look_at(int claim);
+  void look_at(const cost::Claim& claim);
   /// Turns to the claim of the question that is asked or whose outcome is told, once for each.
   void follow(const lesson::Session& session);
   void take_rows();
@@ -70,7 +70,7 @@ class ClaimsCover final : public Cover {
   cost::Provenance here_;
   std::unique_ptr<cost::TrialRun> run_;
   std::vector<cost::TrialRow> rows_;
-  int at_ = 0;            // of trial_claims()
+  const cost::Claim* claim_ = cost::tried_claims().front();
   std::string followed_;  // the question that it last turned to
   Chart chart_;
   std::vector<ChartPlace> places_;  // where the chart's series were drawn

@@ -16,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kKindTitl
                                                                                     {"clusters", "clusters"},
                                                                                     {"stick", "stick"}}};
 
-ChartSeries trial_series(const cost::TrialClaim& claim, std::span<const cost::TrialRow> rows, int line) {
+ChartSeries trial_series(const cost::Claim& claim, std::span<const cost::TrialRow> rows, int line) {
   const auto own = trials_of_line(claim, rows, line);
   ChartSeries series{.shape = static_cast<ChartShape>(line), .role = ChartRole::kChosen, .line = true, .row = line};
   const auto held = std::count_if(own.begin(), own.end(), [](const cost::TrialRow* row) { return row->holds; });
@@ -38,7 +38,7 @@ std::string_view kind_title(std::string_view kind) {
   return kind;
 }
 
-std::vector<const cost::TrialRow*> trials_of_line(const cost::TrialClaim& claim, std::span<const cost::TrialRow> rows,
+std::vector<const cost::TrialRow*> trials_of_line(const cost::Claim& claim, std::span<const cost::TrialRow> rows,
                                                   int line) {
   std::vector<const cost::TrialRow*> own;
   const std::string_view kind = cost::trial_kinds()[line];
@@ -48,7 +48,7 @@ std::vector<const cost::TrialRow*> trials_of_line(const cost::TrialClaim& claim,
   return own;
 }
 
-Chart trial_chart(const cost::TrialClaim& claim, std::span<const cost::TrialRow> rows) {
+Chart trial_chart(const cost::Claim& claim, std::span<const cost::TrialRow> rows) {
   Chart chart{.title = std::string(claim.says),
               .note = std::string(claim.lecture) + ", “" + std::string(claim.slide) + "”. " +
                       std::to_string(cost::kTrialSeeds) + " clouds of each kind, " + std::to_string(claim.points) +

@@ -11,10 +11,10 @@
 namespace snug::app {
 
 /// rows: those of any claims, of which the claim's own are shown. With none of them, an empty chart.
-[[nodiscard]] Chart trial_chart(const cost::TrialClaim& claim, std::span<const cost::TrialRow> rows);
+[[nodiscard]] Chart trial_chart(const cost::Claim& claim, std::span<const cost::TrialRow> rows);
 
 /// The rows of one line of the chart, in the order of its points. line: the series' row.
-[[nodiscard]] std::vector<const cost::TrialRow*> trials_of_line(const cost::TrialClaim& claim,
+[[nodiscard]] std::vector<const cost::TrialRow*> trials_of_line(const cost::Claim& claim,
                                                                 std::span<const cost::TrialRow> rows, int line);
 
 /// A kind of cloud in words: "sphere’s surface" for "sphere".

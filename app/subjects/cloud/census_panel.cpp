@@ -8,7 +8,7 @@
 #include "app/widgets.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/subjects.hpp"
-#include "measure/census.hpp"
+#include "measure/trials.hpp"
 
 namespace snug::app {
 namespace {
@@ -50,7 +50,7 @@ float draw_census_panel(const Look& look, const lesson::Session& session, ImVec2
   if (!compares_both(session)) return 0;
   const std::vector<cost::CensusRow>& rows = cost::census();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto clouds = static_cast<std::int64_t>(rows.size()) * cost::kCensusClouds;
+  const auto clouds = static_cast<std::int64_t>(rows.size()) * cost::kTrialSeeds;
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted,
        lesson::count_text(clouds) + " clouds: 14-DOP / smallest OBB");
   float y = at.y + look.px(28);

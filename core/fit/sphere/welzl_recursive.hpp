@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 10> kWelzlRecursivePseudocode{
     "  return solve(rest, support + u)",
 };
 
-/// The recursion is stopped at this depth, long before a stack is full: a call takes some 200 bytes of it (`snug cost
+/// The recursion is stopped at this depth, long before a stack is full: a call takes some 300 bytes of it (`snug cost
 /// --claims` measures that), and a stack has several megabytes, on the page as well (cmake/options.cmake).
 inline constexpr int kWelzlDepthLimit = 1024;
 

@@ -1,7 +1,7 @@
 // Counts that a lesson's prose tells, because no figure of a run can: they come out of many clouds.
 #include <doctest/doctest.h>
 
-#include "measure/census.hpp"
+#include "measure/trials.hpp"
 
 using namespace snug;
 

@@ -1,5 +1,5 @@
 // The lectures' claims come out as is known of them; turns have the slack that updates have.
-#include "measure/claims.hpp"
+#include "measure/claim_runs.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/point_clouds.hpp"
+#include "measure/claims.hpp"
 #include "measure/turn_run.hpp"
 
 using namespace snug;
@@ -19,7 +20,7 @@ cost::Clock true_clock() {
 }
 
 cost::ClaimRow row_of(std::string_view name, const AnyPointSet& points) {
-  for (const cost::Claim& claim : cost::claims())
+  for (const cost::MeasuredClaim& claim : cost::measured_claims())
     if (claim.name == name)
       return cost::run_claim(claim, {.points = points, .seed = 1, .clock = true_clock(), .longest = 3e8});
   FAIL("no such claim");
@@ -81,7 +82,9 @@ TEST_CASE("every claim says whose it is") {
     CHECK_FALSE(claim.lecture.empty());
     CHECK_FALSE(claim.slide.empty());
   }
-  CHECK(names.size() == 9);
+  CHECK(names.size() == 15);
+  for (const cost::MeasuredClaim& claim : cost::measured_claims()) CHECK(names.count(claim.name) == 1);
+  CHECK(cost::measured_claims().size() == 9);
 }
 
 TEST_CASE("over a full turn each update has the slack that it has frame by frame") {

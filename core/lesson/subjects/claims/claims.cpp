@@ -35,7 +35,7 @@ Truth verdict_truth(const Asked& asked, const Run&) {
 
 void read_verdict(TomlTable& table, Question& question) {
   std::vector<std::string_view> names;
-  for (const cost::TrialClaim& claim : cost::trial_claims()) names.push_back(claim.name);
+  for (const cost::Claim* claim : cost::tried_claims()) names.push_back(claim->name);
   question.figure = table.text("claim");
   check_name(table, "claim", question.figure, names);
 }
@@ -70,11 +70,11 @@ void read_claims(TomlTable& table, Lesson& lesson, Complaints& complaints) {
 
 /// Checks that each counter-example can be shown.
 void check_claims(const Lesson& lesson, const Subject&, Complaints& complaints) {
-  for (const cost::TrialClaim& claim : cost::trial_claims())
-    if (!is_among(lesson.algorithms, shown_by(lesson, claim)))
-      complaints.add(FilePlace(1), "\"algorithms\" lacks " + std::string(claim.volume) + '/' +
-                                       std::string(claim.algorithm) + ", which shows the claim " +
-                                       std::string(claim.name));
+  for (const cost::Claim* claim : cost::tried_claims())
+    if (!is_among(lesson.algorithms, shown_by(lesson, *claim)))
+      complaints.add(FilePlace(1), "\"algorithms\" lacks " + std::string(claim->volume) + '/' +
+                                       std::string(claim->algorithm) + ", which shows the claim " +
+                                       std::string(claim->name));
 }
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_claims(const Lesson& lesson, std::optional<io::PointFile> mesh,
@@ -111,7 +111,7 @@ void ClaimsSubject::begin_task(const Lesson& lesson, const Task& task, const Sub
   static_cast<void>(edited({}));
 }
 
-std::string shown_by(const Lesson& lesson, const cost::TrialClaim& claim) {
+std::string shown_by(const Lesson& lesson, const cost::Claim& claim) {
   const Method* method = find_method(lesson, std::string(claim.volume) + '/' + std::string(claim.algorithm));
   return method != nullptr ? name_in(lesson, *method) : std::string();
 }

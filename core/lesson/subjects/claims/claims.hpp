@@ -44,7 +44,7 @@ class ClaimsSubject final : public OnCloud {
 };
 
 /// The lesson's name of the method that shows where a claim does not hold.
-[[nodiscard]] std::string shown_by(const Lesson& lesson, const cost::TrialClaim& claim);
+[[nodiscard]] std::string shown_by(const Lesson& lesson, const cost::Claim& claim);
 
 /// What came of a claim, as an answer says it: "holds on all 240 clouds", and the verdict's place among the answers.
 [[nodiscard]] std::string tally_text(const cost::TrialTally& tally);
