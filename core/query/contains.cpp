@@ -11,7 +11,8 @@
 #include "number/dyadic.hpp"
 #include "number/exact_sum.hpp"
 #include "number/exact_tally.hpp"
-#include "query/numbers.hpp"
+#include "number/power_of_two.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::query {
 namespace {
@@ -65,13 +66,12 @@ struct Swept {
 
   Swept(const Vector<double, Dim>& p, const Vector<double, Dim>& e, const Vector<double, Dim>& o, double r) {
     const double largest = std::max({p.cwiseAbs().maxCoeff(), e.cwiseAbs().maxCoeff(), o.cwiseAbs().maxCoeff(), r});
-    const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
-    const double scale = std::ldexp(1.0, -exponent);
+    const double scale = to_unit_size(largest);
     point = p * scale;
     edge = e * scale;
     other_edge = o * scale;
     radius = r * scale;
-    unscale = std::ldexp(1.0, exponent);
+    unscale = 1 / scale;
   }
 };
 
@@ -109,27 +109,9 @@ std::optional<bool> within_by_double(const Swept<Dim>& swept) {
   return std::nullopt;
 }
 
-template <int Dim>
-using Exact = std::array<Dyadic, Dim>;
-
-template <int Dim>
-Exact<Dim> exactly(const Vector<double, Dim>& v) {
-  Exact<Dim> exact;
-  for (int i = 0; i < Dim; ++i) exact[i] = v[i];
-  return exact;
-}
-
-template <std::size_t Dim>
-std::array<Dyadic, Dim> operator-(const std::array<Dyadic, Dim>& a, const std::array<Dyadic, Dim>& b) {
-  std::array<Dyadic, Dim> difference;
-  for (std::size_t i = 0; i < Dim; ++i) difference[i] = a[i] - b[i];
-  return difference;
-}
-
 /// point, edge: the point and the segment's other end, relative to its first end.
 template <std::size_t Dim>
-bool within_of_segment(const std::array<Dyadic, Dim>& point, const std::array<Dyadic, Dim>& edge,
-                       const Dyadic& square) {
+bool within_of_segment(const Tuple<Dyadic, Dim>& point, const Tuple<Dyadic, Dim>& edge, const Dyadic& square) {
   const Dyadic along = dot(point, edge);
   if (along.sign() <= 0) return dot(point, point) <= square;
   const Dyadic length = dot(edge, edge);
@@ -143,8 +125,8 @@ bool within_of_segment(const std::array<Dyadic, Dim>& point, const std::array<Dy
 /// point: relative to the parallelogram's vertex. If it projects into the parallelogram, its distance from the plane
 /// decides, by the edges' Gram determinant; otherwise the nearest of the four sides.
 template <std::size_t Dim>
-bool within_of_parallelogram(const std::array<Dyadic, Dim>& point, const std::array<Dyadic, Dim>& e,
-                             const std::array<Dyadic, Dim>& f, const Dyadic& square) {
+bool within_of_parallelogram(const Tuple<Dyadic, Dim>& point, const Tuple<Dyadic, Dim>& e, const Tuple<Dyadic, Dim>& f,
+                             const Dyadic& square) {
   const Dyadic ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), pe = dot(point, e), pf = dot(point, f);
   const Dyadic determinant = ee * ff - ef * ef;
   const Dyadic s = pe * ff - pf * ef, t = pf * ee - pe * ef;  // the projection's, times the determinant
@@ -167,15 +149,16 @@ Swept<Dim> swept(const Lozenge<double, Dim>& lozenge, const Vector<double, Dim>&
 
 template <int Dim>
 bool within_exactly(const Capsule<double, Dim>& capsule, const Vector<double, Dim>& point) {
-  const auto a = exactly<Dim>(capsule.a);
-  return within_of_segment(exactly<Dim>(point) - a, exactly<Dim>(capsule.b) - a,
+  const auto a = tuple_of<Dyadic, Dim>(capsule.a);
+  return within_of_segment(tuple_of<Dyadic, Dim>(point) - a, tuple_of<Dyadic, Dim>(capsule.b) - a,
                            Dyadic(capsule.radius) * Dyadic(capsule.radius));
 }
 
 template <int Dim>
 bool within_exactly(const Lozenge<double, Dim>& lozenge, const Vector<double, Dim>& point) {
-  return within_of_parallelogram(exactly<Dim>(point) - exactly<Dim>(lozenge.origin), exactly<Dim>(lozenge.edges[0]),
-                                 exactly<Dim>(lozenge.edges[1]), Dyadic(lozenge.radius) * Dyadic(lozenge.radius));
+  return within_of_parallelogram(tuple_of<Dyadic, Dim>(point) - tuple_of<Dyadic, Dim>(lozenge.origin),
+                                 tuple_of<Dyadic, Dim>(lozenge.edges[0]), tuple_of<Dyadic, Dim>(lozenge.edges[1]),
+                                 Dyadic(lozenge.radius) * Dyadic(lozenge.radius));
 }
 
 template <class Volume, int Dim>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/sphere.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::query {
 namespace {
@@ -54,8 +55,7 @@ Vector<double, Dim> unit(const Vector<double, Dim>& v) {
 }
 
 Vector<double, 3> unit_normal(const Vector<double, 3>& a, const Vector<double, 3>& b, const Vector<double, 3>& c) {
-  const Vector<double, 3> e = unit<3>(b - a), f = unit<3>(c - a);
-  return unit<3>({e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]});
+  return unit<3>(cross(unit<3>(b - a), unit<3>(c - a)));
 }
 
 template <int Dim>
@@ -73,7 +73,7 @@ double outside_of_flat_polygon(const ConvexHull<Scalar, 3>& hull, const Vector<d
   double most = std::abs(up.dot(p - at(0)));
   for (Index i = 0; i < n; ++i) {
     const Vector<double, 3> e = unit<3>(at(i + 1 < n ? i + 1 : 0) - at(i));
-    const Vector<double, 3> out(e[1] * up[2] - e[2] * up[1], e[2] * up[0] - e[0] * up[2], e[0] * up[1] - e[1] * up[0]);
+    const Vector<double, 3> out = cross(e, up);
     most = std::max(most, out.dot(p - at(i)));
   }
   return most;

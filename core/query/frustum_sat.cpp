@@ -6,8 +6,9 @@
 
 #include "geometry/tolerance.hpp"
 #include "number/dyadic.hpp"
+#include "number/power_of_two.hpp"
+#include "query/box_of_numbers.hpp"
 #include "query/classify.hpp"
-#include "query/numbers.hpp"
 
 namespace snug::query {
 namespace {
@@ -19,42 +20,10 @@ double size_of_all(const std::array<double, Dim>& v) {
   return sum;
 }
 
-/// The box of all center + sum s_i half_i axes_i, |s_i| <= 1, in one kind of number.
-template <class Number, int Dim>
-struct Box {
-  Numbers<Number, Dim> center, half;
-  std::array<Numbers<Number, Dim>, Dim> axes;
-
-  template <class Scalar>
-  explicit Box(const Obb<Scalar, Dim>& box)
-      : center(numbers<Number, Scalar, Dim>(box.center)), half(numbers<Number, Scalar, Dim>(box.half_extents)) {
-    for (int k = 0; k < Dim; ++k) axes[k] = numbers<Number, Scalar, Dim>(Vector<Scalar, Dim>(box.axes.col(k)));
-  }
-  template <class Scalar>
-  explicit Box(const Aabb<Scalar, Dim>& box) {
-    const auto min = numbers<Number, Scalar, Dim>(box.min), max = numbers<Number, Scalar, Dim>(box.max);
-    for (std::size_t k = 0; k < Dim; ++k) {
-      center[k] = (min[k] + max[k]) * Number(0.5);
-      half[k] = (max[k] - min[k]) * Number(0.5);
-      for (std::size_t i = 0; i < Dim; ++i) axes[k][i] = Number(i == k ? 1.0 : 0.0);
-    }
-  }
-  [[nodiscard]] Span<Number> along(const Numbers<Number, Dim>& axis) const {
-    const Number middle = dot(center, axis);
-    Number radius = half[0] * magnitude(dot(axes[0], axis));
-    for (std::size_t k = 1; k < Dim; ++k) radius += half[k] * magnitude(dot(axes[k], axis));
-    return {middle - radius, middle + radius};
-  }
-  [[nodiscard]] Numbers<Number, Dim> normal(std::size_t face) const {
-    if constexpr (Dim == 2) return {Number(0.0) - axes[1 - face][1], axes[1 - face][0]};
-    else return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
-  }
-};
-
 /// An axis, and the size of the products that are summed for it.
 template <class Number, int Dim>
 struct Axis {
-  Numbers<Number, Dim> direction;
+  Tuple<Number, Dim> direction;
   double size = 0;  // for rounded numbers only
 };
 
@@ -75,7 +44,7 @@ std::array<std::size_t, 2> planes_of_edge(std::size_t edge) {
 /// The axis with an index: the frustum's normals, the box's normals, then cross products of the box's and the frustum's
 /// edges. normal(i): that of plane i, of any length.
 template <class Number, int Dim>
-Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box, int place) {
+Axis<Number, Dim> cross_axis_at(const auto& normal, const BoxOf<Number, Dim>& box, int place) {
   Axis<Number, Dim> axis;
   [[maybe_unused]] const auto sized = [&](double size) {
     if constexpr (std::is_same_v<Number, double>) axis.size = size;
@@ -102,7 +71,7 @@ Axis<Number, Dim> cross_axis_at(const auto& normal, const Box<Number, Dim>& box,
 
 /// Whether the axis separates the frustum's vertices from the box.
 template <int Dim>
-bool separates_exactly(const Numbers<Dyadic, Dim>& axis, const Box<Dyadic, Dim>& box,
+bool separates_exactly(const Tuple<Dyadic, Dim>& axis, const BoxOf<Dyadic, Dim>& box,
                        const std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>& corners) {
   if (std::all_of(axis.begin(), axis.end(), [](const Dyadic& x) { return x.sign() == 0; })) return false;
   const Span<Dyadic> span = box.along(axis);
@@ -130,7 +99,7 @@ FrustumSat<Scalar, Dim>::FrustumSat(const Frustum<Scalar, Dim>& frustum, ExactCo
     : frustum_(frustum), exact_(std::move(exact)) {
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     const Vector<double, Dim> normal = frustum.planes()[i].normal.template cast<double>();
-    normals_[i] = normal * std::ldexp(1.0, -std::clamp(std::ilogb(normal.cwiseAbs().maxCoeff()), -1022, 1022));
+    normals_[i] = normal * to_unit_size(normal.cwiseAbs().maxCoeff());
   }
   for (std::size_t c = 0; c < exact_.size(); ++c) {
     for (int i = 0; i < Dim; ++i) corners_[c][i] = quotient(exact_[c].coordinates[i], exact_[c].weight);
@@ -141,9 +110,9 @@ FrustumSat<Scalar, Dim>::FrustumSat(const Frustum<Scalar, Dim>& frustum, ExactCo
 
 template <class Scalar, int Dim>
 bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
-  const Box<double, Dim> box(given);
+  const BoxOf<double, Dim> box(given);
   const double size = size_ + static_cast<double>(size_of(given));
-  const auto rounded = [&](std::size_t plane) { return numbers<double, double, Dim>(normals_[plane]); };
+  const auto rounded = [&](std::size_t plane) { return tuple_of<double, Dim>(normals_[plane]); };
   std::array<int, kAxes<Dim>> open;
   std::size_t count = 0;
   for (int place = 0; place < kAxes<Dim>; ++place) {
@@ -163,8 +132,8 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
     if (!sound || !(gap < -doubt)) open[count++] = place;
   }
   if (count == 0) return true;
-  const Box<Dyadic, Dim> exact(given);
-  const auto whole = [&](std::size_t plane) { return numbers<Dyadic, Scalar, Dim>(frustum_.planes()[plane].normal); };
+  const BoxOf<Dyadic, Dim> exact(given);
+  const auto whole = [&](std::size_t plane) { return tuple_of<Dyadic, Dim>(frustum_.planes()[plane].normal); };
   return std::none_of(open.begin(), open.begin() + count, [&](int place) {
     return separates_exactly<Dim>(cross_axis_at<Dyadic, Dim>(whole, exact, place).direction, exact, exact_);
   });

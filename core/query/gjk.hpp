@@ -165,10 +165,8 @@ class Gjk {
   }
 
   template <class Real>
-  [[nodiscard]] Triple<Real> corner(const Pair& pair) const {
-    const Point& p = pair.a.at;
-    const Point& q = pair.b.at;
-    return {Real(p[0]) - Real(q[0]), Real(p[1]) - Real(q[1]), Real(p[2]) - Real(q[2])};
+  [[nodiscard]] Tuple<Real, 3> corner(const Pair& pair) const {
+    return tuple_of<Real, 3>(pair.a.at) - tuple_of<Real, 3>(pair.b.at);
   }
 
   template <class Real>
@@ -210,7 +208,7 @@ class Gjk {
       on_a += rounded(nearest.weights[i]) * pairs_[i].a.at;
       on_b += rounded(nearest.weights[i]) * pairs_[i].b.at;
     }
-    v_ = {rounded(nearest.point.x), rounded(nearest.point.y), rounded(nearest.point.z)};
+    v_ = {rounded(nearest.point[0]), rounded(nearest.point[1]), rounded(nearest.point[2])};
     most = v_.norm();
     ++turns;
     if constexpr (kWatched<Observer>) observe_(GjkStep{3, nearest_found()});

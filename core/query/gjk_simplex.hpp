@@ -6,26 +6,9 @@
 
 #include <array>
 
+#include "number/tuple.hpp"
+
 namespace snug::query {
-
-/// A point in space with coordinates of any kind of number.
-template <class Real>
-struct Triple {
-  Real x{}, y{}, z{};
-
-  friend Triple operator+(const Triple& a, const Triple& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Triple operator-(const Triple& a, const Triple& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Triple operator*(const Real& s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
-};
-
-template <class Real>
-[[nodiscard]] Real dot(const Triple<Real>& a, const Triple<Real>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Real>
-[[nodiscard]] Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// Some vertices of a simplex, and a point as their weighted mean.
 template <class Real>
@@ -33,14 +16,14 @@ struct Nearest {
   int size = 0;
   std::array<int, 4> corners{};   // the first `size` are indices into the simplex
   std::array<Real, 4> weights{};  // > 0, of sum 1
-  Triple<Real> point;
+  Tuple<Real, 3> point;
   Real square{};  // its squared distance from the origin
 };
 
 template <class Real>
 class Simplex {
  public:
-  std::array<Triple<Real>, 4> corners{};
+  std::array<Tuple<Real, 3>, 4> corners{};
   int size = 0;
 
   [[nodiscard]] Nearest<Real> nearest_to_origin() const {
@@ -53,7 +36,7 @@ class Simplex {
   }
 
  private:
-  [[nodiscard]] const Triple<Real>& at(int i) const { return corners[i]; }
+  [[nodiscard]] const Tuple<Real, 3>& at(int i) const { return corners[i]; }
 
   template <std::size_t n>
   [[nodiscard]] Nearest<Real> mean(const std::array<int, n>& places, const std::array<Real, n>& weights) const {
@@ -73,7 +56,7 @@ class Simplex {
   [[nodiscard]] Nearest<Real> at_corner(int i) const { return mean<1>({i}, {Real(1)}); }
 
   [[nodiscard]] Nearest<Real> on_edge(int i, int j) const {
-    const Triple<Real> edge = at(j) - at(i);
+    const Tuple<Real, 3> edge = at(j) - at(i);
     const Real from_i = -dot(at(i), edge);
     const Real from_j = dot(at(j), edge);
     if (!(from_i > Real(0))) return at_corner(i);
@@ -82,10 +65,10 @@ class Simplex {
   }
 
   [[nodiscard]] Nearest<Real> on_triangle(const std::array<int, 3>& places) const {
-    const Triple<Real>& a = at(places[0]);
-    const Triple<Real>& b = at(places[1]);
-    const Triple<Real>& c = at(places[2]);
-    const Triple<Real> normal = cross(b - a, c - a);
+    const Tuple<Real, 3>& a = at(places[0]);
+    const Tuple<Real, 3>& b = at(places[1]);
+    const Tuple<Real, 3>& c = at(places[2]);
+    const Tuple<Real, 3> normal = cross(b - a, c - a);
     const std::array<Real, 3> areas{dot(normal, cross(b, c)), dot(normal, cross(c, a)), dot(normal, cross(a, b))};
     Nearest<Real> best;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -96,8 +79,8 @@ class Simplex {
   }
 
   [[nodiscard]] Nearest<Real> in_tetrahedron() const {
-    const Triple<Real> ab = cross(at(0), at(1));
-    const Triple<Real> cd = cross(at(2), at(3));
+    const Tuple<Real, 3> ab = cross(at(0), at(1));
+    const Tuple<Real, 3> cd = cross(at(2), at(3));
     std::array<Real, 4> volumes{dot(at(1), cd), -dot(at(0), cd), dot(at(3), ab), -dot(at(2), ab)};
     if (volumes[0] + volumes[1] + volumes[2] + volumes[3] < Real(0))
       for (Real& volume : volumes) volume = -volume;

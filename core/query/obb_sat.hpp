@@ -15,6 +15,7 @@
 
 #include "geometry/obb.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/tuple.hpp"
 #include "query/obb_sat_exact.hpp"
 #include "query/sat_steps.hpp"
 #include "trace/observer.hpp"
@@ -148,8 +149,7 @@ class ObbFrames {
       return Direction::Zero();  // there is no such axis
     } else {
       const auto [kind, i, j] = axis_at<Dim>(place);
-      const auto u = a_.axes.col(i), v = b_.axes.col(j);
-      return Direction(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+      return snug::cross<Direction>(a_.axes.col(i), b_.axes.col(j));
     }
   }
 

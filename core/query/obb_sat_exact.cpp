@@ -5,12 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/reach.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/dyadic.hpp"
+#include "query/box_of_numbers.hpp"
 #include "query/exact_gap.hpp"
-#include "query/numbers.hpp"
 
 namespace snug::query {
 namespace {
@@ -20,60 +19,34 @@ template <class Number, int Dim>
 class Pair {
  public:
   struct Along {
-    Numbers<Number, Dim> axis;  // not unit
-    Number offset, gap;         // times the axis's length
+    Tuple<Number, Dim> axis;  // not unit
+    Number offset, gap;       // times the axis's length
   };
 
   template <class Scalar>
-  Pair(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) : a_(a), b_(b) {
-    for (std::size_t k = 0; k < Dim; ++k) offset_[k] = b_.center[k] - a_.center[k];
-  }
+  Pair(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) : a_(a), b_(b), offset_(b_.center - a_.center) {}
 
   [[nodiscard]] Along along(int place) const {
     const auto [kind, i, j] = axis_at<Dim>(place);
-    const Numbers<Number, Dim> axis = this->axis(kind, i, j);
+    const Tuple<Number, Dim> axis = this->axis(kind, i, j);
     const Number offset = dot(offset_, axis);
     return {axis, offset, magnitude(offset) - a_.radius(axis) - b_.radius(axis)};
   }
 
  private:
-  struct Box {
-    Numbers<Number, Dim> center, half;
-    std::array<Numbers<Number, Dim>, Dim> axes;
-
-    template <class Scalar>
-    explicit Box(const Obb<Scalar, Dim>& box) {
-      for (int k = 0; k < Dim; ++k) {
-        const std::size_t at = k;
-        center[at] = static_cast<double>(box.center[k]);
-        half[at] = static_cast<double>(box.half_extents[k]);
-        for (int row = 0; row < Dim; ++row) axes[at][row] = static_cast<double>(box.axes(row, k));
-      }
-    }
-    [[nodiscard]] Number radius(const Numbers<Number, Dim>& axis) const {
-      Number sum = half[0] * magnitude(dot(axes[0], axis));
-      for (std::size_t k = 1; k < Dim; ++k) sum += half[k] * magnitude(dot(axes[k], axis));
-      return sum;
-    }
-    [[nodiscard]] Numbers<Number, Dim> normal(std::size_t face) const {
-      if constexpr (Dim == 2) return {Number(0) - axes[1 - face][1], axes[1 - face][0]};
-      else return cross(axes[(face + 1) % 3], axes[(face + 2) % 3]);
-    }
-  };
-
-  [[nodiscard]] Numbers<Number, Dim> axis(AxisKind kind, std::size_t i, std::size_t j) const {
+  [[nodiscard]] Tuple<Number, Dim> axis(AxisKind kind, std::size_t i, std::size_t j) const {
     if (kind == AxisKind::kFaceA) return a_.normal(i);
     if constexpr (Dim == 3)
       if (kind == AxisKind::kEdgeEdge) return cross(a_.axes[i], b_.axes[j]);
     return b_.normal(j);
   }
 
-  Box a_, b_;
-  Numbers<Number, Dim> offset_;
+  BoxOf<Number, Dim> a_, b_;
+  Tuple<Number, Dim> offset_;
 };
 
 template <int Dim>
-Vector<double, Dim> approximate(const Numbers<Dyadic, Dim>& v) {
+Vector<double, Dim> approximate(const Tuple<Dyadic, Dim>& v) {
   Vector<double, Dim> result;
   for (int i = 0; i < Dim; ++i) result[i] = v[i].approximate();
   return result;

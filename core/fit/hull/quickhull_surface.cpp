@@ -5,16 +5,14 @@
 
 #include "geometry/orientation.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/power_of_two.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::fit {
 namespace {
 
 /// The mark on a facet that was tested against an eye.
 std::uint32_t mark_of(Index eye, bool sees) { return 2 * static_cast<std::uint32_t>(eye) + (sees ? 3 : 2); }
-
-Vector<double, 3> cross(const Vector<double, 3>& p, const Vector<double, 3>& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
 
 }  // namespace
 
@@ -30,8 +28,7 @@ HullSurface<Scalar>::HullSurface(PointSpan<Scalar, 3> points) : points_(points) 
   Vector<double, 3> scale;
   for (int axis = 0; axis < 3; ++axis) {
     const double reach = std::max(high[axis] - middle[axis], middle[axis] - low[axis]);
-    // An extent below 2^-1000 cannot be scaled exactly; so small a cloud is within the error bound anyway.
-    scale[axis] = reach == 0 ? 1 : std::ldexp(1.0, std::min(1000, -std::ilogb(reach) - 1));
+    scale[axis] = reach == 0 ? 1 : to_unit_size(reach) / 2;
   }
   sites_.resize(points.size());
   for (Index i = 0; i < points.size(); ++i)

@@ -10,6 +10,7 @@
 
 #include "fit/swept/swept_radius.hpp"
 #include "number/outward.hpp"
+#include "number/power_of_two.hpp"
 #include "query/contains.hpp"
 
 namespace snug::fit {
@@ -94,7 +95,7 @@ struct LocalBalls {
       ball.center -= origin;
       largest = std::max({largest, ball.center.cwiseAbs().maxCoeff(), ball.radius});
     }
-    if (largest > 0) scale = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+    scale = to_unit_size(largest);
     for (BallIn<Dim>& ball : balls) ball.center *= scale, ball.radius *= scale;
   }
   [[nodiscard]] Vector<double, Dim> to_scene(const Vector<double, Dim>& local) const { return origin + local / scale; }

@@ -14,6 +14,7 @@
 #include "geometry/hull.hpp"
 #include "geometry/orientation.hpp"
 #include "number/double_double.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::fit {
 
@@ -43,7 +44,7 @@ class Calipers {
   Calipers(const ConvexHull<Scalar, 2>& hull, Observer& observe) : hull_(hull), observe_(observe) {
     double widest = 0;
     for (Index i = 1; i < size(); ++i) widest = std::max(widest, (point(i) - point(0)).cwiseAbs().maxCoeff());
-    unit_ = std::ilogb(widest);
+    unit_ = exponent_of(widest);
   }
 
   /// The rectangle of least area; of several, the first.

@@ -11,6 +11,7 @@
 #include "geometry/lozenge.hpp"
 #include "geometry/point_set.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/power_of_two.hpp"
 #include "query/contains.hpp"
 
 namespace snug::fit {
@@ -46,8 +47,7 @@ class SweptCore {
     double scale, square;
 
     explicit Edge(const Vector<double, Dim>& edge) : whole(edge) {
-      const double largest = edge.cwiseAbs().maxCoeff();
-      scale = largest > 0 ? std::ldexp(1.0, -std::max(std::ilogb(largest), -1022)) : 1;
+      scale = to_unit_size(edge.cwiseAbs().maxCoeff());
       scaled = edge * scale;
       square = scaled.squaredNorm();
     }
