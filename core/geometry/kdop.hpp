@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,12 +77,25 @@ template <class Scalar, int Dim>
   return 6 * most;
 }
 
+/// p . axis by sums and differences alone, because the entries are -1, 0 and 1.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar sum_along(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
+  std::optional<Scalar> sum;
+  for (int i = 0; i < Dim; ++i) {
+    if (axis[i] == 0) continue;
+    const Scalar term = axis[i] > 0 ? p[i] : -p[i];
+    sum = sum ? *sum + term : term;
+  }
+  return *sum;
+}
+
 template <class Scalar, int Dim>
 [[nodiscard]] Kdop<Scalar, Dim> moved(Kdop<Scalar, Dim> kdop, const Vector<Scalar, Dim>& by) {
   const auto axes = kdop_axes<Dim>(kdop.k);
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Scalar along = project<Scalar, Dim>(axes[i], by);
-    kdop.min[i] += along, kdop.max[i] += along;
+    const Scalar along = sum_along<Scalar, Dim>(axes[i], by);
+    kdop.min[i] += along;
+    kdop.max[i] += along;
   }
   return kdop;
 }

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "fit/update/updates.hpp"
+#include "geometry/about_origin.hpp"
 #include "geometry/convert.hpp"
-#include "measure/posed.hpp"
 #include "measure/sample.hpp"
 
 namespace snug::cost {

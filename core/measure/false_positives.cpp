@@ -4,9 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/about_origin.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/random.hpp"
-#include "measure/posed.hpp"
 #include "query/overlaps.hpp"
 
 namespace snug::cost {

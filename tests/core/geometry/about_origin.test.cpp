@@ -1,8 +1,9 @@
 // A volume that is updated as it is stored is the volume that was moved, turned or grown; and what that takes.
-#include "geometry/stored_work.hpp"
+#include "geometry/about_origin.hpp"
 
 #include <doctest/doctest.h>
 
+#include "geometry/counted.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
 
@@ -40,30 +41,45 @@ Obb<double, Dim> carried(const Obb<double, Dim>& box, const Pose<double, Dim>& p
   return {pose.rotation * box.center + pose.translation, pose.rotation * box.axes, box.half_extents};
 }
 
+/// As a pose does with a form.
+template <int Dim, class Scalar>
+auto carried_form(const auto& form, const Pose<Scalar, Dim>& pose) {
+  return moved(turned_about_origin(form, pose.rotation), pose.translation);
+}
+
+/// What that takes.
+template <int Dim>
+Work work_to_carry(const auto& form) {
+  return work_of([&] { return carried_form<Dim>(form, Pose<Counted, Dim>()); });
+}
+
 template <int Dim>
 void check_box_forms(std::uint64_t seed) {
   Random random(seed);
   const Obb<double, Dim> box = any_box<Dim>(random);
   const Pose<double, Dim> pose = any_pose<Dim>(random);
   const Obb<double, Dim> due = carried(box, pose);
-  Work vertices, planes, slabs, own;
-  const auto v = placed<ObbVertices<double, Dim>, Dim>(vertices, vertices_of(box), pose);
+  const auto v = carried_form<Dim>(vertices_of(box), pose);
   for (std::size_t i = 0; i < v.size(); ++i) CHECK((v[i] - vertices_of(due)[i]).norm() < kClose);
-  const auto p = placed<ObbPlanes<double, Dim>, Dim>(planes, planes_of(box), pose);
+  const auto p = carried_form<Dim>(planes_of(box), pose);
   for (std::size_t i = 0; i < p.size(); ++i) {
     CHECK((p[i].normal - planes_of(due)[i].normal).norm() < kClose);
     CHECK(std::abs(p[i].d - planes_of(due)[i].d) < kClose);
   }
-  const auto s = placed<ObbSlabs<double, Dim>, Dim>(slabs, slabs_of(box), pose);
+  const auto s = carried_form<Dim>(slabs_of(box), pose);
   for (std::size_t i = 0; i < s.size(); ++i) {
     CHECK((s[i].normal - slabs_of(due)[i].normal).norm() < kClose);
     CHECK(std::abs(s[i].min - slabs_of(due)[i].min) < kClose);
     CHECK(std::abs(s[i].max - slabs_of(due)[i].max) < kClose);
   }
-  const auto o = placed<Obb<double, Dim>, Dim>(own, box, pose);
+  const auto o = carried_form<Dim>(box, pose);
   CHECK((o.center - due.center).norm() < kClose);
   CHECK((o.axes - due.axes).norm() < kClose);
   CHECK(o.half_extents == due.half_extents);
+  CHECK((posed(box, pose).axes - due.axes).norm() < kClose);
+  const Work vertices = work_to_carry<Dim>(ObbVertices<Counted, Dim>{});
+  const Work planes = work_to_carry<Dim>(ObbPlanes<Counted, Dim>{});
+  const Work slabs = work_to_carry<Dim>(ObbSlabs<Counted, Dim>{}), own = work_to_carry<Dim>(Obb<Counted, Dim>{});
   // A matrix times a vector takes Dim squared multiplications.
   constexpr int kProduct = Dim * Dim, kVertices = 1 << Dim, kPlanes = 2 * Dim;
   CHECK(vertices.multiplications == kVertices * kProduct);
@@ -72,21 +88,17 @@ void check_box_forms(std::uint64_t seed) {
   CHECK(own.multiplications == kProduct + Dim * kProduct);  // one point and one matrix
 }
 
-template <class Volume, int Dim>
-void check_swept(const Volume& volume, Random& random, int moved_numbers, int products) {
-  const Pose<double, Dim> pose = any_pose<Dim>(random);
-  const Vector<double, Dim> by = pose.translation;
-  Work move, turn, grow;
-  const Volume there = moved<Dim>(move, volume, by);
-  const Volume due = moved(volume, by);
-  const bool same = Volume::tie(there) == Volume::tie(due);
-  CHECK(same);
+template <template <class, int> class Kind, int Dim>
+void check_swept(int moved_numbers, int products) {
+  const Kind<Counted, Dim> volume;
+  const Vector<Counted, Dim> by = Vector<Counted, Dim>::Zero();
+  const Matrix<Counted, Dim> rotation = Matrix<Counted, Dim>::Identity();
+  const Work move = work_of([&] { return moved(volume, by); });
   CHECK(move.additions == moved_numbers);
   CHECK(move.multiplications == 0);
-  static_cast<void>(turned<Dim>(turn, volume, pose.rotation));
-  CHECK(turn.multiplications == products * Dim * Dim);
-  CHECK(grown<Dim>(grow, volume, 0.25).radius == volume.radius + 0.25);
-  CHECK(grow.all() == 1);
+  CHECK(work_of([&] { return turned_about_origin(volume, rotation); }).multiplications == products * Dim * Dim);
+  CHECK(work_of([&] { return grown(volume, 0.25); }).all() == 1);
+  CHECK(grown(Kind<double, Dim>(), 0.25).radius == 0.25);
 }
 
 }  // namespace
@@ -97,14 +109,9 @@ TEST_CASE(
 }
 
 TEST_CASE("in space the centre with its axes takes 36 multiplications, and eight vertices 72") {
-  Random random(5);
-  const Obb<double, 3> box = any_box<3>(random);
-  const Pose<double, 3> pose = any_pose<3>(random);
-  Work vertices, own;
-  static_cast<void>(placed<ObbVertices<double, 3>, 3>(vertices, vertices_of(box), pose));
-  static_cast<void>(placed<Obb<double, 3>, 3>(own, box, pose));
-  CHECK(vertices.multiplications == 72);
-  CHECK(own.multiplications == 36);
+  CHECK(work_to_carry<3>(ObbVertices<Counted, 3>{}).multiplications == 72);
+  CHECK(work_to_carry<3>(Obb<Counted, 3>{}).multiplications == 36);
+  CHECK(work_to_carry<3>(Obb<Counted, 3>{}).additions == 27);
 }
 
 TEST_CASE_TEMPLATE(
@@ -115,36 +122,35 @@ TEST_CASE_TEMPLATE(
   // Coordinates that are sums of few powers of two: nothing is rounded.
   const V least = V::Constant(-1.25), greatest = V::Constant(0.5), by = V::Constant(0.375);
   const Aabb<double, kDim> box{least, greatest};
-  Work min_max, min_widths, centered;
-  CHECK(moved<kDim>(min_max, box, by).max == V(greatest + by));
-  const auto widths = moved<kDim>(min_widths, min_widths_of(box), by);
-  const auto center = moved<kDim>(centered, center_extents_of(box), by);
+  CHECK(moved(box, by).max == V(greatest + by));
+  const auto widths = moved(min_widths_of(box), by);
+  const auto center = moved(center_extents_of(box), by);
   CHECK(min_max_of(widths).min == V(least + by));
   CHECK(min_max_of(widths).max == V(greatest + by));
   CHECK(min_max_of(center).min == V(least + by));
   CHECK(min_max_of(center).max == V(greatest + by));
-  CHECK(min_max.all() == 2 * kDim);
-  CHECK(min_widths.all() == kDim);
-  CHECK(centered.all() == kDim);
-  Work grow_max, grow_widths, grow_center;
   const V more = V::Constant(0.125);
-  CHECK(grown<kDim>(grow_max, box, 0.125).min == V(least - more));
-  CHECK(min_max_of(grown<kDim>(grow_widths, min_widths_of(box), 0.125)).max == V(greatest + more));
-  CHECK(min_max_of(grown<kDim>(grow_center, center_extents_of(box), 0.125)).min == V(least - more));
-  CHECK(grow_center.all() == kDim);
-  CHECK(grow_center.all() < grow_max.all());
-  CHECK(grow_max.all() < grow_widths.all());
+  CHECK(grown(box, 0.125).min == V(least - more));
+  CHECK(min_max_of(grown(min_widths_of(box), 0.125)).max == V(greatest + more));
+  CHECK(min_max_of(grown(center_extents_of(box), 0.125)).min == V(least - more));
+
+  const Vector<Counted, kDim> any = Vector<Counted, kDim>::Zero();
+  const auto to_move = [&](const auto& form) { return work_of([&] { return moved(form, any); }).all(); };
+  CHECK(to_move(Aabb<Counted, kDim>()) == 2 * kDim);
+  CHECK(to_move(AabbMinWidths<Counted, kDim>()) == kDim);
+  CHECK(to_move(AabbCenterExtents<Counted, kDim>()) == kDim);
+  const auto to_grow = [&](const auto& form) { return work_of([&] { return grown(form, 0.125); }).all(); };
+  CHECK(to_grow(AabbCenterExtents<Counted, kDim>()) == kDim);
+  CHECK(to_grow(Aabb<Counted, kDim>()) == 2 * kDim);
+  CHECK(to_grow(AabbMinWidths<Counted, kDim>()) == 2 * kDim + 1);
 }
 
 TEST_CASE("swept spheres move by their core and grow by their radius alone") {
-  Random random(3);
-  const auto v2 = [&] { return any_vector<2>(random); };
-  const auto v3 = [&] { return any_vector<3>(random); };
-  check_swept<Sphere<double, 2>, 2>({v2(), 0.5}, random, 2, 1);
-  check_swept<Sphere<double, 3>, 3>({v3(), 0.5}, random, 3, 1);
-  check_swept<Capsule<double, 2>, 2>({v2(), v2(), 0.5}, random, 4, 2);
-  check_swept<Capsule<double, 3>, 3>({v3(), v3(), 0.5}, random, 6, 2);
-  check_swept<Lozenge<double, 3>, 3>({v3(), {v3(), v3()}, 0.5}, random, 3, 3);
+  check_swept<Sphere, 2>(2, 1);
+  check_swept<Sphere, 3>(3, 1);
+  check_swept<Capsule, 2>(4, 2);
+  check_swept<Capsule, 3>(6, 2);
+  check_swept<Lozenge, 3>(3, 3);
 }
 
 TEST_CASE("the bounds of a k-DOP move by sums alone, and grow by the length of their axes") {
@@ -152,9 +158,8 @@ TEST_CASE("the bounds of a k-DOP move by sums alone, and grow by the length of t
   const auto axes = kdop_axes<3>(14);
   for (std::size_t i = 0; i < axes.size(); ++i) kdop.min[i] = -1, kdop.max[i] = 1 + 0.25 * static_cast<double>(i);
   const Vector<double, 3> by(0.5, -0.25, 1);
-  Work move, grow;
-  const auto there = moved<3>(move, kdop, by);
-  const auto larger = grown<3>(grow, kdop, 0.5);
+  const auto there = moved(kdop, by);
+  const auto larger = grown(kdop, 0.5);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const double along = project<double, 3>(axes[i], by);
     double square = 0;
@@ -163,7 +168,10 @@ TEST_CASE("the bounds of a k-DOP move by sums alone, and grow by the length of t
     CHECK(there.max[i] == kdop.max[i] + along);
     CHECK(larger.max[i] == doctest::Approx(kdop.max[i] + 0.5 * std::sqrt(square)));
   }
+  const Kdop<Counted, 3> counted{.k = 14};
+  const Vector<Counted, 3> any = Vector<Counted, 3>::Zero();
+  const Work move = work_of([&] { return moved(counted, any); });
   CHECK(move.multiplications == 0);
   CHECK(move.additions == 14 + 2 * 4);  // both bounds, and two sums for each diagonal
-  CHECK(grow.multiplications == 4);     // the diagonals
+  CHECK(work_of([&] { return grown(counted, 0.5); }).multiplications == 4);  // the diagonals
 }
