@@ -12,7 +12,7 @@
 #include "fit/catalogue.hpp"
 #include "fit/certify.hpp"
 #include "fit/lift.hpp"
-#include "fit/tally.hpp"
+#include "fit/counters.hpp"
 
 namespace snug::fit {
 

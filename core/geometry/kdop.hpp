@@ -70,7 +70,7 @@ template <class Number, class Scalar, int Dim>
 /// The span is a weighted sum of bounds, and the sizes of the weights add up to at most 6 times that of the normal
 /// (kdop_reach.hpp).
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Kdop<Scalar, Dim>& kdop) {
+[[nodiscard]] Scalar magnitude_of(const Kdop<Scalar, Dim>& kdop) {
   Scalar most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(kdop.k / 2); ++i)
     most = std::max({most, std::abs(kdop.min[i]), std::abs(kdop.max[i])});

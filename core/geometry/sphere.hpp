@@ -93,7 +93,7 @@ template <class Number, class Scalar, int Dim>
   return core_span<Number>(plane, sphere.center);
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Sphere<Scalar, Dim>& sphere) {
+[[nodiscard]] Scalar magnitude_of(const Sphere<Scalar, Dim>& sphere) {
   return largest<Scalar, Dim>(sphere.center) + sphere.radius;
 }
 

@@ -17,7 +17,7 @@
 // Every pair's test (query/overlaps.hpp), culling (query/classify.hpp), the distance of a point (query/contains.hpp),
 // trees (hierarchy/bounds.hpp) and the drawing (app/volumes.cpp) follow from that. Kinds that have something faster, or
 // something that says more, have overloads of their own there. A header may also give
-//   core_span, size_of how far its core reaches on both sides of a plane, in rounded and in exact numbers; without
+//   core_span, magnitude_of how far its core reaches on both sides of a plane, in rounded and in exact numbers; without
 //                      that, culling calls intersecting what rounding leaves open
 // Source of core and radius: G. van den Bergen, "A fast and robust GJK implementation for collision detection of convex
 // objects", 1999.

@@ -85,13 +85,13 @@ struct Size {
   friend bool operator==(const Size& a, const Size& b) = default;
 };
 
-[[nodiscard]] inline Size size_of(const Box& box) {
+[[nodiscard]] inline Size surface_of(const Box& box) {
   const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
   return {x * y + y * z + z * x, x + y + z};
 }
 /// In the plane, the area is of no use, because a line's is 0.
-[[nodiscard]] inline Size size_of(const Box& box, int dim) {
-  const Size size = size_of(box);
+[[nodiscard]] inline Size surface_of(const Box& box, int dim) {
+  const Size size = surface_of(box);
   return dim == 2 ? Size{0, size.length} : size;
 }
 

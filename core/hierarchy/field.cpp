@@ -56,7 +56,7 @@ struct OneByOne {
   /// Compares all vertices with all planes: the naive way.
   void all_vertices(std::size_t i) {
     const FieldBox& box = field.boxes[i];
-    const double size = size_of(box);
+    const double size = magnitude_of(box);
     std::array<Vector<double, 3>, kVertices> vertices;
     for (int bits = 0; bits < kVertices; ++bits) vertices[bits] = query::corner_of(box, bits);
     CullResult result;

@@ -106,8 +106,8 @@ class TopDown {
   /// The border between bins, along any axis, at which a traversal is expected to be cheapest; its axis is kNoIndex if
   /// all centres are in one place.
   Split cheapest(const Part& part, const Box& all, const Box& centers) {
-    const bool by_length = size_of(all, layout_.dim).area == 0;  // for boxes without area, and in the plane
-    const auto size = [&](const Box& box) { return by_length ? size_of(box).length : size_of(box).area; };
+    const bool by_length = surface_of(all, layout_.dim).area == 0;  // for boxes without area, and in the plane
+    const auto size = [&](const Box& box) { return by_length ? surface_of(box).length : surface_of(box).area; };
     const auto cost_of = [&](const Bin& bin) { return size(bin.box) * bin.count; };
     Split best;
     int best_border = 0;

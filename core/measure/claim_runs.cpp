@@ -240,7 +240,7 @@ ClaimRow run_claim(const MeasuredClaim& measured, const ClaimContext& context) {
                .lecture = std::string(claim.lecture),
                .slide = std::string(claim.slide),
                .says = std::string(claim.says)};
-  if (fit::size_of(context.points) <= kMostPoints) {
+  if (fit::count_of(context.points) <= kMostPoints) {
     measured.run(context, row);
   } else {
     const AnyPointSet fewer = sample(context.points, kMostPoints, context.seed);

@@ -26,7 +26,7 @@ class Culler {
   }
 
   [[nodiscard, gnu::flatten]] Culling operator()(const Sphere<Scalar, Dim>& sphere) const {
-    const Scalar doubt = doubt_of(size_of(sphere)), most = sphere.radius + doubt, least = sphere.radius - doubt;
+    const Scalar doubt = doubt_of(magnitude_of(sphere)), most = sphere.radius + doubt, least = sphere.radius - doubt;
     Culling verdict = Culling::kInside;
     for (const Plane<Scalar, Dim>& plane : planes_) {
       const Scalar value = plane.normal.dot(sphere.center) + plane.d;
@@ -40,7 +40,7 @@ class Culler {
   }
 
   [[nodiscard, gnu::flatten]] Culling operator()(const Aabb<Scalar, Dim>& box) const {
-    const Scalar doubt = doubt_of(size_of(box));
+    const Scalar doubt = doubt_of(magnitude_of(box));
     Culling verdict = Culling::kInside;
     for (const Plane<Scalar, Dim>& plane : planes_) {
       Scalar low = plane.d, high = plane.d;

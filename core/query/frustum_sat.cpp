@@ -111,7 +111,7 @@ FrustumSat<Scalar, Dim>::FrustumSat(const Frustum<Scalar, Dim>& frustum, ExactCo
 template <class Scalar, int Dim>
 bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
   const BoxOf<double, Dim> box(given);
-  const double size = size_ + static_cast<double>(size_of(given));
+  const double size = size_ + static_cast<double>(magnitude_of(given));
   const auto rounded = [&](std::size_t plane) { return tuple_of<double, Dim>(normals_[plane]); };
   std::array<int, kAxes<Dim>> open;
   std::size_t count = 0;

@@ -99,7 +99,7 @@ inline constexpr PairTest kPairTest = kPairTests[VolumeKind<A>::kIndex][VolumeKi
 /// Whether the test takes b first. Kinds are ordered as in the table, and volumes of one kind by their anchors, so that
 /// a pair has the same answer in either order. (Two of a kind with the same anchor overlap in either order.)
 template <class A, class B>
-[[nodiscard]] bool turned(const A& a, const B& b) {
+[[nodiscard]] bool swapped(const A& a, const B& b) {
   if constexpr (!std::is_same_v<A, B>) return VolumeKind<A>::kIndex > VolumeKind<B>::kIndex;
   const auto p = anchor(a);
   const auto q = anchor(b);

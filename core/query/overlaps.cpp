@@ -35,7 +35,7 @@ bool overlaps(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
   if (a.index() > b.index()) return overlaps(b, a);
   if (kPairTests[a.index()][b.index()] != PairTest::kGjk) return own_test_overlap(a, b);
   Ignore ignore;  // compiled once for all pairs that GJK tests
-  return turned<Scalar, Dim>(a, b) ? any_pair::by_gjk(b, a, ignore, true).overlap
+  return swapped<Scalar, Dim>(a, b) ? any_pair::by_gjk(b, a, ignore, true).overlap
                                    : any_pair::by_gjk(a, b, ignore, true).overlap;
 }
 

@@ -36,7 +36,7 @@ template <class A, class B, class Observer>
 /// The verdict of GJK, which stops as soon as it is certain.
 template <class A, class B>
 [[nodiscard]] bool gjk_overlap(const A& a, const B& b) {
-  const auto separation = turned(a, b) ? gjk(b, a, true) : gjk(a, b, true);
+  const auto separation = swapped(a, b) ? gjk(b, a, true) : gjk(a, b, true);
   return separation.has_value() && separation->overlap;
 }
 
@@ -76,7 +76,7 @@ template <template <class, int> class A, template <class, int> class B, class Sc
   constexpr bool kLater = VolumeKind<A<Scalar, Dim>>::kIndex > VolumeKind<B<Scalar, Dim>>::kIndex;
   if constexpr (kLater) return flipped(test_in_order(b, a, observe));
   else if constexpr (!std::is_same_v<A<Scalar, Dim>, B<Scalar, Dim>>) return test_in_order(a, b, observe);
-  else return turned(a, b) ? flipped(test_in_order(b, a, observe)) : test_in_order(a, b, observe);
+  else return swapped(a, b) ? flipped(test_in_order(b, a, observe)) : test_in_order(a, b, observe);
 }
 
 /// The verdict alone, and all that a program has to pay for it. It is that of test_overlap in either order: what

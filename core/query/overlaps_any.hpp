@@ -82,9 +82,9 @@ template <class Scalar, int Dim, class Observer>
 
 }  // namespace any_pair
 
-/// The same as `turned` for two volumes of known kinds.
+/// The same as `swapped` for two volumes of known kinds.
 template <class Scalar, int Dim>
-[[nodiscard]] bool turned(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
+[[nodiscard]] bool swapped(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {
   if (a.index() != b.index()) return a.index() > b.index();
   const Vector<Scalar, Dim> p = anchor_of(a), q = anchor_of(b);
   return std::lexicographical_compare(q.data(), q.data() + q.size(), p.data(), p.data() + p.size());
@@ -94,7 +94,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_any_overlap(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
                                                           Observer& observe) {
-  if (turned<Scalar, Dim>(a, b)) return flipped(any_pair::test_any_in_order(b, a, observe));
+  if (swapped<Scalar, Dim>(a, b)) return flipped(any_pair::test_any_in_order(b, a, observe));
   return any_pair::test_any_in_order(a, b, observe);
 }
 
@@ -103,7 +103,7 @@ template <class Scalar, int Dim, class Observer>
 template <class Scalar, int Dim, class Observer>
 [[nodiscard]] OverlapResult<Scalar, Dim> test_slabs_then_gjk(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b,
                                                              Observer& observe) {
-  if (turned<Scalar, Dim>(a, b)) return flipped(any_pair::by_slabs_then_gjk(b, a, observe));
+  if (swapped<Scalar, Dim>(a, b)) return flipped(any_pair::by_slabs_then_gjk(b, a, observe));
   return any_pair::by_slabs_then_gjk(a, b, observe);
 }
 

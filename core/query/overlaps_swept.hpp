@@ -259,7 +259,7 @@ template <template <class, int> class A, template <class, int> class B, class Sc
 template <class A, class B>
 [[gnu::cold, gnu::noinline]] bool swept_overlap_closely(const A& a, const B& b) {
   if constexpr (std::is_same_v<A, B>)
-    if (turned(a, b)) return !swept_pair(b, a).apart();
+    if (swapped(a, b)) return !swept_pair(b, a).apart();
   return !swept_pair(a, b).apart();
 }
 

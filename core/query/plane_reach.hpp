@@ -58,8 +58,8 @@ template <class Shape, class Scalar, int Dim>
 /// support mapping alone is never wrong".
 template <class Shape>
 [[nodiscard]] auto span_size(const Shape& volume) {
-  if constexpr (requires { size_of(volume); }) {
-    return size_of(volume);
+  if constexpr (requires { magnitude_of(volume); }) {
+    return magnitude_of(volume);
   } else {
     using Scalar = typename VolumeKind<Shape>::Scalar;
     const auto box = box_around(volume);

@@ -71,7 +71,7 @@ template <class VolumeType, int Dim>
 template <class VolumeType, int Dim>
 void widen_to_hold(VolumeType& volume, const Balls<Dim>& balls) {
   using Scalar = decltype(volume.radius);
-  const SweptCore<Dim> core(volume);
+  const ScaledCore<Dim> core(volume);
   double most = 0;
   for (const BallIn<Dim>& ball : balls) most = std::max(most, core.distance(ball.center) + ball.radius);
   volume.radius = static_cast<Scalar>(most);

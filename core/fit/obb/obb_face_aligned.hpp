@@ -49,14 +49,14 @@ class ObbFaceAligned {
   [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[i]; }
 
   void try_faces() {
-    TallyFor<Observer> built;
+    PartCounterFor<Observer> built;
     const HullSolid solid(hull_, built);
     hand_on(built, observe_);
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
       if (f > 0 && in_one_plane(hull_.facets[f - 1], hull_.facets[f])) continue;
       const Point& normal = solid.normals()[f];
       std::vector<Point> outline;
-      TallyFor<Observer> walked;
+      PartCounterFor<Observer> walked;
       for (const Index i : solid.outline(normal, walked)) outline.push_back(at(i));
       hand_on(walked, observe_);
       std::array<Index, 3> face{};

@@ -200,7 +200,7 @@ Index HullSolid::far(const Point& direction) const {
   template Index HullSolid::farthest(const Vector<double, 3>&, Index, Count&) const;                                   \
   template std::vector<Index> HullSolid::outline(const Vector<double, 3>&, Count&) const;
 SNUG_INSTANTIATE(Ignore)
-SNUG_INSTANTIATE(Tally)
+SNUG_INSTANTIATE(PartCounter)
 #undef SNUG_INSTANTIATE
 
 }  // namespace snug::fit

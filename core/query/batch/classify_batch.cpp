@@ -196,7 +196,7 @@ void AabbArray<Scalar>::set(std::size_t i, const Aabb<Scalar, 3>& box) {
     fields[k][i % kBlock] = box.min[k];
     fields[k + 3][i % kBlock] = box.max[k];
   }
-  reach_[i / kBlock] = std::max(reach_[i / kBlock], size_of(box));
+  reach_[i / kBlock] = std::max(reach_[i / kBlock], magnitude_of(box));
 }
 
 template <class Scalar>

@@ -223,7 +223,7 @@ class Member {
     traits_.hull_dim = hull.affine_dim;
     traits_.hull_vertices = static_cast<int>(hull.vertices.size());
     const double on = 4 * ulp<Scalar>(known_.size), near = (sizeof(Scalar) == 4 ? 3e-6 : 1e-11) * ball_.radius;
-    for (Index i = 0; i < fit::size_of(set_); ++i) {
+    for (Index i = 0; i < fit::count_of(set_); ++i) {
       const double off = std::abs(scaled_norm<double, 3>(fit::point_of(set_, i) - ball_.center) - ball_.radius);
       traits_.on_sphere += off <= on;
       traits_.near_sphere += off <= near;

@@ -12,7 +12,7 @@ namespace snug {
 namespace fit {
 
 /// Counts only. The part's steps are hidden, and nothing is computed for them.
-struct Tally {
+struct PartCounter {
   OperationCounts counts{};
 
   template <class Step>
@@ -41,11 +41,11 @@ struct FullCounter : Counter {
 
 /// The counter of such a part for an observer; Ignore, if the observer ignores.
 template <class Observer>
-using TallyFor = std::conditional_t<std::is_same_v<std::remove_cvref_t<Observer>, Ignore>, Ignore, Tally>;
+using PartCounterFor = std::conditional_t<std::is_same_v<std::remove_cvref_t<Observer>, Ignore>, Ignore, PartCounter>;
 
 /// Reports the part's counts to the observer.
 template <class Observer>
-void hand_on(const Tally& tally, Observer& observe) {
+void hand_on(const PartCounter& tally, Observer& observe) {
   for (std::size_t i = 0; i < tally.counts.size(); ++i) observe.count(static_cast<Operation>(i), tally.counts[i]);
 }
 template <class Observer>
@@ -54,6 +54,6 @@ constexpr void hand_on(const Ignore&, Observer&) noexcept {}
 }  // namespace fit
 
 template <>
-inline constexpr bool kWatched<fit::Tally> = false;
+inline constexpr bool kWatched<fit::PartCounter> = false;
 
 }  // namespace snug
