@@ -12,7 +12,7 @@
 #include "geometry/convert.hpp"
 #include "geometry/kdop.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::app {
 namespace {

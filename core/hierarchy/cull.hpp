@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "hierarchy/traverse.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 namespace snug::hierarchy {
 

@@ -7,8 +7,8 @@
 #include "fit/sphere/aabb_center.hpp"
 #include "hierarchy/build.hpp"
 #include "hierarchy/cull.hpp"
-#include "query/classify.hpp"
-#include "query/classify_corners.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/classify_corners.hpp"
 
 namespace snug::hierarchy {
 namespace {

@@ -7,7 +7,7 @@
 #include "geometry/about_origin.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/random.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 namespace snug::cost {
 namespace {

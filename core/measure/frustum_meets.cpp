@@ -6,7 +6,7 @@
 #include "geometry/tolerance.hpp"
 #include "measure/signed_distance.hpp"
 #include "number/tuple.hpp"
-#include "query/frustum_sat.hpp"
+#include "query/cull/frustum_sat.hpp"
 
 namespace snug::proximity {
 namespace {

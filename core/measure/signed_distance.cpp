@@ -10,7 +10,7 @@
 #include "geometry/point_set.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/double_double.hpp"
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 
 namespace snug::proximity {
 namespace {

@@ -21,12 +21,14 @@ void turn_body(System& system, std::size_t i, double seconds) {
   for (int k = 0; k < 3; ++k) momentum[k] = member.inverse_inertia[k] > 0 ? momentum[k] / member.inverse_inertia[k] : 0;
   const V3 in_world = turned<double, 3>(motion.rotation, momentum);
   system.place(i, motion.position,
-               normalized(quaternion_about(motion.angular_velocity, motion.angular_velocity.norm() * seconds) * motion.orientation));
+               normalized(quaternion_about(motion.angular_velocity, motion.angular_velocity.norm() * seconds) *
+                          motion.orientation));
   if (in_world == V3::Zero()) return;  // nothing resists its turning: a point
   motion.angular_velocity = by_inverse_inertia(member, motion, in_world);
   const double linear = member.mass * motion.velocity.squaredNorm() / 2;
   const double after = kinetic_energy(member, motion);
-  if (after > before && after > linear) motion.angular_velocity *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
+  if (after > before && after > linear)
+    motion.angular_velocity *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
 }
 
 /// Takes back the speed that gravity gave for the rest of a path that a contact cut short.

@@ -37,7 +37,8 @@ double inverse_effective_mass(const System& system, Index i, const V3& arm, cons
 }
 
 double effective_mass(const System& system, const ContactRow& row, const V3& way) {
-  const double sum = inverse_effective_mass(system, row.pair.a, row.arm_a, way) + inverse_effective_mass(system, row.pair.b, row.arm_b, way);
+  const double sum = inverse_effective_mass(system, row.pair.a, row.arm_a, way) +
+                     inverse_effective_mass(system, row.pair.b, row.arm_b, way);
   return sum > 0 ? 1 / sum : 0;
 }
 
@@ -184,7 +185,8 @@ double solve_point(System& system, ContactRow& row, const Surface& surface) {
   apply_impulse(system, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
   row.impulse.first = first, row.impulse.second = second;
   const double before = row.impulse.normal;
-  row.impulse.normal = std::max(0.0, before - row.normal_mass * (relative_velocity(system, row).dot(row.normal) - row.target));
+  row.impulse.normal =
+      std::max(0.0, before - row.normal_mass * (relative_velocity(system, row).dot(row.normal) - row.target));
   apply_impulse(system, row, row.normal * (row.impulse.normal - before));
   return row.normal_mass > 0 ? std::abs(row.impulse.normal - before) / row.normal_mass : 0;
 }
@@ -199,7 +201,7 @@ void remove_restitution(const System& system, std::vector<ContactRow>& rows) {
 void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface) {
   for (const ContactRow& row : rows)
     apply_impulse(system, row,
-         row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
+                  row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
   double wrong = std::numeric_limits<double>::infinity();
   const int most = most_iterations(system, rows);
   for (int iteration = 0; iteration < most && wrong > limits::kSettled * system.pace(); ++iteration) {

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "geometry/tolerance.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 #include "scene/effect.hpp"
 #include "scene/shape.hpp"
 #include "trace/fields.hpp"

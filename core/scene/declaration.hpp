@@ -32,7 +32,7 @@ struct Body {
   bool fixed = false;                  // nothing moves it
   V3 velocity = V3::Zero();
   V3 angular_velocity = V3::Zero();  // radians a second about the world's axes
-  int line = 0;             // in the file that declares it, for errors; 0: none
+  int line = 0;                      // in the file that declares it, for errors; 0: none
 };
 
 /// A setting of an effect: numbers or a word.

@@ -9,7 +9,7 @@
 #include "fit/catalogue.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/point_subject.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::desktop {
 namespace {

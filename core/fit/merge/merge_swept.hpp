@@ -11,7 +11,7 @@
 #include "fit/swept/swept_radius.hpp"
 #include "number/outward.hpp"
 #include "number/power_of_two.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 

@@ -8,7 +8,7 @@
 #include "number/double_double.hpp"
 #include "number/outward.hpp"
 #include "number/power_of_two.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 namespace {

@@ -44,7 +44,8 @@ RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction, const std:
 }
 
 template RectangleFrame<3> rectangle_along(const Vector<double, 3>&, const std::vector<Vector<double, 3>>&, Ignore&);
-template RectangleFrame<3> rectangle_along(const Vector<double, 3>&, const std::vector<Vector<double, 3>>&, PartCounter&);
+template RectangleFrame<3> rectangle_along(const Vector<double, 3>&, const std::vector<Vector<double, 3>>&,
+                                           PartCounter&);
 
 RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction, const std::vector<Vector<double, 3>>& points,
                                   PartCounter& count, std::vector<CalipersTurn>& turns) {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "fit/counters.hpp"
 #include "fit/obb/obb_frame.hpp"
 #include "fit/obb/obb_steps.hpp"
-#include "fit/counters.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/power_of_two.hpp"
 #include "trace/observer.hpp"

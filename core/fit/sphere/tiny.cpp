@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fit/sphere/certify_sphere.hpp"
 #include "geometry/point_set.hpp"
 
 namespace snug::fit {

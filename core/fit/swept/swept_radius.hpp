@@ -12,7 +12,7 @@
 #include "geometry/point_set.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/power_of_two.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 
@@ -23,11 +23,12 @@ class ScaledCore {
   template <class Scalar>
   explicit ScaledCore(const Capsule<Scalar, Dim>& capsule)
       : ScaledCore(capsule.a.template cast<double>(),
-                  capsule.b.template cast<double>() - capsule.a.template cast<double>(), Vector<double, Dim>::Zero()) {}
+                   capsule.b.template cast<double>() - capsule.a.template cast<double>(), Vector<double, Dim>::Zero()) {
+  }
   template <class Scalar>
   explicit ScaledCore(const Lozenge<Scalar, Dim>& lozenge)
       : ScaledCore(lozenge.origin.template cast<double>(), lozenge.edges[0].template cast<double>(),
-                  lozenge.edges[1].template cast<double>()) {}
+                   lozenge.edges[1].template cast<double>()) {}
 
   /// The distance of the point from the core, within kSweptDistance of that distance and twice the size.
   [[nodiscard]] double distance(const Vector<double, Dim>& point) const {

@@ -11,7 +11,7 @@
 #include "fit/obb/obb_pca_rectangle.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 namespace snug::test {
 namespace {
@@ -334,7 +334,7 @@ void check_pair(PairTally& tally, const Cloud<Scalar, Dim>& first, Cloud<Scalar,
   ++tally.pairs;
   tally.overlapping += one.overlap;
   tally.unordered += one.overlap != other.overlap || one.distance != other.distance;
-  // What touches may seem apart by the rounding of a box's axes (query/overlaps.hpp).
+  // What touches may seem apart by the rounding of a box's axes (query/overlap/overlaps.hpp).
   const double doubt = 64 * tolerance::roundoff<Scalar>(2 * std::max(farthest(first), farthest(second)));
   tally.missed += share && !one.overlap && one.separating_axis->gap > doubt;
   const int exponent = any_exponent<Scalar>(seed);

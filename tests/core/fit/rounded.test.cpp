@@ -8,8 +8,8 @@
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
 #include "geometry/convert.hpp"
-#include "query/contains.hpp"
-#include "query/contains_hull.hpp"
+#include "query/contain/contains.hpp"
+#include "query/contain/contains_hull.hpp"
 
 using namespace snug;
 

@@ -5,7 +5,7 @@
 
 #include "core/scene/declared.hpp"
 #include "geometry/random.hpp"
-#include "query/obb_sat.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 using namespace snug;
 using namespace snug::test;
@@ -274,7 +274,8 @@ TEST_CASE("with restitution there is never more energy than there was") {
   std::vector<Declaration> all{tumble(0.6, false), tumble(0.9, true), tumble(1, false)};
   for (const double restitution : {0.5, 0.6, 0.7, 0.9, 1.0})
     for (int tilt = 0; tilt < 90; tilt += 17)
-      for (const double angular_velocity : {-9.0, -3.0, 5.0, 12.0}) all.push_back(spinning(tilt, angular_velocity, restitution));
+      for (const double angular_velocity : {-9.0, -3.0, 5.0, 12.0})
+        all.push_back(spinning(tilt, angular_velocity, restitution));
   for (const Declaration& declaration : all)
     for (const bool gravity : {true, false}) {
       Declaration own = declaration;

@@ -3,7 +3,7 @@
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
 #include "fit/hull/quickhull.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 using namespace snug;
 using query::Culling;

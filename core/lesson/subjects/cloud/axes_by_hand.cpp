@@ -10,7 +10,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/rows.hpp"
 #include "lesson/words.hpp"
-#include "query/contains_hull.hpp"
+#include "query/contain/contains_hull.hpp"
 
 namespace snug::lesson {
 namespace {

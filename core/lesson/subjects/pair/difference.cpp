@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/sort.hpp"
-#include "query/gjk_simplex.hpp"
+#include "query/distance/gjk_simplex.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -266,8 +266,8 @@ tl::expected<SceneRecorder, InputError> run_scene(const SceneSet& set, std::stri
   const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
                                   [&](const Method& one) { return one.name == method; });
   const int line = static_cast<int>(known->pseudocode.size()) - 1;
-  return SceneRecorder(*std::move(opened), line, frames_of(set, fit::count_of(points), pushed), {off.begin(), off.end()},
-                       {pushed.begin(), pushed.end()});
+  return SceneRecorder(*std::move(opened), line, frames_of(set, fit::count_of(points), pushed),
+                       {off.begin(), off.end()}, {pushed.begin(), pushed.end()});
 }
 
 int frames_of(const SceneSet& set, std::int64_t points, std::span<const Pushed> pushed) {
