@@ -1,3 +1,4 @@
+// Quickhull in space: the point farthest outside a facet replaces all facets that it sees by a cone.
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. They thicken
 // facets by the rounding error; here sides are decided exactly, and coplanar facets are merged at the end.
 #pragma once

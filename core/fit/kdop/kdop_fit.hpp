@@ -1,3 +1,4 @@
+// The k-DOP of points: the least and greatest projection onto each of its axes.
 // Source: J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using
 // bounding volume hierarchies of k-DOPs", 1998.
 #pragma once

@@ -1,3 +1,4 @@
+// The rectangle of least area around a convex polygon, by rotating calipers.
 // Source: H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve",
 // 1975, for the theorem that one of its sides lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems
 // with the rotating calipers", 1983, for trying all edges in one turn around the hull.

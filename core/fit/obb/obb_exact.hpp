@@ -1,3 +1,4 @@
+// The oriented box of least volume.
 // Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985, for the theorem: two adjacent faces of the smallest box
 // lie on edges of the hull. The algorithm is not his, but a branch and bound over the pairs of edges. In 2-D: H.
 // Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975.

@@ -1,3 +1,4 @@
+// The best oriented box that is flush with a face of the hull.
 // Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: a box flush with a face of the hull, on
 // the least-area rectangle of the projection onto it. In the plane that is the smallest box (H. Freeman, R. Shapira,
 // "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975); in space it need not be.

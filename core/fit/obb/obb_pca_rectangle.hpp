@@ -1,3 +1,4 @@
+// An oriented box along one principal axis, with the rectangle of least area around the projection along it.
 // Source: G. Barequet, S. Har-Peled, "Efficiently approximating the minimum-volume bounding box of a point set in three
 // dimensions", 2001, and I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: project along an axis of
 // the PCA box, take the rectangle of least area, repeat.

@@ -1,3 +1,4 @@
+// An oriented box along the axis that the bounding sphere suggests.
 // Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: the bounding sphere gives an estimate of
 // the longest axis. Here the circle around the points' projection along that axis gives the second in the same way.
 #pragma once

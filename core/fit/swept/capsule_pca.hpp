@@ -1,3 +1,4 @@
+// A capsule along the longest principal axis of the points.
 // Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps. The line goes through the centre of the
 // smallest circle instead of the mean: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
 #pragma once

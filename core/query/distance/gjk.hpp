@@ -1,3 +1,5 @@
+// GJK: the distance of two convex volumes, from the point nearest to the origin of the set of all differences of their
+// points. A simplex of such differences moves towards the origin until no vertex is nearer.
 // Source: E. Gilbert, D. Johnson, S. Keerthi, "A fast procedure for computing the distance between complex objects in
 // three-dimensional space", 1988; C. Ericson, Real-Time Collision Detection, 2005, 9.5.
 #pragma once
