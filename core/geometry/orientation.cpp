@@ -56,7 +56,10 @@ bool to_integers(const std::array<const Vector<double, Dim>*, kCount>& points, s
 
 Integers difference(const Integers& a, const Integers& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-int sign_of(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+int sign_of(Wide value) {
+  if (value > 0) return 1;
+  return value < 0 ? -1 : 0;
+}
 
 /// The sign of the sum of minors[i] * factors[i]: |minors| < 2^124, |factors| < 2^61.
 int sign_of_sum(const std::array<Wide, 3>& minors, const Integers& factors) {
@@ -66,7 +69,8 @@ int sign_of_sum(const std::array<Wide, 3>& minors, const Integers& factors) {
     low += static_cast<Wide>(static_cast<std::uint64_t>(minors[i])) * factors[i];
   }
   high += low >> 64;
-  return high != 0 ? sign_of(high) : static_cast<std::uint64_t>(low) != 0 ? 1 : 0;
+  if (high != 0) return sign_of(high);
+  return static_cast<std::uint64_t>(low) != 0 ? 1 : 0;
 }
 
 int orient3d_of_integers(const std::array<Integers, 4>& p) {

@@ -66,7 +66,8 @@ class BottomUp {
       const Nearness near{surface_of(united(own.box, other.box), layout_.dim), own.bodies + other.bodies};
       if (nearest != kNoIndex && least < near) return;
       if (nearest != kNoIndex && !(near < least) && (nearest == before || other.id > nearest)) return;
-      least = near, nearest = other.id;
+      least = near;
+      nearest = other.id;
     };
     if (before != kNoIndex) consider(group(before));
     for (const Group& other : groups_) consider(other);

@@ -49,8 +49,10 @@ struct Size {
 
 [[nodiscard]] inline Box united(const Box& a, const Box& b) {
   Box box;
-  for (std::size_t i = 0; i < 3; ++i)
-    box.low[i] = std::min(a.low[i], b.low[i]), box.high[i] = std::max(a.high[i], b.high[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.low[i] = std::min(a.low[i], b.low[i]);
+    box.high[i] = std::max(a.high[i], b.high[i]);
+  }
   return box;
 }
 

@@ -125,7 +125,8 @@ struct TreeTeller {
   void operator()(const Step&) const {}
   void count(Operation, std::int64_t) const {}
   void tested(Place place, PlaneSet planes, const CullResult& result) {
-    cost.planes += result.planes_tested, cost.products += products_of(result);
+    cost.planes += result.planes_tested;
+    cost.products += products_of(result);
     if (record == nullptr) return;
     const std::size_t at = place.index;
     const int level = place.is_body ? field.leaf_levels[at] + 1 : field.levels[at];
@@ -140,7 +141,10 @@ struct TreeTeller {
         place.is_body ? std::span(&place.index, 1) : field.tree.bodies_below(place.index);
     for (const Index body : below) record->answers[body].level = static_cast<std::uint8_t>(level);
     const auto boxes = static_cast<std::int64_t>(below.size());
-    if (result.verdict == Culling::kOutside) ++tests.rejected, tests.left_out += boxes;
+    if (result.verdict == Culling::kOutside) {
+      ++tests.rejected;
+      tests.left_out += boxes;
+    }
     if (result.verdict == Culling::kInside) tests.taken += boxes;
   }
 };

@@ -118,8 +118,10 @@ class Insertion {
     if (!best) return;
     const Index down = at(i).children[best->down], middle = at(i).children[1 - best->down],
                 up = at(middle).children[best->up];
-    at(i).children[best->down] = up, at(up).parent = i;
-    at(middle).children[best->up] = down, at(down).parent = middle;
+    at(i).children[best->down] = up;
+    at(up).parent = i;
+    at(middle).children[best->up] = down;
+    at(down).parent = middle;
     update(middle);
     if (facts_ != nullptr) facts_->push_back(Rotated{i, down, up, layout_.area(best->gain)});
   }

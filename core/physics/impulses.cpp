@@ -97,7 +97,8 @@ ContactRow row_of(const System& system, const Pair& pair, const V3& normal, cons
   row.impulse.on_a = turned_back<double, 3>(motion_of(system, pair.a).rotation, row.arm_a);
   row.impulse.on_b = turned_back<double, 3>(motion_of(system, pair.b).rotation, row.arm_b);
   row.normal_mass = effective_mass(system, row, row.normal);
-  row.first_mass = effective_mass(system, row, row.first), row.second_mass = effective_mass(system, row, row.second);
+  row.first_mass = effective_mass(system, row, row.first);
+  row.second_mass = effective_mass(system, row, row.second);
   return row;
 }
 
@@ -149,8 +150,11 @@ std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
     for (const Impulse& one : held) approach = std::max(approach, one.approach);
     for (const ManifoldPoint& point : manifold.all()) {
       ContactRow row = row_of(system, contact.pair, manifold.normal, point);
-      if (const auto before = take_nearest(held, row.impulse, most))
-        row.impulse.normal = before->normal, row.impulse.first = before->first, row.impulse.second = before->second;
+      if (const auto before = take_nearest(held, row.impulse, most)) {
+        row.impulse.normal = before->normal;
+        row.impulse.first = before->first;
+        row.impulse.second = before->second;
+      }
       aim(system, row, surface, approach);
       rows.push_back(row);
     }
@@ -181,9 +185,11 @@ double solve_point(System& system, ContactRow& row, const Surface& surface) {
          second = row.impulse.second - row.second_mass * sliding.dot(row.second);
   const double length = std::sqrt(first * first + second * second);  // hypot gives other bits on other platforms
   const double part = length > most ? most / length : 1;
-  first *= part, second *= part;
+  first *= part;
+  second *= part;
   apply_impulse(system, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
-  row.impulse.first = first, row.impulse.second = second;
+  row.impulse.first = first;
+  row.impulse.second = second;
   const double before = row.impulse.normal;
   row.impulse.normal =
       std::max(0.0, before - row.normal_mass * (relative_velocity(system, row).dot(row.normal) - row.target));
@@ -226,7 +232,10 @@ std::vector<std::vector<const ContactRow*>> walls_of(const System& system, const
 }
 
 /// If two push a body, the firmer one moves it: fixed bodies are firmer than driven ones, and those than all others.
-int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
+int firmness(const Member& member) {
+  if (member.moves()) return 0;
+  return member.fixed ? 2 : 1;
+}
 
 /// The part of a unit direction along which the pusher may shift a body: none of it into a firmer body nearby. All of
 /// it where the shift is short and the pusher moves as well: bodies that do not move push back in the same round, and

@@ -11,7 +11,8 @@ namespace {
 /// count.
 void watch(const System& system, std::size_t i, Motion& motion) {
   const double reach = system.members[i].shape.reach;
-  motion.drifted += motion.velocity, motion.drifted_angular += motion.angular_velocity;
+  motion.drifted += motion.velocity;
+  motion.drifted_angular += motion.angular_velocity;
   const bool slow =
       std::max(motion.velocity.norm(), motion.angular_velocity.norm() * reach) < limits::kStill * system.pace();
   const bool drifts = std::max(motion.drifted.norm(), motion.drifted_angular.norm() * reach) >

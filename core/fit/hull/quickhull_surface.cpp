@@ -69,7 +69,7 @@ bool HullSurface<Scalar>::flat(Index f, int edge) const {
   const Index g = facet(f).across[edge];
   const auto& corners = facet(g).vertices;
   const Index from = facet(f).vertices[edge];
-  const std::size_t at = corners[0] == from ? 0 : corners[1] == from ? 1 : 2;
+  const auto at = static_cast<std::size_t>(facet(g).corner_of(from));
   const Index apex = corners[(at + 1) % 3];  // g has the edge the other way round, ending at from
   return height(facet(f), apex) >= -facet(f).doubt && side_exact(facet(f), apex) == 0;
 }
@@ -171,8 +171,7 @@ void HullSurface<Scalar>::look_from_above(Index seeing) {
         }
       }
       const Index to = from.vertices[(e + 1) % 3];
-      const int edge = neighbor.vertices[0] == to ? 0 : neighbor.vertices[1] == to ? 1 : 2;
-      border_.push_back({from.vertices[e], to, g, edge});
+      border_.push_back({from.vertices[e], to, g, neighbor.corner_of(to)});
     }
   }
   order_border();

@@ -36,14 +36,21 @@ template <class Scalar, int Dim>
     const Scalar plain = project<Scalar, Dim>(axis, points[i]);
     if (plain < min + doubt) {
       const Scalar bound = project_down<Scalar, Dim>(axis, points[i]);
-      if (bound < min) min = bound, found.least = i;
+      if (bound < min) {
+        min = bound;
+        found.least = i;
+      }
     }
     if (plain > max - doubt) {
       const Scalar bound = project_up<Scalar, Dim>(axis, points[i]);
-      if (bound > max) max = bound, found.greatest = i;
+      if (bound > max) {
+        max = bound;
+        found.greatest = i;
+      }
     }
   }
-  found.min = static_cast<double>(min), found.max = static_cast<double>(max);
+  found.min = static_cast<double>(min);
+  found.max = static_cast<double>(max);
   return found;
 }
 

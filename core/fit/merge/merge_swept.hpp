@@ -96,7 +96,10 @@ struct LocalBalls {
       largest = std::max({largest, ball.center.cwiseAbs().maxCoeff(), ball.radius});
     }
     scale = to_unit_size(largest);
-    for (BallIn<Dim>& ball : balls) ball.center *= scale, ball.radius *= scale;
+    for (BallIn<Dim>& ball : balls) {
+      ball.center *= scale;
+      ball.radius *= scale;
+    }
   }
   [[nodiscard]] Vector<double, Dim> to_scene(const Vector<double, Dim>& local) const { return origin + local / scale; }
 };

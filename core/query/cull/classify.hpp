@@ -94,7 +94,9 @@ class Classify {
     if (span.high < -doubt) return {Culling::kInside, false};
     if (span.low < -doubt && span.high > doubt) return {Culling::kIntersecting, false};
     const Span<int> signs = signs_of(plane, volume_);
-    const Culling side = signs.low > 0 ? Culling::kOutside : signs.high > 0 ? Culling::kIntersecting : Culling::kInside;
+    Culling side = Culling::kInside;
+    if (signs.low > 0) side = Culling::kOutside;
+    else if (signs.high > 0) side = Culling::kIntersecting;
     return {side, ReachesExactly<Shape, Plane<Scalar, Dim>>};
   }
 

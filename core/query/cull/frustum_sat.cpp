@@ -156,7 +156,9 @@ tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum,
   CullTally tally;
   for (const auto& box : boxes) {
     const Culling verdict = classify(frustum, box).verdict;
-    ++(verdict == Culling::kInside ? tally.inside : verdict == Culling::kOutside ? tally.outside : tally.intersecting);
+    if (verdict == Culling::kInside) ++tally.inside;
+    else if (verdict == Culling::kOutside) ++tally.outside;
+    else ++tally.intersecting;
     if (verdict == Culling::kIntersecting && !exact->overlaps(box)) ++tally.really_outside;
   }
   return tally;

@@ -68,7 +68,10 @@ class RectanglePair {
     ++tests_;
     const Scalar square = (other - own).squaredNorm();
     if (square >= square_) return;
-    square_ = square, own_ = own, other_ = other, seen_from_b_ = from_b;
+    square_ = square;
+    own_ = own;
+    other_ = other;
+    seen_from_b_ = from_b;
   }
 
   /// Tests the other's vertices against the own rectangle. Returns whether one is near enough.

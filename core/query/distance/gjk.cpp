@@ -63,7 +63,8 @@ double largest_coordinate(const GrownCore& core) {
 }
 
 void divide(GrownCore& core, double unit) {
-  core.radius /= unit, core.reach /= unit;
+  core.radius /= unit;
+  core.reach /= unit;
   for (auto& corner : core.corners) corner *= 1 / unit;
   if (core.farthest)
     core.farthest = [whole = std::move(core.farthest), unit](const Vector<double, 3>& direction) {

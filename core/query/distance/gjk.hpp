@@ -221,7 +221,10 @@ class Gjk {
     const Point n = v_ / most;
     const Pair pair{a_.farthest(a_.core, -n), b_.farthest(b_.core, n)};
     const double gap = std::min(pair.a.at.dot(n) - pair.b.at.dot(n), most);  // larger only by rounding
-    if (gap > least) least = gap, direction = -n;
+    if (gap > least) {
+      least = gap;
+      direction = -n;
+    }
     observe_.count(Operation::kDotProducts, a_.dot_products + b_.dot_products);
     if constexpr (kWatched<Observer>) observe_(GjkStep{5, SupportFound{pair.a.vertex, pair.b.vertex, gap * scene_}});
     return pair;

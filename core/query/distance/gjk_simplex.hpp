@@ -55,6 +55,9 @@ class Simplex {
 
   [[nodiscard]] Nearest<Real> at_corner(int i) const { return mean<1>({i}, {Real(1)}); }
 
+  /// The point a + t (b - a) is nearest to 0 where it is perpendicular to the edge:
+  ///   (a + t (b - a)) . (b - a) = 0, so that t = -a . (b - a) / |b - a|^2 and 1 - t = b . (b - a) / |b - a|^2.
+  /// Both numerators are the weights times the same square. Where one is not above 0, the other end is the nearest.
   [[nodiscard]] Nearest<Real> on_edge(int i, int j) const {
     const Tuple<Real, 3> edge = at(j) - at(i);
     const Real from_i = -dot(at(i), edge);
@@ -64,6 +67,11 @@ class Simplex {
     return mean<2>({i, j}, {from_j, from_i});
   }
 
+  /// Let p be the foot of the perpendicular from 0 to the triangle's plane, and n = (b - a) x (c - a). The weight of a
+  /// is the area of p, b, c over that of the triangle, with its sign:
+  ///   n . ((b - p) x (c - p)) / |n|^2 = n . (b x c) / |n|^2,
+  /// because p is parallel to n, and every product with it vanishes. So p itself is never computed. Where a weight is
+  /// not above 0, p lies beyond the edge across from that vertex, and the nearest point lies on an edge.
   [[nodiscard]] Nearest<Real> on_triangle(const std::array<int, 3>& places) const {
     const Tuple<Real, 3>& a = at(places[0]);
     const Tuple<Real, 3>& b = at(places[1]);
@@ -78,6 +86,11 @@ class Simplex {
     return best.size > 0 ? best : mean<3>(places, areas);
   }
 
+  /// The weights that make 0 of the vertices are signed volumes, by Cramer's rule: that of a is det(b, c, d) over the
+  /// tetrahedron's, that of b is -det(a, c, d), of c det(a, b, d) and of d -det(a, b, c). Two cross products serve all
+  /// four. Their sum is six times the volume: if it is below 0, the vertices are the other way round. If all are above
+  /// 0, the tetrahedron contains 0; otherwise the nearest point lies on a face across from a vertex whose weight is
+  /// not.
   [[nodiscard]] Nearest<Real> in_tetrahedron() const {
     const Tuple<Real, 3> ab = cross(at(0), at(1));
     const Tuple<Real, 3> cd = cross(at(2), at(3));

@@ -52,7 +52,10 @@ template <int Dim>
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const double reach = corners[i].dot(direction);
-    if (reach > most) most = reach, farthest = i;
+    if (reach > most) {
+      most = reach;
+      farthest = i;
+    }
   }
   return farthest;
 }

@@ -83,7 +83,10 @@ class NaiveSat {
     for (int place = 0; place < axes_ && result.overlap; ++place) {
       const AxisTested<Scalar, 3> row = tested(place);
       ++result.tests;
-      if (row.separates) result.overlap = false, result.axis = row.axis;
+      if (row.separates) {
+        result.overlap = false;
+        result.axis = row.axis;
+      }
       observe_(Step{2, row});
     }
     observe_(Step{result.overlap ? 3 : 2, Verdict<Scalar, 3>{result}});

@@ -1,3 +1,7 @@
+// The separating-axis test (SAT) of two oriented boxes: they are apart exactly if their projections onto one of 15 axes
+// are (in the plane 4): the normals of A's faces, those of B's, and the cross products of an edge of each.
+// apart_at_a_glance is the test in plain lines. obb_sat, below it, is the same test with its steps; exact arithmetic
+// decides what rounding leaves open.
 // Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference detection",
 // 1996; the table of axes as in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
 #pragma once
@@ -21,6 +25,59 @@
 #include "trace/observer.hpp"
 
 namespace snug::query {
+
+/// Whether two boxes are apart, by the 15 axes in the order of the lecture's table; none where rounding may decide. On
+/// each axis the distance of the centres stands against the sum of the projected radii.
+/// off: how far the bounds of both boxes together are from those that are meant, at most, along any direction.
+template <class Scalar, int Dim>
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                                  std::type_identity_t<Scalar> off = 0) {
+  const Vector<Scalar, Dim> offset = b.center - a.center;
+  const Vector<Scalar, Dim>&e = a.half_extents, &f = b.half_extents;
+  const Scalar doubt = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
+                       std::numeric_limits<Scalar>::min();
+  Scalar r[Dim][Dim], s[Dim][Dim], t[Dim];  // B in A's frame: the axes, their sizes, the centre
+  Scalar widest = -std::numeric_limits<Scalar>::infinity();
+  const auto apart = [&](Scalar distance, Scalar radii) {
+    const Scalar gap = std::abs(distance) - radii;
+    widest = std::max(widest, gap);
+    return gap > doubt;
+  };
+  // The normals of A's faces, and on the way R and t.
+  for (int i = 0; i < Dim; ++i) {
+    Scalar radii = e[i];
+    for (int j = 0; j < Dim; ++j) {
+      r[i][j] = a.axes.col(i).dot(b.axes.col(j));
+      s[i][j] = std::abs(r[i][j]);
+      radii += f[j] * s[i][j];
+    }
+    t[i] = a.axes.col(i).dot(offset);
+    if (apart(t[i], radii)) return true;
+  }
+  // The normals of B's faces.
+  for (int j = 0; j < Dim; ++j) {
+    Scalar distance = 0, radii = f[j];
+    for (int i = 0; i < Dim; ++i) {
+      distance += t[i] * r[i][j];
+      radii += e[i] * s[i][j];
+    }
+    if (apart(distance, radii)) return true;
+  }
+  // Edge i of A times edge j of B: in A's frame a unit vector times a column of R, which leaves two terms of each sum.
+  if constexpr (Dim == 3) {
+    for (int i = 0; i < 3; ++i) {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+      for (int j = 0; j < 3; ++j) {
+        const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        if (apart(t[i2] * r[i1][j] - t[i1] * r[i2][j],
+                  e[i1] * s[i2][j] + e[i2] * s[i1][j] + (f[j1] * s[i][j2] + f[j2] * s[i][j1])))
+          return true;
+      }
+    }
+  }
+  if (widest < -doubt) return false;
+  return std::nullopt;
+}
 
 inline constexpr std::array<std::string_view, 7> kSatPseudocode2{
     "R, t ← B in A's frame",        "for each face axis of A",         "  apart if distance > r_A + r_B",
@@ -77,9 +134,10 @@ class ObbFrames {
     const auto [kind, i, j] = axis_at<Dim>(place);
     if (parallel(place)) return {kind, i, j};
     const Scalar length = this->length(place);
-    Direction direction = kind == AxisKind::kFaceA   ? Direction(a_.axes.col(i))
-                          : kind == AxisKind::kFaceB ? Direction(b_.axes.col(j))
-                                                     : Direction(cross(place) / length);
+    Direction direction;
+    if (kind == AxisKind::kFaceA) direction = a_.axes.col(i);
+    else if (kind == AxisKind::kFaceB) direction = b_.axes.col(j);
+    else direction = cross(place) / length;
     if (direction.dot(offset_) < 0) direction = -direction;
     return {kind, i, j, direction, gap / length};
   }
@@ -191,7 +249,7 @@ class ObbSat {
   bool judge(int place, Scalar distance, Scalar radius_a, Scalar radius_b) {
     const Scalar gap = distance - (radius_a + radius_b);
     ++result_.tests;
-    observe_.count(Operation::kDotProducts, place < Dim ? Dim + 1 : place < 2 * Dim ? 1 : 0);
+    observe_.count(Operation::kDotProducts, dot_products(place));
     observe_.count(Operation::kComparisons, 1);
     if constexpr (kWatched<Observer>) report(place, distance, radius_a, radius_b);
     const bool separates = gap > frames_.doubt();
@@ -203,13 +261,18 @@ class ObbSat {
     return extent_ == SatExtent::kFirst;
   }
 
+  /// A face of A takes a row of R and an entry of t; a face of B the sum of an entry of t in B's frame.
+  [[nodiscard]] static int dot_products(int place) {
+    if (place < Dim) return Dim + 1;
+    return place < 2 * Dim ? 1 : 0;
+  }
+
   /// The line of the pseudocode that the verdict belongs to.
   [[nodiscard]] int line_of_verdict() const {
     if (result_.overlap) return Line::kVerdict;
     if (!apart_) return Line::kExactly;
-    return result_.axis.kind == AxisKind::kFaceA   ? Line::kFaceA
-           : result_.axis.kind == AxisKind::kFaceB ? Line::kFaceB
-                                                   : Line::kEdges;
+    if (result_.axis.kind == AxisKind::kFaceA) return Line::kFaceA;
+    return result_.axis.kind == AxisKind::kFaceB ? Line::kFaceB : Line::kEdges;
   }
 
   /// Keeps the axis if its gap is the widest, compared by the part that is certain, small for nearly parallel edges.
@@ -241,11 +304,13 @@ class ObbSat {
       fact.near_a = frames_.corners_of_a(fact.axis.direction);
       fact.near_b = frames_.corners_of_b(-fact.axis.direction);
     }
-    const int line = place < Dim       ? Line::kFaceA
-                     : place < 2 * Dim ? Line::kFaceB
-                     : fact.skipped    ? Line::kParallel
-                                       : Line::kEdges;
-    observe_(Step{line, fact});
+    observe_(Step{line_of(place, fact.skipped), fact});
+  }
+
+  [[nodiscard]] static int line_of(int place, bool parallel) {
+    if (place < Dim) return Line::kFaceA;
+    if (place < 2 * Dim) return Line::kFaceB;
+    return parallel ? Line::kParallel : Line::kEdges;
   }
 
   ObbFrames<Scalar, Dim> frames_;
@@ -267,53 +332,6 @@ template <class Scalar, int Dim, StepObserver<SatStep<Scalar, Dim>> Observer = I
 SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                                SatExtent extent = SatExtent::kFirst, Observer&& observe = {}) {
   return ObbSat<Scalar, Dim, std::remove_reference_t<Observer>>(a, b, extent, observe).run();
-}
-
-/// Whether they are apart, where rounded numbers cannot be wrong: the table's axes in plain lines, face axes first.
-/// None otherwise.
-/// off: how far the bounds of both boxes together are from those that are meant, at most, along any direction.
-template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
-                                                                  std::type_identity_t<Scalar> off = 0) {
-  const Vector<Scalar, Dim> offset = b.center - a.center;
-  const Vector<Scalar, Dim>&e = a.half_extents, &f = b.half_extents;
-  const Scalar doubt = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
-                       std::numeric_limits<Scalar>::min();
-  Scalar r[Dim][Dim], s[Dim][Dim], t[Dim];  // B in A's frame: the axes, their sizes, the centre
-  Scalar widest = -std::numeric_limits<Scalar>::infinity();
-  const auto apart = [&](Scalar distance, Scalar radii) {
-    const Scalar gap = std::abs(distance) - radii;
-    widest = std::max(widest, gap);
-    return gap > doubt;
-  };
-  for (int i = 0; i < Dim; ++i) {
-    Scalar radii = e[i];
-    for (int j = 0; j < Dim; ++j) {
-      r[i][j] = a.axes.col(i).dot(b.axes.col(j));
-      s[i][j] = std::abs(r[i][j]);
-      radii += f[j] * s[i][j];
-    }
-    t[i] = a.axes.col(i).dot(offset);
-    if (apart(t[i], radii)) return true;
-  }
-  for (int j = 0; j < Dim; ++j) {
-    Scalar distance = 0, radii = f[j];
-    for (int i = 0; i < Dim; ++i) distance += t[i] * r[i][j], radii += e[i] * s[i][j];
-    if (apart(distance, radii)) return true;
-  }
-  if constexpr (Dim == 3) {
-    for (int i = 0; i < 3; ++i) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-      for (int j = 0; j < 3; ++j) {
-        const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-        if (apart(t[i2] * r[i1][j] - t[i1] * r[i2][j],
-                  e[i1] * s[i2][j] + e[i2] * s[i1][j] + (f[j1] * s[i][j2] + f[j2] * s[i][j1])))
-          return true;
-      }
-    }
-  }
-  if (widest < -doubt) return false;
-  return std::nullopt;
 }
 
 /// The verdict of obb_sat, if nothing else is needed.

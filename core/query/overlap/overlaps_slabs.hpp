@@ -49,8 +49,10 @@ template <int Dim>
   for (std::size_t i = 0; i < Dim; ++i) fact.direction[static_cast<int>(i)] = axis[i];
   const double length = fact.direction.norm();
   fact.direction /= length;
-  fact.least_a = a.min.value() / length, fact.greatest_a = a.max.value() / length;
-  fact.least_b = b.min.value() / length, fact.greatest_b = b.max.value() / length;
+  fact.least_a = a.min.value() / length;
+  fact.greatest_a = a.max.value() / length;
+  fact.least_b = b.min.value() / length;
+  fact.greatest_b = b.max.value() / length;
   return fact;
 }
 

@@ -68,9 +68,10 @@ template <class Scalar, int Dim>
                                                  const Capsule<Scalar, Dim>& capsule) {
   const Vector<Scalar, Dim> edge = capsule.b - capsule.a, from_a = sphere.center - capsule.a;
   const Scalar along = from_a.dot(edge), edge_square = edge.squaredNorm();
-  const Scalar square = along <= 0             ? from_a.squaredNorm()
-                        : along >= edge_square ? (sphere.center - capsule.b).squaredNorm()
-                                               : from_a.squaredNorm() - along * (along / edge_square);
+  Scalar square;
+  if (along <= 0) square = from_a.squaredNorm();
+  else if (along >= edge_square) square = (sphere.center - capsule.b).squaredNorm();
+  else square = from_a.squaredNorm() - along * (along / edge_square);
   return {square, square + edge_square};
 }
 

@@ -27,7 +27,8 @@ template <class Scalar, int Dim>
       continue;
     }
     const Scalar near = ((d > 0 ? box.min[i] : box.max[i]) - o) / d, far = ((d > 0 ? box.max[i] : box.min[i]) - o) / d;
-    enter = std::max(enter, near), leave = std::min(leave, far);
+    enter = std::max(enter, near);
+    leave = std::min(leave, far);
   }
   // A box behind the ray stays behind, because rounding does not change the sign of a difference.
   if (leave < 0) return std::nullopt;
