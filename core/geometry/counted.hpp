@@ -12,7 +12,7 @@ struct Work {
   [[nodiscard]] int all() const { return additions + multiplications; }
 };
 
-/// Of this thread since work_of last began.
+/// What this thread has counted since work_of last began.
 inline constinit thread_local Work counted_work;
 
 /// A double whose sums and differences count as additions, and its products as multiplications. A sign costs nothing.

@@ -25,7 +25,7 @@ double size_by(std::string_view volume, std::string_view name, const AnyPointSet
 
 // ---- size over the smallest
 
-/// Of what shows a counter-example.
+/// The size of what shows a counter-example, over the smallest.
 double over_smallest(const Claim& claim, const AnyPointSet& points, std::uint64_t seed) {
   return 1 + excess_on(algorithm_of(claim.volume, claim.algorithm), points, seed);
 }

@@ -46,7 +46,7 @@ template <class Number, std::size_t Dim>
   (std::make_index_sequence<Dim>());
 }
 
-/// Of anything that has three coordinates: of Eigen's vectors too.
+/// a, b: anything with three coordinates; Eigen's vectors too.
 template <class Triple>
 [[nodiscard]] constexpr Triple cross(const Triple& a, const Triple& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
