@@ -12,7 +12,7 @@
 #include "geometry/convert.hpp"
 #include "geometry/kdop.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::app {
 namespace {
@@ -71,7 +71,7 @@ constexpr std::size_t kMostFacetsJoined = 128;  // of more facets, those in one 
 
 /// A solid's facets; those that lie in one plane but for rounding are one face.
 std::vector<std::vector<int>> joined_facets(const ConvexHull<double, 3>& hull) {
-  const double doubt = tolerance::kOnOutline * size_of(hull);
+  const double doubt = tolerance::kOnOutline * magnitude_of(hull);
   std::vector<std::vector<int>> faces;
   for (const auto& [a, b, c] : hull.facets) {
     const V3& corner = hull.vertices[a];
@@ -100,7 +100,7 @@ Polytope polytope_of(const Aabb<double, 3>& aabb, int dim) {
 Polytope polytope_of(const Kdop<double, 3>& kdop, int dim) {
   if (dim == 2) return hull_of(kdop_vertices(converted<double, 2>(kdop)));
   Polytope polytope{kdop_vertices(kdop), {}};
-  const double doubt = tolerance::kKdopCorner<double> * size_of(kdop);
+  const double doubt = tolerance::kKdopCorner<double> * magnitude_of(kdop);
   const auto axes = kdop_axes<3>(kdop.k);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const V3 axis(axes[i][0], axes[i][1], axes[i][2]);

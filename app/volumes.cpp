@@ -10,7 +10,7 @@
 
 #include "app/crowded.hpp"
 #include "geometry/convert.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::app {
 namespace {

@@ -157,7 +157,7 @@ void check_runs(Lesson& lesson, Runs& runs, Complaints& complaints) {
 void check_tasks(const Lesson& lesson, const Subject& own, Complaints& complaints) {
   for (const Task& task : lesson.tasks) {
     const std::size_t before = complaints.count();
-    if (own.points() != nullptr && fit::size_of(*own.points()) < task.points && lesson.subject->asks_of_steps)
+    if (own.points() != nullptr && fit::count_of(*own.points()) < task.points && lesson.subject->asks_of_steps)
       complaints.add(task.place, "the task is for more points than the lesson has");
     for (const std::string& name : task.only)
       if (!handle_named(own, name))

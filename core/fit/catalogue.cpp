@@ -89,7 +89,7 @@ int dim_of(const AnyPointSet& points) {
   return std::visit([]<class Scalar, int Dim>(const PointSet<Scalar, Dim>&) { return Dim; }, points);
 }
 
-Index size_of(const AnyPointSet& points) {
+Index count_of(const AnyPointSet& points) {
   return std::visit([](const auto& set) { return set.size(); }, points);
 }
 

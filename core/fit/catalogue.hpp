@@ -97,7 +97,7 @@ struct Algorithm {
 [[nodiscard]] std::string json_of(const Step3& step, int dim);
 
 [[nodiscard]] int dim_of(const AnyPointSet& points);
-[[nodiscard]] Index size_of(const AnyPointSet& points);
+[[nodiscard]] Index count_of(const AnyPointSet& points);
 /// Point i in double and 3-D.
 [[nodiscard]] Vector<double, 3> point_of(const AnyPointSet& points, Index i);
 

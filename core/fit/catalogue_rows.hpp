@@ -11,8 +11,8 @@
 
 #include "fit/catalogue.hpp"
 #include "fit/certify.hpp"
+#include "fit/counters.hpp"
 #include "fit/lift.hpp"
-#include "fit/tally.hpp"
 
 namespace snug::fit {
 

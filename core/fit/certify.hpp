@@ -1,10 +1,10 @@
-// Proves a result from the returned numbers and the points alone. Tests use it as their oracle, and a panel shows it.
+// What the proof of a result says, from the returned numbers and the points alone. Tests use it as their oracle, and a
+// panel shows it. Each volume's proof stands in its folder: certify_sphere.hpp, certify_obb.hpp and so on.
 #pragma once
 
 #include <optional>
 
 #include "fit/fit.hpp"
-#include "geometry/sphere.hpp"
 
 namespace snug::fit {
 
@@ -17,12 +17,5 @@ struct Certificate {
   double excess = 0;            // radius / lower_bound - 1 where the bound is positive; 0 for a ball of radius 0
   std::optional<bool> optimal;  // whether radius and bound agree within rounding; none if optimality is not claimed
 };
-
-/// claims_optimal: whether the algorithm does. The lower bound is a proof by duality: for any weights >= 0 of sum 1,
-/// the points' weighted variance is at most the squared radius of every ball that contains them.
-/// Source: K. Fischer, B. Gärtner, M. Kutz, "Fast smallest-enclosing-ball computation in high dimensions", 2003.
-template <class Scalar, int Dim>
-[[nodiscard]] Certificate certify(const Fit<Sphere<Scalar, Dim>>& fit, PointSpan<Scalar, Dim> points,
-                                  bool claims_optimal);
 
 }  // namespace snug::fit

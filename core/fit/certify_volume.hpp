@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fit/certify.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 

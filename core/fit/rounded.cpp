@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "fit/aabb/certify_aabb.hpp"
-#include "fit/certify.hpp"
 #include "fit/hull/certify_hull.hpp"
 #include "fit/kdop/certify_kdop.hpp"
 #include "fit/obb/certify_obb.hpp"
+#include "fit/sphere/certify_sphere.hpp"
 #include "fit/swept/certify_swept.hpp"
 #include "geometry/convert.hpp"
 

@@ -53,7 +53,7 @@ template <class Number, class Scalar, int Dim>
   return {value_at<Number>(plane, n_vertex), value_at<Number>(plane, p_vertex)};
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Aabb<Scalar, Dim>& box) {
+[[nodiscard]] Scalar magnitude_of(const Aabb<Scalar, Dim>& box) {
   return std::max(largest<Scalar, Dim>(box.min), largest<Scalar, Dim>(box.max));
 }
 

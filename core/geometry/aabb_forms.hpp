@@ -33,7 +33,7 @@ template <class Number, class Scalar, int Dim>
   return around<Number>(plane, box.center, dot_as<Number, Scalar, Dim>(sizes, box.half_extents));
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const AabbCenterExtents<Scalar, Dim>& box) {
+[[nodiscard]] Scalar magnitude_of(const AabbCenterExtents<Scalar, Dim>& box) {
   return largest<Scalar, Dim>(box.center) + largest<Scalar, Dim>(box.half_extents);
 }
 

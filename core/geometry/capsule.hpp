@@ -49,7 +49,7 @@ template <class Number, class Scalar, int Dim>
   return a < b ? Span<Number>{a, b} : Span<Number>{b, a};
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Capsule<Scalar, Dim>& capsule) {
+[[nodiscard]] Scalar magnitude_of(const Capsule<Scalar, Dim>& capsule) {
   return std::max(largest<Scalar, Dim>(capsule.a), largest<Scalar, Dim>(capsule.b)) + capsule.radius;
 }
 

@@ -104,7 +104,8 @@ tl::expected<typename Frustum<Scalar, 3>::Planes, InputError> planes_of_matrix(s
     const bool from_zero = i == 4 && clip == ClipDepth::kFromZero;
     const auto entry = [&](std::size_t column) {
       const Scalar x = row_of(i / 2, column), w = row_of(3, column);
-      return from_zero ? -x : i % 2 == 0 ? -(w + x) : x - w;
+      if (from_zero) return -x;
+      return i % 2 == 0 ? -(w + x) : x - w;
     };
     planes[i] = {{entry(0), entry(1), entry(2)}, entry(3)};
   }

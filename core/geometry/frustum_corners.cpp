@@ -1,4 +1,6 @@
 #include "geometry/frustum_corners.hpp"
+#include "number/power_of_two.hpp"
+#include "number/tuple.hpp"
 
 #include <cmath>
 #include <optional>
@@ -9,33 +11,29 @@ namespace snug {
 namespace {
 
 template <int Dim>
-using Numbers = std::array<Dyadic, Dim>;
+using Exact = Tuple<Dyadic, Dim>;
 
 /// A plane without rounding, scaled by a power of two so that its normal's largest coordinate is between 1 and 2.
 template <int Dim>
 struct ExactPlane {
-  Numbers<Dim> normal;
+  Exact<Dim> normal;
   Dyadic d;
 
   template <class Scalar>
   explicit ExactPlane(const Plane<Scalar, Dim>& plane) {
-    const Dyadic scale = std::ldexp(1.0, -std::ilogb(plane.normal.cwiseAbs().maxCoeff()));
+    const Dyadic scale = to_unit_size(static_cast<double>(plane.normal.cwiseAbs().maxCoeff()));
     for (int i = 0; i < Dim; ++i) normal[i] = scale * static_cast<double>(plane.normal[i]);
     d = scale * static_cast<double>(plane.d);
   }
 
   /// -1, 0 or +1: inside, on or outside.
   [[nodiscard]] int side(const ExactPoint<Dim>& point) const {
-    Dyadic sum = d * point.weight;
-    for (std::size_t i = 0; i < Dim; ++i) sum += normal[i] * point.coordinates[i];
-    return sum.sign();
+    return (d * point.weight + dot(normal, point.coordinates)).sign();
   }
 };
 
-Dyadic determinant(const Numbers<2>& a, const Numbers<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-Dyadic determinant(const Numbers<3>& a, const Numbers<3>& b, const Numbers<3>& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
+Dyadic determinant(const Exact<2>& a, const Exact<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+Dyadic determinant(const Exact<3>& a, const Exact<3>& b, const Exact<3>& c) { return dot(a, cross(b, c)); }
 
 /// The indices of as many planes as meet in a point.
 template <int Dim>
@@ -72,7 +70,7 @@ class CornerSearch {
   }
 
  private:
-  using Normals = Numbers<Dim>;
+  using Normals = Exact<Dim>;
 
   static tl::unexpected<InputError> refused(std::string what) {
     return tl::unexpected(InputError{.what = std::move(what)});
@@ -135,9 +133,7 @@ class CornerSearch {
   }
 
   static bool same_way(const Normals& a, const Normals& b) {
-    Dyadic along = a[0] * b[0];
-    for (std::size_t i = 1; i < Dim; ++i) along += a[i] * b[i];
-    if (along.sign() <= 0) return false;
+    if (dot(a, b).sign() <= 0) return false;
     for (std::size_t i = 0; i < Dim; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (!(a[i] * b[j] == a[j] * b[i])) return false;

@@ -48,7 +48,7 @@ template <class Number, class Scalar, int Dim>
   return span;
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const ConvexHull<Scalar, Dim>& hull) {
+[[nodiscard]] Scalar magnitude_of(const ConvexHull<Scalar, Dim>& hull) {
   Scalar most = 0;
   for (const auto& vertex : hull.vertices) most = std::max(most, largest<Scalar, Dim>(vertex));
   return most;

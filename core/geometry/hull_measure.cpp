@@ -3,16 +3,13 @@
 #include <array>
 
 #include "geometry/sphere.hpp"
+#include "number/tuple.hpp"
 
 namespace snug {
 namespace {
 
 template <int Dim>
 using FacetCorners = std::array<Vector<double, Dim>, Dim>;
-
-Vector<double, 3> cross(const Vector<double, 3>& p, const Vector<double, 3>& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
 
 /// The measure of the simplex that a facet makes with the origin.
 double measure_to_origin(const FacetCorners<2>& edge) {
@@ -22,7 +19,7 @@ double measure_to_origin(const FacetCorners<3>& facet) { return facet[0].dot(cro
 
 double measure_of(const FacetCorners<2>& edge) { return scaled_norm<double, 2>(edge[1] - edge[0]); }
 double measure_of(const FacetCorners<3>& facet) {
-  return scaled_norm<double, 3>(cross(facet[1] - facet[0], facet[2] - facet[0])) / 2;
+  return scaled_norm<double, 3>(cross<Vector<double, 3>>(facet[1] - facet[0], facet[2] - facet[0])) / 2;
 }
 
 /// Calls visit with the vertices of each facet, relative to vertex 0; for a flat hull, with those of both its sides.

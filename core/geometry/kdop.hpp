@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,19 +70,32 @@ template <class Number, class Scalar, int Dim>
 /// The span is a weighted sum of bounds, and the sizes of the weights add up to at most 6 times that of the normal
 /// (kdop_reach.hpp).
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Kdop<Scalar, Dim>& kdop) {
+[[nodiscard]] Scalar magnitude_of(const Kdop<Scalar, Dim>& kdop) {
   Scalar most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(kdop.k / 2); ++i)
     most = std::max({most, std::abs(kdop.min[i]), std::abs(kdop.max[i])});
   return 6 * most;
 }
 
+/// p . axis by sums and differences alone, because the entries are -1, 0 and 1.
+template <class Scalar, int Dim>
+[[nodiscard]] Scalar sum_along(const KdopAxis<Dim>& axis, const Vector<Scalar, Dim>& p) {
+  std::optional<Scalar> sum;
+  for (int i = 0; i < Dim; ++i) {
+    if (axis[i] == 0) continue;
+    const Scalar term = axis[i] > 0 ? p[i] : -p[i];
+    sum = sum ? *sum + term : term;
+  }
+  return *sum;
+}
+
 template <class Scalar, int Dim>
 [[nodiscard]] Kdop<Scalar, Dim> moved(Kdop<Scalar, Dim> kdop, const Vector<Scalar, Dim>& by) {
   const auto axes = kdop_axes<Dim>(kdop.k);
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Scalar along = project<Scalar, Dim>(axes[i], by);
-    kdop.min[i] += along, kdop.max[i] += along;
+    const Scalar along = sum_along<Scalar, Dim>(axes[i], by);
+    kdop.min[i] += along;
+    kdop.max[i] += along;
   }
   return kdop;
 }

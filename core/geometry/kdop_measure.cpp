@@ -7,6 +7,7 @@
 
 #include "geometry/plane.hpp"
 #include "number/double_double.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug {
 namespace {
@@ -110,7 +111,7 @@ double measure(const Kdop<Scalar, Dim>& kdop) {
   double size = 0;
   for (int i = 0; i < 2 * Dim; ++i) size = std::max(size, std::abs(planes[i].d));
   if (size == 0) return 0;
-  const int exponent = std::ilogb(size);
+  const int exponent = exponent_of(size);
   for (auto& plane : planes) plane.d = std::ldexp(plane.d, -exponent);
   return std::ldexp(measure_of(planes), Dim * exponent);
 }

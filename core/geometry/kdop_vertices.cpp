@@ -108,7 +108,8 @@ class VertexSearch {
         if (enter > slack_ || leave < -slack_) return;
         continue;
       }
-      enter /= speed, leave /= speed;
+      enter /= speed;
+      leave /= speed;
       from = std::max(from, std::min(enter, leave));
       to = std::min(to, std::max(enter, leave));
       if (from > to + slack_) return;

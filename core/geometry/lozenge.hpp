@@ -61,7 +61,7 @@ template <class Number, class Scalar, int Dim>
   return span;
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Lozenge<Scalar, Dim>& lozenge) {
+[[nodiscard]] Scalar magnitude_of(const Lozenge<Scalar, Dim>& lozenge) {
   return largest<Scalar, Dim>(lozenge.origin) + largest<Scalar, Dim>(lozenge.edges[0]) +
          largest<Scalar, Dim>(lozenge.edges[1]) + lozenge.radius;
 }

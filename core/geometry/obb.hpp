@@ -58,7 +58,7 @@ template <class Number, class Scalar, int Dim>
   return around<Number>(plane, box.center, radius);
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Obb<Scalar, Dim>& box) {
+[[nodiscard]] Scalar magnitude_of(const Obb<Scalar, Dim>& box) {
   return largest<Scalar, Dim>(box.center) + box.half_extents.sum();
 }
 

@@ -9,6 +9,8 @@
 #include "number/dyadic.hpp"
 #include "number/exact_sum.hpp"
 #include "number/exact_tally.hpp"
+#include "number/power_of_two.hpp"
+#include "number/tuple.hpp"
 
 namespace snug {
 namespace {
@@ -54,7 +56,10 @@ bool to_integers(const std::array<const Vector<double, Dim>*, kCount>& points, s
 
 Integers difference(const Integers& a, const Integers& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-int sign_of(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+int sign_of(Wide value) {
+  if (value > 0) return 1;
+  return value < 0 ? -1 : 0;
+}
 
 /// The sign of the sum of minors[i] * factors[i]: |minors| < 2^124, |factors| < 2^61.
 int sign_of_sum(const std::array<Wide, 3>& minors, const Integers& factors) {
@@ -64,7 +69,8 @@ int sign_of_sum(const std::array<Wide, 3>& minors, const Integers& factors) {
     low += static_cast<Wide>(static_cast<std::uint64_t>(minors[i])) * factors[i];
   }
   high += low >> 64;
-  return high != 0 ? sign_of(high) : static_cast<std::uint64_t>(low) != 0 ? 1 : 0;
+  if (high != 0) return sign_of(high);
+  return static_cast<std::uint64_t>(low) != 0 ? 1 : 0;
 }
 
 int orient3d_of_integers(const std::array<Integers, 4>& p) {
@@ -73,16 +79,15 @@ int orient3d_of_integers(const std::array<Integers, 4>& p) {
   return sign_of_sum({minor(1, 2), minor(2, 0), minor(0, 1)}, d);
 }
 
-using Exact3 = std::array<Dyadic, 3>;
+using Exact3 = Tuple<Dyadic, 3>;
 
 Exact3 exact_difference(const Vector<double, 3>& a, const Vector<double, 3>& b) {
-  return {Dyadic(a[0]) - Dyadic(b[0]), Dyadic(a[1]) - Dyadic(b[1]), Dyadic(a[2]) - Dyadic(b[2])};
+  return tuple_of<Dyadic, 3>(a) - tuple_of<Dyadic, 3>(b);
 }
 
 int orient3d_exact(detail::P3 a, detail::P3 b, detail::P3 c, detail::P3 d) {
   const Exact3 e = exact_difference(b, a), f = exact_difference(c, a), g = exact_difference(d, a);
-  const auto minor = [&](std::size_t i, std::size_t j) { return e[i] * f[j] - e[j] * f[i]; };
-  return (minor(1, 2) * g[0] + minor(2, 0) * g[1] + minor(0, 1) * g[2]).sign();
+  return dot(cross(e, f), g).sign();
 }
 
 /// a - b, scaled by a power of two to a size of about 1, which changes no sign of a product.
@@ -90,10 +95,7 @@ Vector<double, 3> scaled_difference(const Vector<double, 3>& a, const Vector<dou
   const bool may_overflow = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) > 0x1p1022;
   Vector<double, 3> d = may_overflow ? Vector<double, 3>(a / 2 - b / 2) : Vector<double, 3>(a - b);
   const double largest = d.cwiseAbs().maxCoeff();
-  if (largest == 0) return d;
-  const int exponent = std::ilogb(largest);
-  for (int i = 0; i < 3; ++i) d[i] = std::ldexp(d[i], -exponent);
-  return d;
+  return d * to_unit_size(largest);
 }
 
 /// Applies the filter once more, to differences of about unit size: no product overflows, and what underflows is

@@ -26,7 +26,8 @@ int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
 /// The sign of value if it is certain, else 0. doubt: bounds value's error. If either has overflowed, no sign is
 /// certain.
 [[nodiscard]] inline int certain_sign(double value, double doubt) noexcept {
-  return value > doubt ? 1 : value < -doubt ? -1 : 0;
+  if (value > doubt) return 1;
+  return value < -doubt ? -1 : 0;
 }
 }  // namespace detail
 

@@ -71,9 +71,9 @@ class PointSet {
     constexpr const char* kTooLarge = sizeof(Scalar) == 8 ? " is larger than this program can take (8.3e152)"
                                                           : " is larger than this program can take (1.1e18)";
     for (int axis = 0; axis < Dim; ++axis) {
-      const char* wrong = !std::isfinite(point[axis])        ? " is not finite"
-                          : std::abs(point[axis]) > kLargest ? kTooLarge
-                                                             : nullptr;
+      const char* wrong = nullptr;
+      if (!std::isfinite(point[axis])) wrong = " is not finite";
+      else if (std::abs(point[axis]) > kLargest) wrong = kTooLarge;
       if (wrong != nullptr)
         return InputError{.what = std::string("coordinate ") + "xyz"[axis] + " of point " + std::to_string(i) + wrong};
     }

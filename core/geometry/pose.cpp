@@ -5,15 +5,15 @@
 
 #include "geometry/sphere.hpp"
 #include "geometry/turn.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug {
 
 Quaternion normalized(const Quaternion& q) noexcept {
   const double largest = std::max(std::max(std::abs(q.w), std::abs(q.x)), std::max(std::abs(q.y), std::abs(q.z)));
   if (largest == 0) return {};
-  const int exponent = std::ilogb(largest);
-  const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
-  const double w = scaled(q.w), x = scaled(q.x), y = scaled(q.y), z = scaled(q.z);
+  const double scale = to_unit_size(largest);
+  const double w = scale * q.w, x = scale * q.x, y = scale * q.y, z = scale * q.z;
   const double norm = std::sqrt(w * w + x * x + y * y + z * z);
   return {w / norm, x / norm, y / norm, z / norm};
 }

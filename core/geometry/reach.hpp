@@ -61,7 +61,7 @@ template <class Number, class Scalar, int Dim>
   return {value, value};
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Vector<Scalar, Dim>& point) {
+[[nodiscard]] Scalar magnitude_of(const Vector<Scalar, Dim>& point) {
   return largest<Scalar, Dim>(point);
 }
 

@@ -39,7 +39,8 @@ inline int side_in_double_double(const double* point, const double* center, doub
     rest += s.low + (p.low + 2 * d.high * d.low);
   }
   const double gap = sum + rest, doubt = tolerance::kWideSquaredDistance * square.high;
-  return gap > doubt ? 1 : gap < -doubt ? -1 : 0;
+  if (gap > doubt) return 1;
+  return gap < -doubt ? -1 : 0;
 }
 
 /// A power of two near the square root.

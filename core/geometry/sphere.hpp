@@ -9,6 +9,7 @@
 #include "geometry/point_set.hpp"
 #include "geometry/reach.hpp"
 #include "geometry/vector.hpp"
+#include "number/power_of_two.hpp"
 #include "trace/fields.hpp"
 
 namespace snug {
@@ -36,7 +37,7 @@ template <class Scalar, int Dim>
 [[nodiscard]] Scalar scaled_norm(const Vector<Scalar, Dim>& v) {
   const Scalar largest = v.cwiseAbs().maxCoeff();
   if (largest == 0) return 0;
-  const int exponent = std::ilogb(largest);
+  const int exponent = exponent_of(largest);
   Vector<Scalar, Dim> scaled;
   for (int i = 0; i < Dim; ++i) scaled[i] = std::ldexp(v[i], -exponent);
   return std::ldexp(std::sqrt(scaled.squaredNorm()), exponent);
@@ -92,7 +93,7 @@ template <class Number, class Scalar, int Dim>
   return core_span<Number>(plane, sphere.center);
 }
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar size_of(const Sphere<Scalar, Dim>& sphere) {
+[[nodiscard]] Scalar magnitude_of(const Sphere<Scalar, Dim>& sphere) {
   return largest<Scalar, Dim>(sphere.center) + sphere.radius;
 }
 

@@ -14,11 +14,13 @@
 //   core_support       or, where the volume is smooth, its point farthest along a direction (of a size near 1)
 //                      relative to an origin, in scene units: no other lies farther by more than 16 roundings of the
 //                      volume's extent about that origin
-// Every pair's test (query/overlaps.hpp), culling (query/classify.hpp), the distance of a point (query/contains.hpp),
-// trees (hierarchy/bounds.hpp) and the drawing (app/volumes.cpp) follow from that. Kinds that have something faster, or
-// something that says more, have overloads of their own there. A header may also give
-//   core_span, size_of how far its core reaches on both sides of a plane, in rounded and in exact numbers; without
-//                      that, culling calls intersecting what rounding leaves open
+// Every pair's test (query/overlap/overlaps.hpp), culling (query/cull/classify.hpp), the distance of a point
+// (query/contain/contains.hpp), trees (hierarchy/bounds.hpp) and the drawing (app/volumes.cpp) follow from that. Kinds
+// that have something faster, or something that says more, have overloads of their own there. A header may also give
+//   core_span          how far its core reaches on both sides of a plane, in rounded and in exact numbers, with
+//   magnitude_of       the size that rounding is relative to; without them, culling calls intersecting what it leaves
+//                      open
+//   bounds_of          (in geometry/bounds.hpp) the axis-aligned box around it
 // Source of core and radius: G. van den Bergen, "A fast and robust GJK implementation for collision detection of convex
 // objects", 1999.
 #pragma once

@@ -56,17 +56,18 @@ class BottomUp {
  private:
   [[nodiscard]] const Group& group(Index id) const { return groups_[place_[id]]; }
 
-  /// Of equally near groups it takes the previous one in the chain, so that the chain ends; otherwise the first by id.
+  /// Among equally near groups it takes the previous one in the chain, so that the chain ends, and else the first by id.
   [[nodiscard]] Index nearest_to(Index id, Index before) const {
     const Group& own = group(id);
     Index nearest = kNoIndex;
     Nearness least{};
     const auto consider = [&](const Group& other) {
       if (other.id == id) return;
-      const Nearness near{size_of(united(own.box, other.box), layout_.dim), own.bodies + other.bodies};
+      const Nearness near{surface_of(united(own.box, other.box), layout_.dim), own.bodies + other.bodies};
       if (nearest != kNoIndex && least < near) return;
       if (nearest != kNoIndex && !(near < least) && (nearest == before || other.id > nearest)) return;
-      least = near, nearest = other.id;
+      least = near;
+      nearest = other.id;
     };
     if (before != kNoIndex) consider(group(before));
     for (const Group& other : groups_) consider(other);
@@ -75,7 +76,7 @@ class BottomUp {
 
   void merge(Index left, Index right, Index id) {
     const Group merged{united(group(left).box, group(right).box), group(left).bodies + group(right).bodies, id};
-    merges_.push_back({left, right, size_of(merged.box, layout_.dim)});
+    merges_.push_back({left, right, surface_of(merged.box, layout_.dim)});
     remove(left), remove(right);
     place_[id] = static_cast<Index>(groups_.size());
     groups_.push_back(merged);

@@ -1,4 +1,5 @@
 #include "hierarchy/bounds.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::hierarchy {
 
@@ -8,7 +9,7 @@ void normalize(Layout& layout) {
   for (const Box& box : layout.boxes) scene = united(scene, box);
   double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, scene.high[i] - scene.low[i]);
-  const int exponent = largest > 0 ? std::max(std::ilogb(largest), -1000) : 0;  // so that the inverse is finite
+  const int exponent = exponent_of(largest);
   layout.origin = scene.low;
   layout.unit = std::ldexp(1.0, exponent);
   const double inverse = std::ldexp(1.0, -exponent);

@@ -49,8 +49,10 @@ template <class VolumeType, class Observer>
   Tree<VolumeType> tree;
   tree.bodies = std::move(shape.bodies);
   tree.nodes.resize(shape.nodes.size());
-  for (std::size_t i = 0; i < shape.nodes.size(); ++i)
-    tree.nodes[i].first = shape.nodes[i].first, tree.nodes[i].count = shape.nodes[i].count;
+  for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
+    tree.nodes[i].first = shape.nodes[i].first;
+    tree.nodes[i].count = shape.nodes[i].count;
+  }
   refit(tree, volumes, observe, line);
   observe(Step{line, Done{static_cast<std::int64_t>(tree.nodes.size()), 0}});
   return tree;

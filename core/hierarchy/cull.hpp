@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "hierarchy/traverse.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 namespace snug::hierarchy {
 
@@ -28,9 +28,8 @@ Culled cull(const Tree<VolumeType>& tree, std::type_identity_t<std::span<const V
     culled.planes_tested += result.planes_tested;
     if constexpr (requires { observe.tested(place, planes, result); }) observe.tested(place, planes, result);
     if (masks) planes = result.crossing;
-    return result.verdict == query::Culling::kOutside  ? Answer::kPrune
-           : result.verdict == query::Culling::kInside ? Answer::kAccept
-                                                       : Answer::kDescend;
+    if (result.verdict == query::Culling::kOutside) return Answer::kPrune;
+    return result.verdict == query::Culling::kInside ? Answer::kAccept : Answer::kDescend;
   };
   culled.counts = traverse(
       tree, volumes, kAllPlanes<Dim>, visit,

@@ -7,8 +7,8 @@
 #include "fit/sphere/aabb_center.hpp"
 #include "hierarchy/build.hpp"
 #include "hierarchy/cull.hpp"
-#include "query/classify.hpp"
-#include "query/classify_corners.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/classify_corners.hpp"
 
 namespace snug::hierarchy {
 namespace {
@@ -56,7 +56,7 @@ struct OneByOne {
   /// Compares all vertices with all planes: the naive way.
   void all_vertices(std::size_t i) {
     const FieldBox& box = field.boxes[i];
-    const double size = size_of(box);
+    const double size = magnitude_of(box);
     std::array<Vector<double, 3>, kVertices> vertices;
     for (int bits = 0; bits < kVertices; ++bits) vertices[bits] = query::corner_of(box, bits);
     CullResult result;
@@ -125,7 +125,8 @@ struct TreeTeller {
   void operator()(const Step&) const {}
   void count(Operation, std::int64_t) const {}
   void tested(Place place, PlaneSet planes, const CullResult& result) {
-    cost.planes += result.planes_tested, cost.products += products_of(result);
+    cost.planes += result.planes_tested;
+    cost.products += products_of(result);
     if (record == nullptr) return;
     const std::size_t at = place.index;
     const int level = place.is_body ? field.leaf_levels[at] + 1 : field.levels[at];
@@ -140,7 +141,10 @@ struct TreeTeller {
         place.is_body ? std::span(&place.index, 1) : field.tree.bodies_below(place.index);
     for (const Index body : below) record->answers[body].level = static_cast<std::uint8_t>(level);
     const auto boxes = static_cast<std::int64_t>(below.size());
-    if (result.verdict == Culling::kOutside) ++tests.rejected, tests.left_out += boxes;
+    if (result.verdict == Culling::kOutside) {
+      ++tests.rejected;
+      tests.left_out += boxes;
+    }
     if (result.verdict == Culling::kInside) tests.taken += boxes;
   }
 };

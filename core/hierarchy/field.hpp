@@ -13,7 +13,7 @@
 #include "geometry/frustum.hpp"
 #include "geometry/sphere.hpp"
 #include "hierarchy/tree.hpp"
-#include "query/batch/classify_batch.hpp"
+#include "query/cull/batch/classify_batch.hpp"
 
 namespace snug::hierarchy {
 

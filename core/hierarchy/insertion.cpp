@@ -21,7 +21,7 @@ class Insertion {
     groups_.reserve(2 * groups_.size());
     for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
       groups_[i].box = layout.boxes[i];
-      groups_[i].size = size_of(layout.boxes[i], layout.dim);
+      groups_[i].size = surface_of(layout.boxes[i], layout.dim);
     }
   }
 
@@ -36,7 +36,7 @@ class Insertion {
  private:
   [[nodiscard]] Branch& at(Index i) { return groups_[i]; }
   [[nodiscard]] bool is_body(Index i) { return at(i).children[0] == kNoIndex; }
-  [[nodiscard]] Size size_with(Index i, const Box& box) { return size_of(united(at(i).box, box), layout_.dim); }
+  [[nodiscard]] Size size_with(Index i, const Box& box) { return surface_of(united(at(i).box, box), layout_.dim); }
 
   void insert(Index body) {
     if (root_ == kNoIndex) {
@@ -95,7 +95,7 @@ class Insertion {
     Branch& group = at(i);
     const Branch &left = at(group.children[0]), &right = at(group.children[1]);
     group.box = united(left.box, right.box);
-    group.size = size_of(group.box, layout_.dim);
+    group.size = surface_of(group.box, layout_.dim);
     group.bodies = left.bodies + right.bodies;
   }
 
@@ -118,8 +118,10 @@ class Insertion {
     if (!best) return;
     const Index down = at(i).children[best->down], middle = at(i).children[1 - best->down],
                 up = at(middle).children[best->up];
-    at(i).children[best->down] = up, at(up).parent = i;
-    at(middle).children[best->up] = down, at(down).parent = middle;
+    at(i).children[best->down] = up;
+    at(up).parent = i;
+    at(middle).children[best->up] = down;
+    at(down).parent = middle;
     update(middle);
     if (facts_ != nullptr) facts_->push_back(Rotated{i, down, up, layout_.area(best->gain)});
   }

@@ -1,18 +1,16 @@
 #include "hierarchy/top_down.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace snug::hierarchy {
 namespace {
 
-constexpr int kBins = 16, kBorders = kBins - 1;
 // From this depth on every node is split in half, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A node's bodies: from begin to end.
 struct Part {
@@ -27,15 +25,7 @@ struct Split {
   int axis = kNoIndex;
   double position = 0;
   Index left = 0;
-  double cost = kInfinity;  // in tests of a body
-};
-
-/// The bodies whose centres lie between two borders.
-struct Bin {
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  Index count = 0;
-
-  void take(const Bin& other) { box = united(box, other.box), count += other.count; }
+  double cost = sah::kInfinity;  // in tests of a body
 };
 
 class TopDown {
@@ -61,8 +51,10 @@ class TopDown {
   }
 
  private:
-  [[nodiscard]] const Box& box(Index body) const { return layout_.boxes[body]; }
-  [[nodiscard]] double center(Index body, int axis) const { return (box(body).low[axis] + box(body).high[axis]) / 2; }
+  [[nodiscard]] double center(Index body, int axis) const { return layout_.center(body, axis); }
+  [[nodiscard]] std::span<Index> bodies_of(const Part& part) {
+    return std::span(bodies_).subspan(part.begin, part.count());
+  }
   [[nodiscard]] auto begin_of(const Part& part) { return bodies_.begin() + part.begin; }
   [[nodiscard]] auto end_of(const Part& part) { return bodies_.begin() + part.end; }
 
@@ -72,19 +64,20 @@ class TopDown {
     if (part.count() == 1 || (few && rule_ == SplitRule::kMedian)) return std::nullopt;
     const Box centers = centers_of(part);
     if (rule_ == SplitRule::kMedian || part.depth >= kMostUneven) return halve(part, centers);
-    Bin all;
-    for (Index i = part.begin; i < part.end; ++i) all.take({box(bodies_[i]), 1});
+    sah::Bin all;
+    for (const Index body : bodies_of(part)) all.take({layout_.boxes[body], 1});
     const Split best = cheapest(part, all.box, centers);
     if (few && part.count() <= best.cost) return std::nullopt;
     return best.axis != kNoIndex ? best : halve(part, centers);
   }
 
   [[nodiscard]] Box centers_of(const Part& part) const {
-    Box centers = Bin().box;
+    Box centers = sah::Bin().box;
     for (Index i = part.begin; i < part.end; ++i)
       for (int axis = 0; axis < layout_.dim; ++axis) {
         const double at = center(bodies_[i], axis);
-        centers.low[axis] = std::min(centers.low[axis], at), centers.high[axis] = std::max(centers.high[axis], at);
+        centers.low[axis] = std::min(centers.low[axis], at);
+        centers.high[axis] = std::max(centers.high[axis], at);
       }
     return centers;
   }
@@ -103,41 +96,16 @@ class TopDown {
     return {spread(axis) > 0 ? axis : kNoIndex, center(*middle, axis), left, 0};
   }
 
-  /// The border between bins, along any axis, at which a traversal is expected to be cheapest; its axis is kNoIndex if
-  /// all centres are in one place.
+  /// By the surface-area heuristic; its axis is kNoIndex if all centres are in one place.
   Split cheapest(const Part& part, const Box& all, const Box& centers) {
-    const bool by_length = size_of(all, layout_.dim).area == 0;  // for boxes without area, and in the plane
-    const auto size = [&](const Box& box) { return by_length ? size_of(box).length : size_of(box).area; };
-    const auto cost_of = [&](const Bin& bin) { return size(bin.box) * bin.count; };
-    Split best;
-    int best_border = 0;
-    std::vector<double> costs(facts_ != nullptr ? static_cast<std::size_t>(layout_.dim * kBorders) : 0, kInfinity);
-    for (int axis = 0; axis < layout_.dim; ++axis) {
-      if (!(centers.low[axis] < centers.high[axis])) continue;
-      std::array<Bin, kBins> bins;
-      for (Index i = part.begin; i < part.end; ++i) bins[bin_of(bodies_[i], axis, centers)].take({box(bodies_[i]), 1});
-      // Sums up the bins right of each border, from the right, then left of it, from the left. Neither side is ever
-      // empty: the first bin has the least centre, the last one the greatest.
-      std::array<double, kBins> right;
-      Bin sum;
-      for (int border = kBins - 1; border > 0; --border) sum.take(bins[border]), right[border] = cost_of(sum);
-      sum = {};
-      for (int border = 1; border < kBins; ++border) {
-        sum.take(bins[border - 1]);
-        const double cost = 2 + (cost_of(sum) + right[border]) / size(all);
-        if (facts_ != nullptr) costs[axis * kBorders + border - 1] = cost;
-        if (cost >= best.cost) continue;
-        const double width = (centers.high[axis] - centers.low[axis]) / kBins;
-        best = {axis, centers.low[axis] + border * width, sum.count, cost};
-        best_border = border;
-      }
-    }
-    if (facts_ != nullptr && best.axis != kNoIndex)
-      facts_->push_back(priced(part.node, best.axis, best_border, centers, std::move(costs)));
-    if (best.axis != kNoIndex)
-      std::partition(begin_of(part), end_of(part),
-                     [&](Index body) { return bin_of(body, best.axis, centers) < best_border; });
-    return best;
+    std::vector<double> costs;
+    if (facts_ != nullptr) costs.assign(static_cast<std::size_t>(layout_.dim * sah::kBorders), sah::kInfinity);
+    const sah::Split best =
+        sah::best_split(layout_, bodies_of(part), all, centers, facts_ != nullptr ? &costs : nullptr);
+    if (best.axis == kNoIndex) return {};
+    if (facts_ != nullptr) facts_->push_back(priced(part.node, best.axis, best.border, centers, std::move(costs)));
+    sah::reorder(layout_, bodies_of(part), centers, best);
+    return {best.axis, best.position, best.left, best.cost};
   }
 
   [[nodiscard]] SplitsPriced priced(Index node, int axis, int border, const Box& centers,
@@ -148,11 +116,6 @@ class TopDown {
       fact.high.push_back(layout_.position(along, centers.high[along]));
     }
     return fact;
-  }
-
-  [[nodiscard]] int bin_of(Index body, int axis, const Box& centers) const {
-    const double share = (center(body, axis) - centers.low[axis]) / (centers.high[axis] - centers.low[axis]);
-    return std::min(kBins - 1, static_cast<int>(kBins * share));
   }
 
   void make_leaf(const Part& part) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hierarchy/bounds.hpp"
+#include "hierarchy/sah.hpp"
 #include "hierarchy/shape.hpp"
 #include "hierarchy/steps.hpp"
 
@@ -21,27 +22,15 @@ inline constexpr std::array<std::string_view, 6> kMedianPseudocode{
     "volume ← merged from both children",
 };
 
-/// Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; I. Wald, "On fast
-/// construction of SAH-based bounding volume hierarchies", 2007, for the bins.
-inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
-    "node ← all bodies",
-    "few, and no split is cheaper: a leaf",
-    "for each axis and split between bins",
-    "  cost ← 2 + (area n, left + right) / area",
-    "split at the least cost; likewise below",
-    "volume ← merged from both children",
-};
-
 enum class SplitRule : std::uint8_t { kMedian, kSurfaceArea };
 
 /// The facts of the build, in order: prices of splits, splits and leaves.
 using TopDownFacts = std::vector<std::variant<SplitsPriced, SplitChosen, LeafMade>>;
 
 /// Bodies are divided by their boxes' centres, or by index if a node's centres are all in one place. The surface-area
-/// heuristic divides at the cheapest border between 16 bins per axis, which cover the node's centres; from depth 40 on
-/// it splits in half, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or where the steps' facts are
-/// appended.
-/// O(n log n) time.
+/// heuristic (sah.hpp) divides at the cheapest border between 16 bins per axis, which cover the node's centres; from
+/// depth 40 on it splits in half, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or where the steps'
+/// facts are appended. O(n log n) time.
 [[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf,
                                      TopDownFacts* facts = nullptr);
 

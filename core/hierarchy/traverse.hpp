@@ -161,8 +161,10 @@ Hit<Scalar> first_hit(const Tree<VolumeType>& tree, std::type_identity_t<std::sp
       const std::optional<Scalar> t = hit(volumes[body]);
       ++best.counts.body_tests;
       observe(Step{3, BodyTested{body, t ? Answer::kAccept : Answer::kPrune}});
-      if (t && (best.body == kNoIndex || *t < best.t || (*t == best.t && body < best.body)))
-        best.body = body, best.t = *t;
+      if (t && (best.body == kNoIndex || *t < best.t || (*t == best.t && body < best.body))) {
+        best.body = body;
+        best.t = *t;
+      }
     }
   }
   observe(Step{1, Done{best.counts.nodes_visited, best.counts.volume_tests()}});

@@ -10,7 +10,7 @@
 
 #include "hierarchy/steps.hpp"
 #include "hierarchy/tree.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::hierarchy {

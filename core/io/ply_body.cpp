@@ -113,7 +113,7 @@ PlyBytes::PlyBytes(const PlyHeader& header, std::string_view whole, const Wanted
 
 std::int64_t PlyBytes::smallest(const PlyElement& element) {
   std::size_t size = 0;
-  for (const PlyProperty& property : element.properties) size += size_of(property.count_type.value_or(property.type));
+  for (const PlyProperty& property : element.properties) size += bytes_of(property.count_type.value_or(property.type));
   return static_cast<std::int64_t>(size);
 }
 
@@ -123,7 +123,7 @@ bool PlyBytes::begin(const PlyElement&, std::int64_t) {
 }
 
 bool PlyBytes::bits(PlyType type, std::uint64_t& value) {
-  const std::size_t size = size_of(type);
+  const std::size_t size = bytes_of(type);
   if (bytes_.size() - at_ < size) return cut_short();
   value = 0;
   for (std::size_t i = 0; i < size; ++i) {
@@ -153,7 +153,7 @@ bool PlyBytes::whole(PlyType type, std::optional<std::int64_t>& value) {
 }
 
 bool PlyBytes::skip(PlyType type, std::int64_t n) {
-  const auto size = static_cast<std::int64_t>(size_of(type));
+  const auto size = static_cast<std::int64_t>(bytes_of(type));
   if (n > left() / size) return cut_short();
   at_ += static_cast<std::size_t>(n * size);
   return true;

@@ -24,7 +24,7 @@ enum class PlyType : std::uint8_t {
   kUnknown  // an error where the data is needed, or has to be gone over as bytes
 };
 
-[[nodiscard]] constexpr std::size_t size_of(PlyType type) {
+[[nodiscard]] constexpr std::size_t bytes_of(PlyType type) {
   constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8, 0};
   return kSizes[static_cast<std::size_t>(type)];
 }

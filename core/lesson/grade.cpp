@@ -55,7 +55,7 @@ std::optional<Figure> figure_of(const Requirement& due, const Method& method, co
                                 const Subject& subject, const View& view) {
   if (!due.over.empty()) return excess_over(due, method, lesson, subject, view);
   if (due.figure == kPointsFigure && subject.points() != nullptr) {
-    const auto count = static_cast<double>(fit::size_of(*subject.points()));
+    const auto count = static_cast<double>(fit::count_of(*subject.points()));
     return Figure{"Points", std::string(kPointsFigure), bound_text(count, "points"), count, "points"};
   }
   for (Figure& figure : results_for(due, method, subject, view)) {
@@ -163,7 +163,7 @@ Grade grade_by_requirements(const Lesson& lesson, const Task& task, const Subjec
   Grade grade;
   grade.done = true;
   if (subject.points() != nullptr) {
-    grade.points = static_cast<int>(fit::size_of(*subject.points()));
+    grade.points = static_cast<int>(fit::count_of(*subject.points()));
     grade.done = task.points == 0 || grade.points == task.points;
     const auto words = subject.handle_words();
     if (!grade.done)

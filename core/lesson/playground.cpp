@@ -5,7 +5,7 @@
 #include "geometry/convert.hpp"
 #include "geometry/random.hpp"
 #include "lesson/point_subject.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -10,13 +10,13 @@ namespace snug::lesson {
 
 std::vector<Point3> all_points(const AnyPointSet& points) {
   std::vector<Point3> all;
-  all.reserve(fit::size_of(points));
-  for (Index i = 0; i < fit::size_of(points); ++i) all.push_back(fit::point_of(points, i));
+  all.reserve(fit::count_of(points));
+  for (Index i = 0; i < fit::count_of(points); ++i) all.push_back(fit::point_of(points, i));
   return all;
 }
 
 Index count_of(const Subject& subject) {
-  return subject.points() != nullptr ? fit::size_of(*subject.points()) : subject.size();
+  return subject.points() != nullptr ? fit::count_of(*subject.points()) : subject.size();
 }
 
 namespace {

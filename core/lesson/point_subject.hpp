@@ -48,7 +48,7 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 class PointSubject : public Subject {
  public:
   [[nodiscard]] int dim() const override { return fit::dim_of(unrounded_); }
-  [[nodiscard]] Index size() const override { return fit::size_of(unrounded_); }
+  [[nodiscard]] Index size() const override { return fit::count_of(unrounded_); }
   [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(*points(), i); }
   [[nodiscard]] std::string name_of(Index i) const override { return point_name(i, names_); }
   /// In float, the rounded ones.
@@ -102,7 +102,7 @@ class PointSubject : public Subject {
 
   [[nodiscard]] const NamesOfPoints& names() const { return names_; }
   /// The number of points: a subject may have more handles.
-  [[nodiscard]] Index count() const { return fit::size_of(*points()); }
+  [[nodiscard]] Index count() const { return fit::count_of(*points()); }
   /// Called when the points have changed, and cached results are stale.
   virtual void points_changed() {}
   /// Takes over edited points. Errors: those of to_set, and of float where the runs are in float.

@@ -4,9 +4,10 @@
 #include <limits>
 #include <type_traits>
 
+#include "geometry/about_origin.hpp"
 #include "geometry/convert.hpp"
+#include "geometry/counted.hpp"
 #include "geometry/sort.hpp"
-#include "geometry/stored_work.hpp"
 #include "geometry/tolerance.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/stored.hpp"
@@ -56,8 +57,9 @@ class Written {
     std::string text = text_of(numbers);
     form_.members.push_back({std::move(declared), std::move(numbers), std::move(text), std::move(lines)});
   }
-  /// Moves, turns and grows it as a program does, and writes down what that takes; test: what a test of two such
-  /// volumes takes. no_turn, no_growth: what is said where the numbers alone do not tell the result.
+  /// Moves, turns and grows what is stored as a program does, and writes down what that takes; test: what a test of two
+  /// such volumes takes. stored: of numbers that count, whatever their values. no_turn, no_growth: what is said where
+  /// the numbers alone do not tell the result.
   template <class Stored>
   void costs(Cost test, const Stored& stored, std::string_view no_turn, std::string_view no_growth);
   void ticks(std::size_t operation, bool least) { form_.operations[operation].least = least; }
@@ -81,28 +83,25 @@ Cost cost_of(const Work& work) {
   return {says.empty() ? "nothing" : says, std::max(1, work.all())};
 }
 
-/// What an update takes that counts its work; `without` in words where there is none.
-Cost cost_of(auto update, std::string_view without) {
-  Work work;
-  if constexpr (requires { update(work); }) {
-    static_cast<void>(update(work));
-    return cost_of(work);
-  } else {
-    return {std::string(without), 0};
-  }
+/// What an update of a form takes; `without` in words where the form has none.
+Cost cost_of(auto update, const auto& stored, std::string_view without) {
+  if constexpr (requires { update(stored); }) return cost_of(work_of([&] { return update(stored); }));
+  else return {std::string(without), 0};
 }
 
 template <int Dim>
 template <class Stored>
 void Written<Dim>::costs(Cost test, const Stored& stored, std::string_view no_turn, std::string_view no_growth) {
-  const Pose<double, Dim> pose;
-  const auto turn = [&](auto& work) requires requires { placed<Stored, Dim>(work, stored, pose); }
-  { return placed<Stored, Dim>(work, stored, pose); };
-  const auto grow = [&](auto& work) requires requires { grown<Dim>(work, stored, 0.0); }
-  { return grown<Dim>(work, stored, 0.0); };
-  const auto move = [&](Work& work) { return moved<Dim>(work, stored, pose.translation); };
+  const Pose<Counted, Dim> pose;
+  const auto move = [&](const auto& form) { return snug::moved(form, pose.translation); };
+  // As a body's pose moves the body's volume.
+  const auto turn = [&](const auto& form) requires requires { snug::turned_about_origin(form, pose.rotation); }
+  { return move(snug::turned_about_origin(form, pose.rotation)); };
+  const auto grow = [&](const auto& form) requires requires { snug::grown(form, Counted()); }
+  { return snug::grown(form, Counted()); };
   constexpr std::array<const char*, 4> kNames{"test", "move", "turn", "grow"};
-  std::array<Cost, 4> all{std::move(test), cost_of(move, {}), cost_of(turn, no_turn), cost_of(grow, no_growth)};
+  std::array<Cost, 4> all{std::move(test), cost_of(move, stored, {}), cost_of(turn, stored, no_turn),
+                          cost_of(grow, stored, no_growth)};
   for (std::size_t i = 0; i < all.size(); ++i) {
     work_[i] = all[i].work;
     form_.operations.push_back({kNames[i], std::move(all[i].says)});
@@ -190,18 +189,18 @@ std::vector<StoredForm> forms_of(const Aabb<double, Dim>& box) {
   std::vector<Written<Dim>> forms{Written<Dim>("min-max"), Written<Dim>("min-widths"), Written<Dim>("centre-radius")};
   forms[0].place("min", box.min);
   forms[0].place("max", box.max);
-  forms[0].costs({"up to " + counted(2 * Dim, "comparison"), 2 * Dim}, box, kRefit, {});
+  forms[0].costs({"up to " + counted(2 * Dim, "comparison"), 2 * Dim}, Aabb<Counted, Dim>{}, kRefit, {});
   forms[1].place("min", widths.min);
   for (int i = 0; i < Dim; ++i)
     forms[1].number(entry("d", i), widths.widths[i],
                     {{lifted<Dim>(box.min), lifted<Dim>(V(box.min + widths.widths[i] * V::Unit(i)))}});
-  forms[1].costs({"up to " + counted(Dim, "subtraction") + ", " + counted(2 * Dim, "comparison"), 3 * Dim}, widths,
-                 kRefit, {});
+  forms[1].costs({"up to " + counted(Dim, "subtraction") + ", " + counted(2 * Dim, "comparison"), 3 * Dim},
+                 AabbMinWidths<Counted, Dim>{}, kRefit, {});
   forms[2].place("c", centered.center);
   for (int i = 0; i < Dim; ++i)
     forms[2].number(entry("r", i), centered.half_extents[i], {half_extent_of<Dim>(upright, i)});
-  forms[2].costs({"up to " + counted(2 * Dim, "addition") + ", " + counted(Dim, "comparison"), 3 * Dim}, centered,
-                 kRefit, {});
+  forms[2].costs({"up to " + counted(2 * Dim, "addition") + ", " + counted(Dim, "comparison"), 3 * Dim},
+                 AabbCenterExtents<Counted, Dim>{}, kRefit, {});
   return compared(std::move(forms));
 }
 
@@ -221,21 +220,21 @@ std::vector<StoredForm> forms_of(const Obb<double, Dim>& box) {
       Written<Dim>(plane ? "four vertices" : "eight vertices"), Written<Dim>(plane ? "four planes" : "six planes"),
       Written<Dim>(plane ? "two slabs" : "three slabs"), Written<Dim>("centre, axes, half extents")};
   for (std::size_t i = 0; i < vertices.size(); ++i) forms[0].place(entry("v", static_cast<int>(i)), vertices[i]);
-  forms[0].costs({"find its axes first"}, vertices, {}, "find its axes first");
+  forms[0].costs({"find its axes first"}, ObbVertices<Counted, Dim>{}, {}, "find its axes first");
   for (std::size_t i = 0; i < planes.size(); ++i)
     forms[1].member("Plane " + entry("p", static_cast<int>(i)), with(planes[i].normal, {planes[i].d}),
                     {face_of<Dim>(box, static_cast<int>(i / 2), i % 2 == 0 ? 1 : -1)});
-  forms[1].costs({"of a point: " + counted(2 * Dim, "dot product")}, planes, {}, {});
+  forms[1].costs({"of a point: " + counted(2 * Dim, "dot product")}, ObbPlanes<Counted, Dim>{}, {}, {});
   for (int i = 0; i < Dim; ++i) {
     const auto& slab = slabs[i];
     forms[2].member("Slab " + entry("s", i), with(slab.normal, {slab.min, slab.max}),
                     {face_of<Dim>(box, i, -1), face_of<Dim>(box, i, 1)});
   }
-  forms[2].costs({"of a point or a ray: " + counted(Dim, "dot product")}, slabs, {}, {});
+  forms[2].costs({"of a point or a ray: " + counted(Dim, "dot product")}, ObbSlabs<Counted, Dim>{}, {}, {});
   forms[3].place("c", box.center);
   for (int i = 0; i < Dim; ++i) forms[3].vector(entry("u", i), V(box.axes.col(i)), box.center);
   for (int i = 0; i < Dim; ++i) forms[3].number(entry("e", i), box.half_extents[i], {half_extent_of<Dim>(box, i)});
-  forms[3].costs({"separating axes, as it is", 1}, box, {}, {});
+  forms[3].costs({"separating axes, as it is", 1}, Obb<Counted, Dim>{}, {}, {});
   return compared(std::move(forms));
 }
 
@@ -246,8 +245,8 @@ std::vector<StoredForm> forms_of(const Sphere<double, Dim>& ball) {
   form.number("r", ball.radius,
               {{lifted<Dim>(ball.center),
                 lifted<Dim>(Vector<double, Dim>(ball.center + ball.radius * Vector<double, Dim>::Unit(0)))}});
-  form.costs({counted(Dim + 1, "multiplication") + ", " + counted(2 * Dim, "addition") + ", 1 comparison", 1}, ball, {},
-             {});
+  form.costs({counted(Dim + 1, "multiplication") + ", " + counted(2 * Dim, "addition") + ", 1 comparison", 1},
+             Sphere<Counted, Dim>{}, {}, {});
   return {std::move(form).done()};
 }
 
@@ -275,7 +274,7 @@ std::vector<StoredForm> forms_of(const Capsule<double, Dim>& capsule) {
   form.place("a", capsule.a);
   form.place("b", capsule.b);
   form.number("r", capsule.radius, radius_from<Dim>(capsule.a, V(capsule.b - capsule.a), capsule.radius));
-  form.costs({"the distance between two segments", 1}, capsule, {}, {});
+  form.costs({"the distance between two segments", 1}, Capsule<Counted, Dim>{}, {}, {});
   return {std::move(form).done()};
 }
 
@@ -285,7 +284,7 @@ std::vector<StoredForm> forms_of(const Lozenge<double, Dim>& lozenge) {
   form.place("a", lozenge.origin);
   for (int i = 0; i < 2; ++i) form.vector(entry("u", i), lozenge.edges[i], lozenge.origin);
   form.number("r", lozenge.radius, radius_from<Dim>(lozenge.origin, lozenge.edges[0], lozenge.radius));
-  form.costs({"the distance between two rectangles", 1}, lozenge, {}, {});
+  form.costs({"the distance between two rectangles", 1}, Lozenge<Counted, Dim>{}, {}, {});
   return {std::move(form).done()};
 }
 
@@ -301,7 +300,7 @@ std::vector<StoredForm> forms_of(const Kdop<double, Dim>& kdop) {
       form.number(entry(greatest ? "max" : "min", static_cast<int>(i)) + ": " + axis_name(direction), bound,
                   {bound_of<Dim>(kdop, axes[i], bound)});
     }
-  form.costs({"up to " + counted(kdop.k, "comparison"), 1}, kdop, kRefit, {});
+  form.costs({"up to " + counted(kdop.k, "comparison"), 1}, Kdop<Counted, Dim>{.k = kdop.k}, kRefit, {});
   return {std::move(form).done()};
 }
 

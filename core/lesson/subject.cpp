@@ -43,7 +43,7 @@ std::vector<std::vector<Index>> Subject::things() const {
 std::string Subject::refusal(const Method& method) const {
   const std::string title(method.title);
   if (points() == nullptr) return {};
-  if (fit::size_of(*points()) > method.max_points)
+  if (fit::count_of(*points()) > method.max_points)
     return title + " takes at most " + std::to_string(method.max_points) + " points";
   if (dim() == 2 && !method.plane) return title + " is for points in space";
   if (dim() == 3 && !method.space) return title + " is for points in the plane";

@@ -49,7 +49,8 @@ void within(const char* algorithm, double claimed, const ClaimContext& context, 
   const Excess excess = excess_of(own, context.seed);
   const double here = excess_on(own, context.points, context.seed);
   row.figure = std::max({excess.most, excess.found, here});
-  row.verdict = row.figure <= claimed ? kHolds : excess.median <= claimed ? kTypical : kFalse;
+  if (row.figure <= claimed) row.verdict = kHolds;
+  else row.verdict = excess.median <= claimed ? kTypical : kFalse;
   row.measured = said(
       "radius above the smallest: %.1f %% on these points; %.1f %% in the median and at most %.1f %% on %d clouds of "
       "every kind; %.1f %% on eight points that were moved %d times to make it worse",
@@ -169,9 +170,8 @@ void tighter(const ClaimContext& context, ClaimRow& row) {
   const double here = claim.measure(claim, context.points, context.seed);
   const double cube = claim.measure(claim, rotated_cube(), context.seed);
   row.figure = here;
-  row.verdict = tighter == clouds && cube < 1 && here < 1 ? kHolds
-                : 2 * tighter > clouds || here < 1        ? kTypical
-                                                          : kFalse;
+  if (tighter == clouds && cube < 1 && here < 1) row.verdict = kHolds;
+  else row.verdict = 2 * tighter > clouds || here < 1 ? kTypical : kFalse;
   row.measured = said("volume over the smallest box's: %.3f on these points; below 1 on %d of %d clouds (%s); %.3f "
                       "on a rotated cube, where the box is the cube itself",
                       here, tighter, clouds, kinds.c_str(), cube);
@@ -240,7 +240,7 @@ ClaimRow run_claim(const MeasuredClaim& measured, const ClaimContext& context) {
                .lecture = std::string(claim.lecture),
                .slide = std::string(claim.slide),
                .says = std::string(claim.says)};
-  if (fit::size_of(context.points) <= kMostPoints) {
+  if (fit::count_of(context.points) <= kMostPoints) {
     measured.run(context, row);
   } else {
     const AnyPointSet fewer = sample(context.points, kMostPoints, context.seed);

@@ -25,7 +25,7 @@ double size_by(std::string_view volume, std::string_view name, const AnyPointSet
 
 // ---- size over the smallest
 
-/// Of what shows a counter-example.
+/// The size of what shows a counter-example, over the smallest.
 double over_smallest(const Claim& claim, const AnyPointSet& points, std::uint64_t seed) {
   return 1 + excess_on(algorithm_of(claim.volume, claim.algorithm), points, seed);
 }
@@ -71,13 +71,13 @@ AnyPointSet first_of(const AnyPointSet& points, Index n) {
 /// The work for each point over that for a tenth of the points.
 double welzl_growth(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
   constexpr Index kTimes = 10;
-  const AnyPointSet few = first_of(points, fit::size_of(points) / kTimes);
+  const AnyPointSet few = first_of(points, fit::count_of(points) / kTimes);
   return work_by("welzl", points, seed) / work_by("welzl", few, seed) / static_cast<double>(kTimes);
 }
 
 /// How many times the work for half of the points.
 double brute_growth(const Claim&, const AnyPointSet& points, std::uint64_t seed) {
-  const AnyPointSet few = first_of(points, fit::size_of(points) / 2);
+  const AnyPointSet few = first_of(points, fit::count_of(points) / 2);
   return work_by("brute_force", points, seed) / work_by("brute_force", few, seed);
 }
 

@@ -63,14 +63,14 @@ void CostRun::step() {
 }
 
 const AnyPointSet& CostRun::points_of(Index n) {
-  if (n == fit::size_of(points_)) return points_;
+  if (n == fit::count_of(points_)) return points_;
   auto& kept = samples_[n];
   if (!kept) kept = std::make_unique<AnyPointSet>(sample(points_, n, options_.fit.seed));
   return *kept;
 }
 
 Ladder& CostRun::ladder_of(const fit::Algorithm& algorithm) {
-  return ladders_.try_emplace(&algorithm, algorithm, fit::size_of(points_)).first->second;
+  return ladders_.try_emplace(&algorithm, algorithm, fit::count_of(points_)).first->second;
 }
 
 bool CostRun::step_up(Ladder& ladder) {
@@ -101,7 +101,7 @@ bool CostRun::climb() {
   row_.volume = algorithm().volume;
   row_.algorithm = algorithm().name;
   row_.points = ladder.reached();
-  row_.of = fit::size_of(points_);
+  row_.of = fit::count_of(points_);
   const bool stopped = algorithm().most_finished < algorithm().max_points && row_.points == algorithm().most_finished;
   if (row_.points < row_.of && !stopped) row_.whole_ns = whole_time(ladder);
   return true;

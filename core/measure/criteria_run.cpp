@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "fit/update/updates.hpp"
+#include "geometry/about_origin.hpp"
 #include "geometry/convert.hpp"
-#include "measure/posed.hpp"
 #include "measure/sample.hpp"
 
 namespace snug::cost {
@@ -84,7 +84,7 @@ bool CriteriaRun::measure_costs() {
 bool CriteriaRun::fit_volume() {
   const std::size_t i = volumes_.size();
   const Index n = costs_.rows()[i].points;
-  const AnyPointSet some = n < fit::size_of(points_) ? sample(points_, n, options_.fit.seed) : points_;
+  const AnyPointSet some = n < fit::count_of(points_) ? sample(points_, n, options_.fit.seed) : points_;
   volumes_.push_back(algorithms_[i]->fit(some, options_.fit).volume);
   return volumes_.size() == algorithms_.size();
 }
@@ -129,7 +129,7 @@ std::vector<CriteriaRow> counted_criteria(const AnyPointSet& points,
     const fit::Volume3& volume = volumes.emplace_back(watched.result.volume);
     CostRow& row = rows.emplace_back().costs;
     row.volume = algorithm->volume, row.algorithm = algorithm->name;
-    row.points = row.of = fit::size_of(points);
+    row.points = row.of = fit::count_of(points);
     row.time.median = total(watched.counts);
     row.size = fit::size_of(volume, dim), row.measure = fit::measure_of(volume, dim);
     row.noise = rounding.noise(dim);

@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "geometry/about_origin.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/random.hpp"
-#include "measure/posed.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 namespace snug::cost {
 namespace {

@@ -5,8 +5,8 @@
 #include "geometry/frustum_corners.hpp"
 #include "geometry/tolerance.hpp"
 #include "measure/signed_distance.hpp"
-#include "query/frustum_sat.hpp"
-#include "query/numbers.hpp"
+#include "number/tuple.hpp"
+#include "query/cull/frustum_sat.hpp"
 
 namespace snug::proximity {
 namespace {
@@ -14,18 +14,7 @@ namespace {
 template <int Dim>
 using ExactCorners = std::array<ExactPoint<Dim>, kFrustumCorners<Dim>>;
 template <int Dim>
-using Exactly = query::Numbers<Dyadic, Dim>;
-
-template <std::size_t Dim>
-std::array<Dyadic, Dim> scaled(const Dyadic& by, std::array<Dyadic, Dim> v) {
-  for (Dyadic& x : v) x *= by;
-  return v;
-}
-template <std::size_t Dim>
-std::array<Dyadic, Dim> minus(std::array<Dyadic, Dim> a, const std::array<Dyadic, Dim>& b) {
-  for (std::size_t i = 0; i < Dim; ++i) a[i] -= b[i];
-  return a;
-}
+using Exactly = Tuple<Dyadic, Dim>;
 
 /// A sphere against a frustum without rounding. The frustum's point nearest to the centre is the centre itself, or its
 /// foot on a face or an edge, or a vertex. Each that exists is a point of the frustum; so one within the radius
@@ -34,12 +23,12 @@ template <class Scalar, int Dim>
 class ExactSphere {
  public:
   ExactSphere(const Frustum<Scalar, Dim>& frustum, const ExactCorners<Dim>& corners, const Sphere<Scalar, Dim>& sphere)
-      : corners_(corners), center_(query::numbers<Dyadic, Scalar, Dim>(sphere.center)) {
+      : corners_(corners), center_(tuple_of<Dyadic, Dim>(sphere.center)) {
     const Dyadic radius = static_cast<double>(sphere.radius);
     square_ = radius * radius;
     for (const auto& plane : frustum.planes()) {
-      normals_.push_back(query::numbers<Dyadic, Scalar, Dim>(plane.normal));
-      heights_.push_back(query::dot(normals_.back(), center_) + Dyadic(static_cast<double>(plane.d)));
+      normals_.push_back(tuple_of<Dyadic, Dim>(plane.normal));
+      heights_.push_back(dot(normals_.back(), center_) + Dyadic(static_cast<double>(plane.d)));
     }
   }
 
@@ -59,33 +48,32 @@ class ExactSphere {
   [[nodiscard]] bool reaches_face(std::size_t plane) const {
     const Exactly<Dim>& normal = normals_[plane];
     const Dyadic& height = heights_[plane];
-    const Dyadic length = query::dot(normal, normal);
+    const Dyadic length = dot(normal, normal);
     if (height.sign() <= 0 || square_ * length < height * height) return false;
     for (std::size_t other = 0; other < normals_.size(); ++other)  // the foot lies inside all other planes
-      if ((heights_[other] * length - query::dot(normals_[other], normal) * height).sign() > 0 && other != plane)
-        return false;
+      if ((heights_[other] * length - dot(normals_[other], normal) * height).sign() > 0 && other != plane) return false;
     return true;
   }
 
   /// The centre relative to a corner, times the corner's weight.
   [[nodiscard]] Exactly<Dim> from(std::size_t corner) const {
-    return minus(scaled(corners_[corner].weight, center_), corners_[corner].coordinates);
+    return corners_[corner].weight * center_ - corners_[corner].coordinates;
   }
 
   [[nodiscard]] bool reaches_corner(std::size_t corner) const {
     const Exactly<Dim> between = from(corner);
-    return query::dot(between, between) <= square_ * corners_[corner].weight * corners_[corner].weight;
+    return dot(between, between) <= square_ * corners_[corner].weight * corners_[corner].weight;
   }
 
   [[nodiscard]] bool reaches_edge(std::size_t start, std::size_t end) const {
     if constexpr (Dim == 3) {
       const auto& [a, a_weight] = corners_[start];
       const auto& [b, b_weight] = corners_[end];
-      const Exactly<Dim> edge = minus(scaled(a_weight, b), scaled(b_weight, a));
+      const Exactly<Dim> edge = a_weight * b - b_weight * a;
       const Exactly<Dim> between = from(start);
-      if (query::dot(between, edge).sign() < 0 || query::dot(from(end), edge).sign() > 0) return false;
-      const Exactly<Dim> across = query::cross(between, edge);
-      return query::dot(across, across) <= square_ * a_weight * a_weight * query::dot(edge, edge);
+      if (dot(between, edge).sign() < 0 || dot(from(end), edge).sign() > 0) return false;
+      const Exactly<Dim> across = cross(between, edge);
+      return dot(across, across) <= square_ * a_weight * a_weight * dot(edge, edge);
     } else {
       return start == end;  // an edge is a face in the plane
     }

@@ -8,7 +8,7 @@
 #include "fit/catalogue.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/random.hpp"
-#include "query/overlaps_any.hpp"
+#include "query/overlap/overlaps_any.hpp"
 
 namespace snug::cost {
 namespace {

@@ -28,7 +28,7 @@ PointStock::PointStock(const AnyPointSet& points, std::uint64_t seed)
       none_(empty_points<Points>(fit::dim_of(points), points.index() >= 2)) {}
 
 const AnyPointSet* PointStock::find(Index n) const {
-  if (whole_ != nullptr && n >= fit::size_of(*whole_)) return whole_;
+  if (whole_ != nullptr && n >= fit::count_of(*whole_)) return whole_;
   const auto found = kept_.find(n);
   return found == kept_.end() ? nullptr : &found->second;
 }

@@ -31,7 +31,7 @@ AnyPointSet sample(const AnyPointSet& points, Index n, std::uint64_t seed) {
 }
 
 PointStream sample_stream(const AnyPointSet& points, Index n, std::uint64_t seed) {
-  return [&points, n, size = fit::size_of(points), random = Random(seed), i = Index{0}]() mutable {
+  return [&points, n, size = fit::count_of(points), random = Random(seed), i = Index{0}]() mutable {
     return fit::point_of(points, place_in(i++, n, size, random));
   };
 }

@@ -10,7 +10,7 @@
 #include "geometry/point_set.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/double_double.hpp"
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 
 namespace snug::proximity {
 namespace {
@@ -114,10 +114,10 @@ class ExpandingPolytope {
       const Point along = corners[1] - corners[0];
       return Point(along[1], -along[0]).stableNormalized();
     } else {
-      const auto wide = [](const Point& p) { return query::Triple<DoubleDouble>{p[0], p[1], p[2]}; };
+      const auto wide = [](const Point& p) { return tuple_of<DoubleDouble, 3>(p); };
       const auto first = wide(corners[0]);
       const auto normal = cross(wide(corners[1]) - first, wide(corners[2]) - first);
-      return Point(normal.x.value(), normal.y.value(), normal.z.value()).stableNormalized();
+      return Point(normal[0].value(), normal[1].value(), normal[2].value()).stableNormalized();
     }
   }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "geometry/volume.hpp"
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 
 namespace snug::proximity {
 

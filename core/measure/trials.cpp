@@ -29,7 +29,8 @@ TrialRow trial_of(const Claim& claim, std::string_view kind, Index points, std::
 
 std::string_view TrialTally::verdict() const {
   if (clouds == 0) return "unknown";
-  return held == clouds ? "holds" : 2 * held > clouds ? "typical" : "false";
+  if (held == clouds) return "holds";
+  return 2 * held > clouds ? "typical" : "false";
 }
 
 TrialTally tally_trials(std::string_view claim, std::span<const TrialRow> rows) {

@@ -43,7 +43,7 @@ void TurnRun::add_frame() {
   rows_.push_back(
       {.volume = std::string(strategy.volume),
        .strategy = std::string(strategy.name),
-       .points = fit::size_of(points_),
+       .points = fit::count_of(points_),
        .degrees = 360.0 * static_cast<double>(frame_) / static_cast<double>(poses_.size()),
        .slack = frame.tightest > noise_ ? std::optional(fit::slack(frame.measure, frame.tightest)) : std::nullopt,
        .measure = frame.measure,

@@ -12,9 +12,9 @@
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
 #include "geometry/volume_bytes.hpp"
-#include "query/overlaps.hpp"
-#include "query/overlaps_any.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
+#include "query/overlap/overlaps.hpp"
+#include "query/overlap/overlaps_any.hpp"
 
 namespace snug::cost {
 namespace {

@@ -3,7 +3,7 @@
 // It uses no fused multiply-add, so that every bit is the same natively and in WebAssembly.
 #pragma once
 
-#include <cmath>
+#include "number/two_sum.hpp"
 
 namespace snug {
 
@@ -19,9 +19,8 @@ struct DoubleDouble {
 
   /// a + b without rounding.
   static constexpr DoubleDouble sum(double a, double b) {
-    const double s = a + b;
-    const double t = s - a;
-    return {s, (a - (s - t)) + (b - t)};
+    const TwoSum<double> exact = two_sum(a, b);
+    return {exact.high, exact.low};
   }
   /// a * b without rounding. |a|, |b| below 2^990, the product's last bit above 2^-1074.
   static constexpr DoubleDouble product(double a, double b) {

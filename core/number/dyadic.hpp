@@ -16,7 +16,10 @@ class Dyadic {
   Dyadic(double value);  // NOLINT: converts without loss. value: finite.
 
   /// -1, 0 or +1.
-  [[nodiscard]] int sign() const noexcept { return digits_.empty() ? 0 : negative_ ? -1 : 1; }
+  [[nodiscard]] int sign() const noexcept {
+    if (digits_.empty()) return 0;
+    return negative_ ? -1 : 1;
+  }
   /// The value as an odd whole number times a power of two; 0 is "0" and 0.
   struct OddTimesPower {
     std::string odd;  // its decimal digits, after "-" where it is negative

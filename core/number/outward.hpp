@@ -5,22 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "number/two_sum.hpp"
+
 namespace snug {
-
-/// high + low is the sum without rounding; high is the rounded sum. If that is infinite, low is not a number.
-template <class Scalar>
-struct TwoSum {
-  Scalar high;
-  Scalar low;
-};
-
-/// Source: D. E. Knuth, "The Art of Computer Programming", volume 2, 1969, 4.2.2.
-template <class Scalar>
-[[nodiscard]] constexpr TwoSum<Scalar> two_sum(Scalar a, Scalar b) {
-  const Scalar sum = a + b;
-  const Scalar part = sum - a;
-  return {sum, (a - (sum - part)) + (b - part)};
-}
 
 /// The least Scalar that is not below a + b; infinite if there is none. a, b: finite.
 template <class Scalar>

@@ -1,16 +1,32 @@
-// Units of length that divide without rounding.
+// Powers of two by which lengths are scaled without rounding, before they are squared or compared.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
-namespace snug::query {
+namespace snug {
+
+/// The power e of two with 2^e <= length < 2^(e + 1), and 0 for 0: a length times 2^-e is near 1. It is clamped so that
+/// 2^e and 2^-e are both normal numbers; a length beyond that (a subnormal one) is scaled by as much as there is.
+/// length: >= 0.
+template <class Scalar>
+[[nodiscard]] int exponent_of(Scalar length) {
+  constexpr int kMost = std::numeric_limits<Scalar>::max_exponent - 2;
+  return length > 0 ? std::clamp(std::ilogb(length), -kMost, kMost) : 0;
+}
+
+/// 2^-e for that e.
+template <class Scalar>
+[[nodiscard]] Scalar to_unit_size(Scalar length) {
+  return std::ldexp(Scalar(1), -exponent_of(length));
+}
 
 /// A power of two above a length (and at most twice it), whose inverse is a power of two as well, so that lengths
-/// divided by it keep their digits. length: >= 0, below a quarter of the largest number. For lengths near the subnormal
-/// numbers, it may be more than twice the length.
+/// divided by it keep their digits; without a call, for tests that are timed. length: >= 0, below a quarter of the
+/// largest number. For lengths near the subnormal numbers, it may be more than twice the length.
 template <class Scalar>
 [[nodiscard]] Scalar power_of_two_above(Scalar length) {
   using Bits = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;
@@ -21,4 +37,4 @@ template <class Scalar>
   return length > 0 ? __builtin_bit_cast(Scalar, std::max(exponent + 1, kLeast) << kFraction) : Scalar(1);
 }
 
-}  // namespace snug::query
+}  // namespace snug

@@ -15,18 +15,20 @@ namespace {
 void turn_body(System& system, std::size_t i, double seconds) {
   const Member& member = system.members[i];
   Motion& motion = system.bodies[i];
-  if (motion.turning == V3::Zero()) return;
+  if (motion.angular_velocity == V3::Zero()) return;
   const double before = kinetic_energy(member, motion);
-  V3 momentum = turned_back<double, 3>(motion.rotation, motion.turning);
+  V3 momentum = turned_back<double, 3>(motion.rotation, motion.angular_velocity);
   for (int k = 0; k < 3; ++k) momentum[k] = member.inverse_inertia[k] > 0 ? momentum[k] / member.inverse_inertia[k] : 0;
   const V3 in_world = turned<double, 3>(motion.rotation, momentum);
   system.place(i, motion.position,
-               normalized(quaternion_about(motion.turning, motion.turning.norm() * seconds) * motion.orientation));
+               normalized(quaternion_about(motion.angular_velocity, motion.angular_velocity.norm() * seconds) *
+                          motion.orientation));
   if (in_world == V3::Zero()) return;  // nothing resists its turning: a point
-  motion.turning = by_inverse_inertia(member, motion, in_world);
+  motion.angular_velocity = by_inverse_inertia(member, motion, in_world);
   const double linear = member.mass * motion.velocity.squaredNorm() / 2;
   const double after = kinetic_energy(member, motion);
-  if (after > before && after > linear) motion.turning *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
+  if (after > before && after > linear)
+    motion.angular_velocity *= std::sqrt(std::max(0.0, before - linear) / (after - linear));
 }
 
 /// Takes back the speed that gravity gave for the rest of a path that a contact cut short.
@@ -42,12 +44,12 @@ double free_part(const System& system, std::size_t i) {
   const Motion& motion = system.bodies[i];
   const Shape& shape = system.members[i].shape;
   const V3 way = motion.velocity * system.round();
-  const double angle = shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * system.round();
+  const double angle = shape.kind == Shape::Kind::kSphere ? 0 : motion.angular_velocity.norm() * system.round();
   const double length = way.norm() + angle * shape.reach;
   if (length <= shape.thinnest / 2) return 1;
   const auto pose_at = [&](double part) -> Pose<double, 3> {
     if (angle == 0) return {motion.rotation, motion.position + way * part};
-    return {matrix_of(normalized(quaternion_about(motion.turning, angle * part) * motion.orientation)),
+    return {matrix_of(normalized(quaternion_about(motion.angular_velocity, angle * part) * motion.orientation)),
             motion.position + way * part};
   };
   double part = 1;
@@ -73,7 +75,7 @@ bool advance(System& system) {
   bool moved = false;
   for (std::size_t i = 0; i < system.size(); ++i) {
     Motion& motion = system.bodies[i];
-    if (!system.awake(i) || (motion.velocity == V3::Zero() && motion.turning == V3::Zero())) continue;
+    if (!system.awake(i) || (motion.velocity == V3::Zero() && motion.angular_velocity == V3::Zero())) continue;
     moved = true;
     const double seconds = system.round(), part = system.solid ? free_part(system, i) : 1;
     system.place(i, motion.position + motion.velocity * (seconds * part), motion.orientation);
@@ -85,7 +87,7 @@ bool advance(System& system) {
 
 bool stands_still(const System& system) {
   for (std::size_t i = 0; i < system.size(); ++i)
-    if (system.awake(i) && (system.bodies[i].velocity != V3::Zero() || system.bodies[i].turning != V3::Zero()))
+    if (system.awake(i) && (system.bodies[i].velocity != V3::Zero() || system.bodies[i].angular_velocity != V3::Zero()))
       return false;
   return true;
 }

@@ -20,7 +20,10 @@ Budgets::Budgets(System& system, Islands& islands, const Surface& surface, const
   bool bounces = false;
   for (const ContactRow& row : rows)
     if (row.target > 0) budgets_[island_of(system, islands, row.pair)].bounces = bounces = true;
-  if (bounces) before_ = system.bodies, unsolved_ = rows;
+  if (bounces) {
+    before_ = system.bodies;
+    unsolved_ = rows;
+  }
 }
 
 /// A driven body pushes as hard and as far as it must. This is the fraction of that push that moves nothing into a
@@ -81,17 +84,22 @@ void Budgets::bounce_less() {
   std::vector<Motion> bouncing = system_.bodies;
   const std::vector<Impulse> impulses = system_.impulses;
   std::vector<Motion>& bodies = system_.bodies;
-  for (std::size_t i = 0; i < system_.size(); ++i)
-    bodies[i].velocity = before_[i].velocity, bodies[i].turning = before_[i].turning;
-  stop_bouncing(system_, unsolved_);
+  for (std::size_t i = 0; i < system_.size(); ++i) {
+    bodies[i].velocity = before_[i].velocity;
+    bodies[i].angular_velocity = before_[i].angular_velocity;
+  }
+  remove_restitution(system_, unsolved_);
   solve(system_, unsolved_, surface_);
   sum_up();
-  for (std::size_t i = 0; i < system_.size(); ++i)
-    bouncing[i].velocity -= bodies[i].velocity, bouncing[i].turning -= bodies[i].turning;
+  for (std::size_t i = 0; i < system_.size(); ++i) {
+    bouncing[i].velocity -= bodies[i].velocity;
+    bouncing[i].angular_velocity -= bodies[i].angular_velocity;
+  }
   const std::vector<double> parts = parts_of_bounce(with, bouncing);
   for (std::size_t i = 0; i < system_.size(); ++i) {
     const double part = parts[islands_.of(i)];
-    bodies[i].velocity += part * bouncing[i].velocity, bodies[i].turning += part * bouncing[i].turning;
+    bodies[i].velocity += part * bouncing[i].velocity,
+        bodies[i].angular_velocity += part * bouncing[i].angular_velocity;
   }
   for (std::size_t k = 0; k < impulses.size(); ++k) {
     Impulse& impulse = system_.impulses[k];
@@ -129,7 +137,8 @@ void Budgets::take_back() {
     if (!system_.awake(i) || !budget.is_exceeded()) continue;
     const double root = std::sqrt(std::max(0.0, budget.falls * budget.falls + 4 * budget.kinetic * budget.left()));
     const double part = budget.kinetic > 0 ? std::clamp((budget.falls + root) / (2 * budget.kinetic), 0.0, 1.0) : 1;
-    system_.bodies[i].velocity *= part, system_.bodies[i].turning *= part;
+    system_.bodies[i].velocity *= part;
+    system_.bodies[i].angular_velocity *= part;
   }
 }
 

@@ -21,37 +21,38 @@ double inverse_mass(const System& system, Index i) {
 V3 velocity_at(const System& system, Index i, const V3& arm) {
   const Motion& motion = motion_of(system, i);
   if (!member_of(system, i).moves()) return V3::Zero();
-  return motion.velocity + motion.turning.cross(arm);
+  return motion.velocity + motion.angular_velocity.cross(arm);
 }
 
-V3 approach_velocity(const System& system, const ContactRow& row) {
+V3 relative_velocity(const System& system, const ContactRow& row) {
   return velocity_at(system, row.pair.b, row.arm_b) - velocity_at(system, row.pair.a, row.arm_a);
 }
 
 /// The velocity in a direction that a unit impulse along it gives to a point of the body.
-double yielding(const System& system, Index i, const V3& arm, const V3& way) {
+double inverse_effective_mass(const System& system, Index i, const V3& arm, const V3& way) {
   const Member& member = member_of(system, i);
   if (!member.moves()) return 0;
-  const V3 twist = arm.cross(way);
-  return 1 / member.mass + twist.dot(by_inverse_inertia(member, motion_of(system, i), twist));
+  const V3 torque_arm = arm.cross(way);
+  return 1 / member.mass + torque_arm.dot(by_inverse_inertia(member, motion_of(system, i), torque_arm));
 }
 
-double mass_along(const System& system, const ContactRow& row, const V3& way) {
-  const double sum = yielding(system, row.pair.a, row.arm_a, way) + yielding(system, row.pair.b, row.arm_b, way);
+double effective_mass(const System& system, const ContactRow& row, const V3& way) {
+  const double sum = inverse_effective_mass(system, row.pair.a, row.arm_a, way) +
+                     inverse_effective_mass(system, row.pair.b, row.arm_b, way);
   return sum > 0 ? 1 / sum : 0;
 }
 
-void push(System& system, Index i, const V3& arm, const V3& impulse) {
+void apply_impulse(System& system, Index i, const V3& arm, const V3& impulse) {
   const Member& member = member_of(system, i);
   if (!member.moves()) return;
   Motion& motion = system.bodies[i];
   motion.velocity += impulse / member.mass;
-  motion.turning += by_inverse_inertia(member, motion, arm.cross(impulse));
+  motion.angular_velocity += by_inverse_inertia(member, motion, arm.cross(impulse));
 }
 
-void push(System& system, const ContactRow& row, const V3& impulse) {
-  push(system, row.pair.a, row.arm_a, -impulse);
-  push(system, row.pair.b, row.arm_b, impulse);
+void apply_impulse(System& system, const ContactRow& row, const V3& impulse) {
+  apply_impulse(system, row.pair.a, row.arm_a, -impulse);
+  apply_impulse(system, row.pair.b, row.arm_b, impulse);
 }
 
 /// The impulses of the pair in the last round.
@@ -95,8 +96,9 @@ ContactRow row_of(const System& system, const Pair& pair, const V3& normal, cons
   row.arm_b = point.position - motion_of(system, pair.b).position;
   row.impulse.on_a = turned_back<double, 3>(motion_of(system, pair.a).rotation, row.arm_a);
   row.impulse.on_b = turned_back<double, 3>(motion_of(system, pair.b).rotation, row.arm_b);
-  row.mass = mass_along(system, row, row.normal);
-  row.mass_first = mass_along(system, row, row.first), row.mass_second = mass_along(system, row, row.second);
+  row.normal_mass = effective_mass(system, row, row.normal);
+  row.first_mass = effective_mass(system, row, row.first);
+  row.second_mass = effective_mass(system, row, row.second);
   return row;
 }
 
@@ -117,10 +119,10 @@ double still_target(const System& system, const ContactRow& row) {
 /// from passing through slows them down before. It is the speed at the moment they meet, without what gravity still
 /// adds by the end of the round, or a ball would bounce too high.
 void aim(const System& system, ContactRow& row, const Surface& surface, double approach_before) {
-  const double seconds = system.round(), speed = -approach_velocity(system, row).dot(row.normal);
+  const double seconds = system.round(), speed = -relative_velocity(system, row).dot(row.normal);
   const double part = speed > 0 ? std::clamp(row.separation / (speed * seconds), 0.0, 1.0) : 1;
   const double own = speed + std::min(0.0, fallen(system, row)) * (1 - part), coming = std::max(own, approach_before);
-  const auto quick = [&](double comes) { return comes > limits::kBounces * system.pace(); };
+  const auto quick = [&](double comes) { return comes > limits::kRestitutionThreshold * system.pace(); };
   if (row.separation > row.slop) {
     row.target = -row.separation / seconds;
     row.impulse.approach = quick(own) && own * seconds > row.separation ? own : 0;
@@ -148,8 +150,11 @@ std::vector<ContactRow> rows_of(const System& system, const Surface& surface) {
     for (const Impulse& one : held) approach = std::max(approach, one.approach);
     for (const ManifoldPoint& point : manifold.all()) {
       ContactRow row = row_of(system, contact.pair, manifold.normal, point);
-      if (const auto before = take_nearest(held, row.impulse, most))
-        row.impulse.normal = before->normal, row.impulse.first = before->first, row.impulse.second = before->second;
+      if (const auto before = take_nearest(held, row.impulse, most)) {
+        row.impulse.normal = before->normal;
+        row.impulse.first = before->first;
+        row.impulse.second = before->second;
+      }
       aim(system, row, surface, approach);
       rows.push_back(row);
     }
@@ -161,54 +166,57 @@ namespace {
 
 /// The larger the ratio of masses, the more iterations; and the most where there are no impulses yet, as at the start,
 /// because nothing would pay for lifting a stack that sinks then.
-int most_sweeps(const System& system, const std::vector<ContactRow>& rows) {
-  if (system.impulses.empty()) return limits::kMostSweeps;
+int most_iterations(const System& system, const std::vector<ContactRow>& rows) {
+  if (system.impulses.empty()) return limits::kMostIterations;
   double ratio = 1;
   for (const ContactRow& row : rows) {
     if (row.against_wall) continue;
     const double a = member_of(system, row.pair.a).mass, b = member_of(system, row.pair.b).mass;
     ratio = std::max({ratio, a / b, b / a});
   }
-  return static_cast<int>(std::min(limits::kSweeps * std::sqrt(ratio), 1.0 * limits::kMostSweeps));
+  return static_cast<int>(std::min(limits::kIterations * std::sqrt(ratio), 1.0 * limits::kMostIterations));
 }
 
 /// Corrects the velocities at one point. Returns the correction along the normal.
-double settle(System& system, ContactRow& row, const Surface& surface) {
+double solve_point(System& system, ContactRow& row, const Surface& surface) {
   const double most = surface.friction * row.impulse.normal;
-  const V3 sliding = approach_velocity(system, row);
-  double first = row.impulse.first - row.mass_first * sliding.dot(row.first),
-         second = row.impulse.second - row.mass_second * sliding.dot(row.second);
+  const V3 sliding = relative_velocity(system, row);
+  double first = row.impulse.first - row.first_mass * sliding.dot(row.first),
+         second = row.impulse.second - row.second_mass * sliding.dot(row.second);
   const double length = std::sqrt(first * first + second * second);  // hypot gives other bits on other platforms
   const double part = length > most ? most / length : 1;
-  first *= part, second *= part;
-  push(system, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
-  row.impulse.first = first, row.impulse.second = second;
+  first *= part;
+  second *= part;
+  apply_impulse(system, row, row.first * (first - row.impulse.first) + row.second * (second - row.impulse.second));
+  row.impulse.first = first;
+  row.impulse.second = second;
   const double before = row.impulse.normal;
-  row.impulse.normal = std::max(0.0, before - row.mass * (approach_velocity(system, row).dot(row.normal) - row.target));
-  push(system, row, row.normal * (row.impulse.normal - before));
-  return row.mass > 0 ? std::abs(row.impulse.normal - before) / row.mass : 0;
+  row.impulse.normal =
+      std::max(0.0, before - row.normal_mass * (relative_velocity(system, row).dot(row.normal) - row.target));
+  apply_impulse(system, row, row.normal * (row.impulse.normal - before));
+  return row.normal_mass > 0 ? std::abs(row.impulse.normal - before) / row.normal_mass : 0;
 }
 
 }  // namespace
 
-void stop_bouncing(const System& system, std::vector<ContactRow>& rows) {
+void remove_restitution(const System& system, std::vector<ContactRow>& rows) {
   for (ContactRow& row : rows)
     if (row.target > 0) row.target = still_target(system, row);
 }
 
 void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface) {
   for (const ContactRow& row : rows)
-    push(system, row,
-         row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
+    apply_impulse(system, row,
+                  row.impulse.normal * row.normal + row.impulse.first * row.first + row.impulse.second * row.second);
   double wrong = std::numeric_limits<double>::infinity();
-  const int most = most_sweeps(system, rows);
-  for (int sweep = 0; sweep < most && wrong > limits::kSettled * system.pace(); ++sweep) {
+  const int most = most_iterations(system, rows);
+  for (int iteration = 0; iteration < most && wrong > limits::kSettled * system.pace(); ++iteration) {
     wrong = 0;
-    for (ContactRow& row : rows) wrong = std::max(wrong, settle(system, row, surface));
+    for (ContactRow& row : rows) wrong = std::max(wrong, solve_point(system, row, surface));
   }
   // Bodies that do not move come last: a light body between one and a heavy body would be pushed through it.
   for (ContactRow& row : rows)
-    if (row.against_wall) settle(system, row, surface);
+    if (row.against_wall) solve_point(system, row, surface);
   system.impulses.clear();
   for (const ContactRow& row : rows) system.impulses.push_back(row.impulse);
 }
@@ -224,7 +232,10 @@ std::vector<std::vector<const ContactRow*>> walls_of(const System& system, const
 }
 
 /// If two push a body, the firmer one moves it: fixed bodies are firmer than driven ones, and those than all others.
-int firmness(const Member& member) { return member.moves() ? 0 : member.fixed ? 2 : 1; }
+int firmness(const Member& member) {
+  if (member.moves()) return 0;
+  return member.fixed ? 2 : 1;
+}
 
 /// The part of a unit direction along which the pusher may shift a body: none of it into a firmer body nearby. All of
 /// it where the shift is short and the pusher moves as well: bodies that do not move push back in the same round, and

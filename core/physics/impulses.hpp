@@ -22,8 +22,8 @@ struct ContactRow {
   V3 arm_a, arm_b;           // from the centres of mass
   double separation = 0, slop = 0;
   bool against_wall = false;  // one of the two does not move
-  double mass = 0, mass_first = 0,
-         mass_second = 0;  // effective masses along each: impulse per unit of velocity
+  double normal_mass = 0, first_mass = 0,
+         second_mass = 0;  // effective masses along each: impulse per unit of velocity
   double target = 0;       // the least velocity along the normal
   Impulse impulse;         // the sums so far
 };
@@ -35,7 +35,7 @@ struct ContactRow {
 void solve(System& system, std::vector<ContactRow>& rows, const Surface& surface);
 
 /// The rows without restitution: bodies that would separate stay in contact.
-void stop_bouncing(const System& system, std::vector<ContactRow>& rows);
+void remove_restitution(const System& system, std::vector<ContactRow>& rows);
 
 /// How to move bodies apart that penetrate each other too deeply.
 struct Shift {

@@ -21,7 +21,8 @@ class Islands {
     return i;
   }
   void join(std::size_t a, std::size_t b) {
-    a = of(a), b = of(b);
+    a = of(a);
+    b = of(b);
     parents_[std::max(a, b)] = std::min(a, b);
   }
 

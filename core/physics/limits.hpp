@@ -16,7 +16,7 @@ inline constexpr double kMended = 0.2;
 inline constexpr double kShared = 0.1, kLeastFree = 0.25;
 
 /// Bodies that approach more slowly than this do not bounce.
-inline constexpr double kBounces = 3;
+inline constexpr double kRestitutionThreshold = 3;
 
 /// A body may sleep once it is slower than this, at every point, for so many rounds, and its average velocity over them
 /// is below the third figure: then it is not about to roll, slide or fall over. Tested by "what has no support, or is
@@ -37,7 +37,7 @@ inline constexpr int kMostRounds = 1000;
 /// Iterations stop once no speed is wrong by more than this, or after so many, times the root of the ratio of masses. A
 /// stack of ten needs about as many to carry its weight down; warm starts do the rest.
 inline constexpr double kSettled = 5e-3;
-inline constexpr int kSweeps = 24, kMostSweeps = 400;
+inline constexpr int kIterations = 24, kMostIterations = 400;
 
 /// Contact points of successive rounds no farther apart than this, in parts of the thinner half thickness, are the same
 /// point: the new one starts with the impulse of the old one.

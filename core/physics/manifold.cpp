@@ -158,7 +158,8 @@ Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& 
 V3 edge_middle(const Shape& box, const PoseAt& at, int axis, const V3& way) {
   const V3 local = turned_back<double, 3>(at.rotation, way);
   V3 middle;
-  for (int k = 0; k < 3; ++k) middle[k] = k == axis ? 0 : local[k] < 0 ? -box.half_extents[k] : box.half_extents[k];
+  for (int k = 0; k < 3; ++k) middle[k] = local[k] < 0 ? -box.half_extents[k] : box.half_extents[k];
+  middle[axis] = 0;
   return placed(at, middle);
 }
 

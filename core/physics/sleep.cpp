@@ -11,16 +11,18 @@ namespace {
 /// count.
 void watch(const System& system, std::size_t i, Motion& motion) {
   const double reach = system.members[i].shape.reach;
-  motion.drifted += motion.velocity, motion.drifted_turning += motion.turning;
-  const bool slow = std::max(motion.velocity.norm(), motion.turning.norm() * reach) < limits::kStill * system.pace();
-  const bool drifts = std::max(motion.drifted.norm(), motion.drifted_turning.norm() * reach) >
+  motion.drifted += motion.velocity;
+  motion.drifted_angular += motion.angular_velocity;
+  const bool slow =
+      std::max(motion.velocity.norm(), motion.angular_velocity.norm() * reach) < limits::kStill * system.pace();
+  const bool drifts = std::max(motion.drifted.norm(), motion.drifted_angular.norm() * reach) >
                       limits::kDrifts * system.pace() * limits::kStillRounds;
   motion.still = slow && !drifts ? motion.still + 1 : 0;
-  if (motion.still % limits::kStillRounds == 0) motion.drifted = motion.drifted_turning = V3::Zero();
+  if (motion.still % limits::kStillRounds == 0) motion.drifted = motion.drifted_angular = V3::Zero();
 }
 
 bool stands_still(const System& system, const Motion& motion) {
-  return motion.position + motion.velocity * system.round() == motion.position && motion.turning == V3::Zero();
+  return motion.position + motion.velocity * system.round() == motion.position && motion.angular_velocity == V3::Zero();
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ void rest(System& system, Islands& islands, const std::vector<ContactRow>& rows)
     Motion& motion = system.bodies[i];
     motion.asleep = true;
     motion.moved = system.moves;
-    motion.velocity = motion.turning = V3::Zero();
+    motion.velocity = motion.angular_velocity = V3::Zero();
   }
 }
 

@@ -38,9 +38,10 @@ const Member* too_fast(const System& system) {
   for (std::size_t i = 0; i < system.size(); ++i) {
     const Member& member = system.members[i];
     const Motion& motion = system.bodies[i];
-    const double turning = member.shape.kind == Shape::Kind::kSphere ? 0 : motion.turning.norm() * member.shape.reach;
+    const double angular_velocity =
+        member.shape.kind == Shape::Kind::kSphere ? 0 : motion.angular_velocity.norm() * member.shape.reach;
     const bool fast =
-        (motion.velocity.norm() + turning) * system.step > limits::kMostCrossed * 2 * member.shape.thinnest;
+        (motion.velocity.norm() + angular_velocity) * system.step > limits::kMostCrossed * 2 * member.shape.thinnest;
     if (member.moves() && fast) return &member;
   }
   return nullptr;

@@ -50,7 +50,7 @@ V3 by_inverse_inertia(const Member& member, const Motion& motion, const V3& v) {
 }
 
 double kinetic_energy(const Member& member, const Motion& motion) {
-  const V3 own = turned_back<double, 3>(motion.rotation, motion.turning);
+  const V3 own = turned_back<double, 3>(motion.rotation, motion.angular_velocity);
   double sum = member.mass * motion.velocity.squaredNorm();
   for (int i = 0; i < 3; ++i)
     if (member.inverse_inertia[i] > 0) sum += own[i] * own[i] / member.inverse_inertia[i];

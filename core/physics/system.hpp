@@ -28,13 +28,13 @@ struct Motion {
   Quaternion orientation;
   Matrix<double, 3> rotation = Matrix<double, 3>::Identity();  // of the orientation
   V3 velocity = V3::Zero();
-  V3 turning = V3::Zero();
+  V3 angular_velocity = V3::Zero();
   int still = 0;                                          // number of rounds in a row in which it hardly moved
-  V3 drifted = V3::Zero(), drifted_turning = V3::Zero();  // the sums of its velocities over those rounds
+  V3 drifted = V3::Zero(), drifted_angular = V3::Zero();  // the sums of its velocities over those rounds
   bool asleep = false;
   std::uint64_t moved = 0;  // Moving::moves when it last moved or fell asleep
 
-  void wake() { asleep = false, still = 0, drifted = drifted_turning = V3::Zero(); }
+  void wake() { asleep = false, still = 0, drifted = drifted_angular = V3::Zero(); }
 };
 
 [[nodiscard]] inline Pose<double, 3> pose_of(const Motion& motion) { return {motion.rotation, motion.position}; }

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "geometry/tolerance.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 #include "scene/effect.hpp"
 #include "scene/shape.hpp"
 #include "trace/fields.hpp"
@@ -94,7 +94,7 @@ const char* fault_of(const Body& body) {
   if (!is_sound(body.position)) return "its position is not finite, or too large";
   if (!is_sound(V3(q.x, q.y, q.z)) || !is_sound(q.w)) return "its orientation is not finite";
   if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) return "its orientation is not a rotation";
-  if (!is_sound(body.velocity) || !is_sound(body.turning)) return "its velocity is not finite, or too large";
+  if (!is_sound(body.velocity) || !is_sound(body.angular_velocity)) return "its velocity is not finite, or too large";
   if (has_smooth_shape(body)) return "its shape is smooth: a scene takes polytopes, and spheres swept over them";
   if (!has_sound_shape(body)) return "its shape is empty, not finite, or too large";
   if (has_tiny_lengths(body)) return "its shape is too small";

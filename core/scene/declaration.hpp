@@ -31,8 +31,8 @@ struct Body {
   double mass = 1;                     // finite and > 0, even for a fixed body, where it has no effect
   bool fixed = false;                  // nothing moves it
   V3 velocity = V3::Zero();
-  V3 turning = V3::Zero();  // angular velocity, radians a second about the world's axes
-  int line = 0;             // in the file that declares it, for errors; 0: none
+  V3 angular_velocity = V3::Zero();  // radians a second about the world's axes
+  int line = 0;                      // in the file that declares it, for errors; 0: none
 };
 
 /// A setting of an effect: numbers or a word.

@@ -5,7 +5,7 @@
 
 #include "hierarchy/build.hpp"
 #include "hierarchy/traverse_self.hpp"
-#include "query/aabb_overlap.hpp"
+#include "query/overlap/aabb_overlap.hpp"
 
 namespace snug::scene {
 namespace {

@@ -176,7 +176,7 @@ void Scene::restore(const Snapshot& snapshot) {
     runners_[i].ran = snapshot.ran[i];
     runners_[i].effect->restored(world_);
   }
-  for (Tally& tally : tallies_) tally.on = true;
+  for (EffectTally& tally : tallies_) tally.on = true;
   for (const Turn& turn : turns_)
     if (turn.frame <= world_.state.frame) tallies_[turn.effect].on = turn.on;
   changed_ = true;

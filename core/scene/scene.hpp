@@ -14,7 +14,7 @@ namespace snug::scene {
 using Clock = double (*)();
 
 /// What one effect did since the scene was opened; going back to an earlier frame does not reset it.
-struct Tally {
+struct EffectTally {
   std::string effect;  // its name, and the body's if it is about one
   int constructed = 0;
   std::int64_t run = 0;
@@ -46,7 +46,7 @@ class Scene {
   [[nodiscard]] int start_of(int frame) const;
   [[nodiscard]] int frame() const { return world_.state.frame; }
   [[nodiscard]] const World& world() const { return world_; }
-  [[nodiscard]] std::span<const Tally> tallies() const { return tallies_; }
+  [[nodiscard]] std::span<const EffectTally> tallies() const { return tallies_; }
   /// The effects in the order in which a frame runs them, which is that of tallies() and deeds().
   [[nodiscard]] std::vector<const EffectKind*> kinds() const;
   /// What each effect did in the last step.
@@ -108,7 +108,7 @@ class Scene {
 
   World world_;
   std::vector<Runner> runners_;
-  std::vector<Tally> tallies_;
+  std::vector<EffectTally> tallies_;
   std::vector<Snapshot> snapshots_;  // by rising frame, the start first
   std::vector<Turn> turns_;          // by rising frame
   std::vector<Push> pushes_;         // by rising frame

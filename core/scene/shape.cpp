@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "query/gjk.hpp"
-#include "query/obb_sat.hpp"
-#include "query/overlaps_spheres.hpp"
+#include "query/distance/gjk.hpp"
+#include "query/overlap/obb_sat.hpp"
+#include "query/overlap/overlaps_spheres.hpp"
 
 namespace snug::scene {
 namespace {

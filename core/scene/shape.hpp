@@ -20,7 +20,7 @@ struct Centered {
 };
 [[nodiscard]] Centered centered(const std::variant<Volume3, Cloud>& declared);
 
-/// Whether two placed shapes share a point, by query/overlaps.hpp.
+/// Whether two placed shapes share a point, by query/overlap/overlaps.hpp.
 [[nodiscard]] bool touch(const Shape& a, const Pose<double, 3>& at_a, const Shape& b, const Pose<double, 3>& at_b);
 
 }  // namespace snug::scene

@@ -29,10 +29,10 @@ std::uint64_t World::hash() const {
   Hash hash;
   hash.add(static_cast<std::uint64_t>(state.frame));
   for (const Motion& body : bodies) {
-    hash.add(body.position), hash.add(body.velocity), hash.add(body.turning);
+    hash.add(body.position), hash.add(body.velocity), hash.add(body.angular_velocity);
     const Quaternion& q = body.orientation;
     hash.add(q.w), hash.add(q.x), hash.add(q.y), hash.add(q.z);
-    hash.add(body.drifted), hash.add(body.drifted_turning);
+    hash.add(body.drifted), hash.add(body.drifted_angular);
     hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
   }
   for (const physics::Impulse& impulse : impulses) {
@@ -55,7 +55,7 @@ World world_of(const Declaration& declaration) {
     for (int i = 0; i < 3; ++i) member.inverse_inertia[i] = inertia[i] > 0 ? 1 / inertia[i] : 0;
     world.members.push_back(std::move(member));
     world.bodies.push_back({.velocity = body.fixed ? V3(V3::Zero()) : body.velocity,
-                            .turning = body.fixed ? V3(V3::Zero()) : body.turning});
+                            .angular_velocity = body.fixed ? V3(V3::Zero()) : body.angular_velocity});
     const V3 position = body.position + turned<double, 3>(matrix_of(declared), own.center);
     world.place(world.size() - 1, position, normalized(declared * quaternion_of(own.axes)));
   }

@@ -1,8 +1,8 @@
 // The p- and n-vertex of a box from the signs of a normal, and a box against a frustum.
 #include <algorithm>
 
-#include "query/classify.hpp"
-#include "query/vertices_along.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/vertices_along.hpp"
 #include "write/inputs.hpp"
 #include "write/make.hpp"
 

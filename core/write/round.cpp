@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "fit/sphere/grow.hpp"
-#include "query/distance.hpp"
-#include "query/overlaps.hpp"
+#include "query/distance/distance.hpp"
+#include "query/overlap/overlaps.hpp"
 #include "write/make.hpp"
 
 namespace snug::write {

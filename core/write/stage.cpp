@@ -7,7 +7,7 @@
 
 #include "geometry/aabb_forms.hpp"
 #include "io/text.hpp"
-#include "query/vertices_along.hpp"
+#include "query/cull/vertices_along.hpp"
 #include "write/inputs.hpp"
 #include "write/make.hpp"
 #include "write/shape.hpp"

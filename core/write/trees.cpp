@@ -4,7 +4,7 @@
 
 #include "fit/merge/merge.hpp"
 #include "geometry/sort.hpp"
-#include "query/ray_aabb.hpp"
+#include "query/overlap/ray_aabb.hpp"
 #include "write/inputs.hpp"
 #include "write/make.hpp"
 

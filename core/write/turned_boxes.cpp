@@ -3,7 +3,7 @@
 
 #include "fit/update/update_rotated_box.hpp"
 #include "geometry/pose.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 #include "write/make.hpp"
 
 namespace snug::write {

@@ -113,9 +113,9 @@ tl::expected<Measured, InputError> costs(const CostOptions& options, const Measu
     if (auto other = of_other_points(provenance_of(options.points, subject), table->provenance, options.against))
       return Wrong(std::move(*other));
     for (const cost::CostRow& row : table->rows)
-      if (row.of != fit::size_of(subject.points))
+      if (row.of != fit::count_of(subject.points))
         return Wrong(InputError{.what = "was measured on " + std::to_string(row.of) + " points, and here there are " +
-                                        std::to_string(fit::size_of(subject.points)),
+                                        std::to_string(fit::count_of(subject.points)),
                                 .file = options.against});
     then = std::move(*table);
   }
@@ -141,7 +141,7 @@ Measured growth(const CostOptions& options, const MeasuredPoints& subject,
   std::vector<cost::Workload> loads;
   for (const fit::Algorithm* algorithm : algorithms)
     loads.push_back(
-        cost::workload_of(*algorithm, dim, fit::size_of(subject.points), points, {.seed = options.points.seed}));
+        cost::workload_of(*algorithm, dim, fit::count_of(subject.points), points, {.seed = options.points.seed}));
   cost::GrowthRun run(std::move(loads), timing_of(options), options.longest * 1e6, native_clock());
   finish(run);
   return {printed(options.output, provenance_of(options.points, subject), run.rows())};

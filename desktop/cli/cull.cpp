@@ -12,10 +12,10 @@
 #include "desktop/cli/words.hpp"
 #include "hierarchy/build.hpp"
 #include "measure/frustum_meets.hpp"
-#include "query/classify.hpp"
-#include "query/classify_corners.hpp"
-#include "query/sphere_survey.hpp"
-#include "query/wrong_corners_outside.hpp"
+#include "measure/sphere_survey.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/classify_corners.hpp"
+#include "query/exhibits/wrong_corners_outside.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -363,10 +363,10 @@ tl::expected<Json, std::string> surveyed(const CullLine& line, const CullOptions
   if (!given->has_end) return fault("frustum: its far plane lies at infinity, and --survey needs vertices");
   const auto* sphere = std::get_if<Sphere<double, Dim>>(&std::get<static_cast<std::size_t>(Dim - 2)>(line.volume));
   if (sphere == nullptr) return fault("volume is not a sphere, which --survey needs");
-  auto survey = query::SphereSurvey<Dim>::make(given->frustum, sphere->radius, options.seed);
+  auto survey = cost::SphereSurvey<Dim>::make(given->frustum, sphere->radius, options.seed);
   if (!survey) return fault("frustum: its planes do not meet in vertices, which --survey needs");
   survey->run(options.survey);
-  const query::SurveyCounts& counts = survey->counts();
+  const cost::SurveyCounts& counts = survey->counts();
   Json answer{{"spheres", counts.spheres},
               {"seed", options.seed},
               {"radius", sphere->radius},

@@ -9,7 +9,7 @@
 #include "desktop/cli/trace_file.hpp"
 #include "geometry/frustum.hpp"
 #include "geometry/volume.hpp"
-#include "query/classify_steps.hpp"
+#include "query/cull/classify_steps.hpp"
 
 namespace snug::desktop {
 

@@ -98,8 +98,8 @@ tl::expected<FitPoints, InputError> points_of(const FitOptions& options, const f
     return tl::unexpected(InputError{.what = options.algorithm + " takes points of " + (algorithm.plane ? "2" : "3") +
                                              " coordinates, and these have " + std::to_string(fit::dim_of(points->set)),
                                      .file = options.file});
-  if (points && fit::size_of(points->set) > algorithm.max_points)
-    return tl::unexpected(InputError{.what = "there are " + std::to_string(fit::size_of(points->set)) +
+  if (points && fit::count_of(points->set) > algorithm.max_points)
+    return tl::unexpected(InputError{.what = "there are " + std::to_string(fit::count_of(points->set)) +
                                              " points, and " + options.algorithm + " takes at most " +
                                              std::to_string(algorithm.max_points),
                                      .file = options.file});
@@ -127,7 +127,7 @@ Json result_of(const fit::Algorithm& algorithm, const FitPoints& points, const f
   const fit::Certificate& proof = watched.certificate;
   Json json;
   json[std::string(algorithm.volume)] = json_of(watched.result.volume, dim);
-  json["points"] = fit::size_of(points.set);
+  json["points"] = fit::count_of(points.set);
   json["support"] = Json::array();
   for (const Index i : watched.result.support) json["support"].push_back(i);
   if (const auto* hull = std::get_if<ConvexHull<double, 3>>(&watched.result.volume); hull != nullptr && dim == 3)

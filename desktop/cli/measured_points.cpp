@@ -71,8 +71,8 @@ tl::expected<MeasuredPoints, InputError> points_of(const PointsChoice& choice) {
     return io::to_point_set(file, choice.file, choice.dim, choice.scalar == "float");
   });
   if (!points) return tl::unexpected(points.error());
-  if (fit::size_of(*points) > kMostMeasured)
-    return refused("there are " + std::to_string(fit::size_of(*points)) +
+  if (fit::count_of(*points) > kMostMeasured)
+    return refused("there are " + std::to_string(fit::count_of(*points)) +
                        " points, and costs are measured on at most " + std::to_string(kMostMeasured),
                    choice.file);
   return MeasuredPoints{choice.file, "", std::move(*points)};

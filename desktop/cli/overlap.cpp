@@ -1,8 +1,8 @@
+#include "measure/axis_counts.hpp"
 #include "measure/pair_cost.hpp"
 #include "measure/signed_distance.hpp"
-#include "query/axis_counts.hpp"
-#include "query/overlaps_any.hpp"
-#include "query/touching.hpp"
+#include "query/overlap/overlaps_any.hpp"
+#include "query/overlap/touching.hpp"
 
 #include "desktop/cli/cases.hpp"
 #include "desktop/cli/command.hpp"
@@ -150,7 +150,7 @@ Json answer(const Volume<double, Dim>& a, const Volume<double, Dim>& b, const Ov
 // ---- random pairs
 
 template <int Dim>
-Json json_of_counts(const query::AxisCounts& counts, std::uint64_t seed) {
+Json json_of_counts(const cost::AxisCounts& counts, std::uint64_t seed) {
   constexpr std::size_t kRows = query::kSatAxes<Dim>;
   const auto name = [](std::size_t row) {
     const std::string_view axes = "xyz";
@@ -174,8 +174,8 @@ Json json_of_counts(const query::AxisCounts& counts, std::uint64_t seed) {
 
 CommandResult run_random(const OverlapOptions& options) {
   const Json counts = options.dim == 2
-                          ? json_of_counts<2>(query::count_axes<2>(options.random, options.seed), options.seed)
-                          : json_of_counts<3>(query::count_axes<3>(options.random, options.seed), options.seed);
+                          ? json_of_counts<2>(cost::count_axes<2>(options.random, options.seed), options.seed)
+                          : json_of_counts<3>(cost::count_axes<3>(options.random, options.seed), options.seed);
   return Printed{counts.dump() + '\n'};
 }
 

@@ -122,7 +122,7 @@ CommandResult run_scene(const SceneOptions& options) {
     drawn += scene->changed() ? 1 : 0;
     if (options.every) printed.text += line_of(json_of_frame(*scene));
   }
-  for (const scene::Tally& tally : scene->tallies())
+  for (const scene::EffectTally& tally : scene->tallies())
     printed.text += line_of({{"effect", tally.effect},
                              {"constructed", tally.constructed},
                              {"run", tally.run},

@@ -9,7 +9,7 @@
 #include "fit/catalogue.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/point_subject.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -122,7 +122,7 @@ void add_given(SheetFigure& figure, const lesson::Session& session) {
   const lesson::Subject& subject = session.subject();
   if (subject.points() == nullptr || figure.dim != 2) return;
   std::vector<Point3> points;
-  for (Index i = 0; i < fit::size_of(*subject.points()); ++i) points.push_back(subject.at(i));
+  for (Index i = 0; i < fit::count_of(*subject.points()); ++i) points.push_back(subject.at(i));
   if (has_fact(session, "pair_chosen") && has_fact(session, "axes_found")) figure.dashed.push_back(main_axis(points));
   if (!has_fact(session, "neighbors_compared") && !has_fact(session, "box_tried")) return;
   const auto set = lesson::to_set(points, 2);

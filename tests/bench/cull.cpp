@@ -8,9 +8,9 @@
 #include "bench/ratio.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
-#include "query/batch/classify_batch.hpp"
-#include "query/classify.hpp"
-#include "query/frustum_sat.hpp"
+#include "query/cull/batch/classify_batch.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/frustum_sat.hpp"
 
 using namespace snug;
 

@@ -72,7 +72,7 @@ std::string handle_to_drag(const app::Bench& bench, lesson::Session& session) {
   const bool by_hand = session.method(0)->by_hand;
   for (const app::Handle& handle : bench.app.handles())
     for (Index i = 0; i < session.size(); ++i) {
-      const bool point = session.subject().points() != nullptr && i < fit::size_of(*session.subject().points());
+      const bool point = session.subject().points() != nullptr && i < fit::count_of(*session.subject().points());
       if (session.name_of(i) == handle.id && session.may_move(i) && (!by_hand || !point)) return handle.id;
     }
   return {};

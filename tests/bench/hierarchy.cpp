@@ -10,8 +10,8 @@
 #include "hierarchy/build.hpp"
 #include "hierarchy/traverse.hpp"
 #include "hierarchy/traverse_pair.hpp"
-#include "query/aabb_overlap.hpp"
-#include "query/ray_aabb.hpp"
+#include "query/overlap/aabb_overlap.hpp"
+#include "query/overlap/ray_aabb.hpp"
 
 using namespace snug;
 

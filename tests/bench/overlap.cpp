@@ -6,7 +6,7 @@
 #include "bench/peers/fcl_rss.hpp"
 #include "bench/ratio.hpp"
 #include "core/query/volume_pairs.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 using namespace snug;
 

@@ -16,8 +16,8 @@
 #include "fit/update/update_sphere.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
-#include "query/culler.hpp"
-#include "query/overlaps.hpp"
+#include "query/cull/culler.hpp"
+#include "query/overlap/overlaps.hpp"
 
 using namespace snug;
 

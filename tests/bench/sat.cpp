@@ -6,7 +6,7 @@
 #include "bench/ratio.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
-#include "query/obb_sat.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 using namespace snug;
 

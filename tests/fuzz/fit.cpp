@@ -28,7 +28,7 @@ void check_all(fuzz::Bytes& bytes) {
   require(points.has_value());
   const AnyPointSet set = *points;
   for (const fit::Algorithm& algorithm : fit::algorithms())
-    if (fit::takes(algorithm, Dim) && fit::size_of(set) <= algorithm.max_points) check(algorithm, set);
+    if (fit::takes(algorithm, Dim) && fit::count_of(set) <= algorithm.max_points) check(algorithm, set);
 }
 
 }  // namespace

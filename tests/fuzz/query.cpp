@@ -4,8 +4,8 @@
 // of their axes: see "boxes may be apart although they share a point".
 #include "core/exact.hpp"
 #include "fuzz/volumes.hpp"
-#include "query/classify.hpp"
-#include "query/overlaps.hpp"
+#include "query/cull/classify.hpp"
+#include "query/overlap/overlaps.hpp"
 
 namespace {
 

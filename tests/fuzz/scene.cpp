@@ -64,7 +64,7 @@ scene::Body any_body(fuzz::Bytes& bytes, unsigned i) {
   }
   if ((given & 2) != 0) body.mass = bytes.number<double>();
   if ((given & 4) != 0) body.velocity = any_place(bytes);
-  if ((given & 8) != 0) body.turning = any_place(bytes);
+  if ((given & 8) != 0) body.angular_velocity = any_place(bytes);
   body.fixed = (given & 48) == 48;
   body.position = any_place(bytes);
   return body;
@@ -104,7 +104,7 @@ scene::Declaration any_declaration(fuzz::Bytes& bytes) {
 }
 
 bool has(const scene::Scene& scene, std::string_view effect) {
-  for (const scene::Tally& tally : scene.tallies())
+  for (const scene::EffectTally& tally : scene.tallies())
     if (tally.effect == effect) return tally.on && tally.run > 0;
   return false;
 }
@@ -137,7 +137,7 @@ void check_pairs(const scene::Scene& scene) {
 void check_frame(const scene::Scene& scene) {
   for (const scene::Motion& motion : scene.world().bodies) {
     require(motion.position.allFinite() && motion.rotation.allFinite());
-    require(motion.velocity.allFinite() && motion.turning.allFinite());
+    require(motion.velocity.allFinite() && motion.angular_velocity.allFinite());
   }
   if (!has(scene, "refit")) return;
   check_volumes(scene.world());

@@ -33,8 +33,8 @@ using GrowthSheet = CostSheetOf<cost::GrowthRun, cost::GrowthRow>;
 using TurnSheet = CostSheetOf<cost::TurnRun, cost::TurnRow>;
 
 bool same(const AnyPointSet& a, const AnyPointSet& b) {
-  const Index n = fit::size_of(a);
-  if (a.index() != b.index() || n != fit::size_of(b)) return false;
+  const Index n = fit::count_of(a);
+  if (a.index() != b.index() || n != fit::count_of(b)) return false;
   for (Index i = 0; i < n; ++i)
     if (fit::point_of(a, i) != fit::point_of(b, i)) return false;
   return true;
@@ -122,7 +122,7 @@ template bool Costs::lay_over(const lesson::Session&, GrowthTable);
 template bool Costs::lay_over(const lesson::Session&, TurnTable);
 
 Index Costs::size(const lesson::Session& session) const {
-  return whole_ && same(*some_, *session.subject().points()) ? fit::size_of(*whole_) : session.size();
+  return whole_ && same(*some_, *session.subject().points()) ? fit::count_of(*whole_) : session.size();
 }
 
 void Costs::start(const lesson::Session& session) {
@@ -150,8 +150,8 @@ void Costs::start_accuracy(const lesson::Session& session, cost::Provenance abou
 /// Starts the growth measurement. Generated points come in any number; a mesh or a file has only its own.
 void Costs::start_growth(const lesson::Session& session, cost::Provenance about) {
   std::string kind = generated_kind(session);
-  if (kind.empty() && fit::size_of(*subject_) < kFewestGrown) kind = kStandIn;
-  const Index most = kind.empty() ? std::min(kMostGrown, fit::size_of(*subject_)) : kMostGrown;
+  if (kind.empty() && fit::count_of(*subject_) < kFewestGrown) kind = kStandIn;
+  const Index most = kind.empty() ? std::min(kMostGrown, fit::count_of(*subject_)) : kMostGrown;
   const auto points = kind.empty() ? std::make_shared<cost::PointStock>(*subject_, session.seed())
                                    : std::make_shared<cost::PointStock>(kind, session.dim(), false, session.seed());
   if (!kind.empty()) about.points = kind + ":" + std::to_string(most);

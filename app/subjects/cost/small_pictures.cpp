@@ -59,7 +59,7 @@ fit::Sphere3 ball_around_all(const std::vector<SmallPicture>& pictures, int dim)
 }
 
 void draw_dots(const Canvas& canvas, const AnyPointSet& points) {
-  const Index n = fit::size_of(points), every = std::max<Index>(1, n / kMostDots);
+  const Index n = fit::count_of(points), every = std::max<Index>(1, n / kMostDots);
   const float radius = n > 60 ? 1.0f : 1.75f;
   for (Index i = 0; i < n; i += every)
     canvas.list->AddCircleFilled(canvas.at(fit::point_of(points, i)), radius, canvas.look->point);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/polytope.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 namespace snug::app {
 namespace {

@@ -23,7 +23,7 @@ struct CountRow {
   bool wrong = false;
 };
 
-std::vector<CountRow> count_rows(const query::SurveyCounts& counts, int dim) {
+std::vector<CountRow> count_rows(const cost::SurveyCounts& counts, int dim) {
   std::vector<CountRow> rows{{"Called intersecting", lesson::count_text(counts.intersecting)}};
   if (dim == 3) {
     rows.push_back({"Touch nothing, near edges", lesson::count_text(counts.false_at_two), true});

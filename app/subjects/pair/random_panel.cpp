@@ -21,7 +21,7 @@ bool counts_hidden(const lesson::Session& session) {
 }
 
 /// "1,000 random pairs, seed 1"
-std::string random_title(const lesson::Session& session, const query::AxisCounts& counts) {
+std::string random_title(const lesson::Session& session, const cost::AxisCounts& counts) {
   return lesson::count_text(counts.pairs) + " random pairs, seed " + std::to_string(session.seed());
 }
 
@@ -30,7 +30,7 @@ constexpr std::string_view kCountsHidden = "Shown once the question about them i
 }  // namespace
 
 std::optional<PanelWords> random_in_words(const lesson::Session& session) {
-  const query::AxisCounts* counts = lesson::as<lesson::PairSubject>(session.subject())->random_counts();
+  const cost::AxisCounts* counts = lesson::as<lesson::PairSubject>(session.subject())->random_counts();
   if (counts == nullptr) return std::nullopt;
   PanelWords words{{.head = {"Axis", "The test ends there", "It separates"}, .title = random_title(session, *counts)}};
   if (counts_hidden(session)) return words.says = kCountsHidden, words;
@@ -44,7 +44,7 @@ std::optional<PanelWords> random_in_words(const lesson::Session& session) {
 
 float draw_random_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
   const auto& subject = *lesson::as<lesson::PairSubject>(session.subject());
-  const query::AxisCounts* counts = subject.random_counts();
+  const cost::AxisCounts* counts = subject.random_counts();
   if (counts == nullptr) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, random_title(session, *counts));

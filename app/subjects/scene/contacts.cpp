@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "physics/manifold.hpp"
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::app {

@@ -8,7 +8,7 @@
 #include "app/subjects/scene/pairs.hpp"
 #include "geometry/frustum_corners.hpp"
 #include "lesson/subjects/scene/scene.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 namespace snug::app {
 namespace {

@@ -25,7 +25,7 @@ class Graph {
   Graph(const Look& look, const lesson::Session& session, float width)
       : look_(look), p_(*look.palette), run_(*lesson::recorded_scene(session, 0)), frame_(session.step_of(0)),
         rails_(scene::rails_of(run_.kinds)) {
-    for (const scene::Tally& tally : run_.tallies) {
+    for (const scene::EffectTally& tally : run_.tallies) {
       names_.push_back(lesson::effect_words(tally.effect));
       node_ = std::max(node_, measure(look, Face::kSemiBold, kEffectName, names_.back()).x);
     }

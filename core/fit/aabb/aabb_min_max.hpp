@@ -1,3 +1,4 @@
+// The axis-aligned box: the least and greatest coordinate along each axis.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, section 4.2.
 #pragma once
 

@@ -10,7 +10,7 @@
 #include "geometry/hull_neighbors.hpp"
 #include "geometry/orientation.hpp"
 #include "geometry/sort.hpp"
-#include "query/contains_hull.hpp"
+#include "query/contain/contains_hull.hpp"
 
 namespace snug::fit {
 namespace {

@@ -1,3 +1,4 @@
+// Quickhull in the plane: the point farthest from an edge splits it in two.
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996; in the plane as
 // W. F. Eddy, "A new convex hull algorithm for planar sets", 1977. Every decision is exact: each point taken is a
 // vertex.

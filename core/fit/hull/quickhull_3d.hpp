@@ -1,3 +1,4 @@
+// Quickhull in space: the point farthest outside a facet replaces all facets that it sees by a cone.
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. They thicken
 // facets by the rounding error; here sides are decided exactly, and coplanar facets are merged at the end.
 #pragma once
@@ -13,6 +14,7 @@
 #include "fit/hull/quickhull_faces.hpp"
 #include "fit/hull/quickhull_simplex.hpp"
 #include "fit/hull/quickhull_surface.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::fit {
 
@@ -115,7 +117,7 @@ class Quickhull3 {
     const auto unit = [](const Vector<double, 3>& v) -> Vector<double, 3> { return v / scaled_norm<double, 3>(v); };
     const Vector<double, 3> a = at(from.vertices[0]);
     const Vector<double, 3> e = unit(at(from.vertices[1]) - a), g = unit(at(from.vertices[2]) - a);
-    const Vector<double, 3> normal(e[1] * g[2] - e[2] * g[1], e[2] * g[0] - e[0] * g[2], e[0] * g[1] - e[1] * g[0]);
+    const Vector<double, 3> normal = cross(e, g);
     const double length = scaled_norm<double, 3>(normal);
     const double distance = length > 0 ? std::abs((normal / length).dot(at(from.farthest) - a)) : 0;
     return {from.farthest, f, distance, from.count};

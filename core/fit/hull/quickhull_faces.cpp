@@ -70,8 +70,7 @@ class FaceMerger {
       for (; edge(f, e) == Edge::kFlat; merged = true) {
         const Index pivot = facet(f).vertices[e];
         f = facet(f).across[e];
-        const auto& vertices = facet(f).vertices;
-        e = vertices[0] == pivot ? 0 : vertices[1] == pivot ? 1 : 2;
+        e = facet(f).corner_of(pivot);
       }
     } while (f != first_facet || e != first_edge);
     if (merged) ++result_.faces;

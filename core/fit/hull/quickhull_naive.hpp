@@ -34,7 +34,8 @@ struct RoundedSides {
   static bool outside(const Point& a, const Point& b, const Point& p) { return cross(a, b, p) < 0; }
   static int farther(const Point& a, const Point& b, const Point& p, const Point& q) {
     const Scalar of_p = cross(a, b, p), of_q = cross(a, b, q);
-    return of_q < of_p ? 1 : of_q > of_p ? -1 : 0;
+    if (of_q < of_p) return 1;
+    return of_q > of_p ? -1 : 0;
   }
   /// The points are Scalar's own, so that casting them back is exact.
   static Scalar cross(const Point& a, const Point& b, const Point& p) {

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "geometry/orientation.hpp"
+#include "number/power_of_two.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::fit {
 namespace {
@@ -20,10 +22,10 @@ class SimplexSearch {
     const Index a = ends[0], b = ends[1];
     if (points_[a] == points_[b]) return {0};
     const Point origin = at(a), along = from(origin, b) / from(origin, b).norm();
-    const Index c = most([&](Index i) { return across(along, from(origin, i)).squaredNorm(); },
+    const Index c = most([&](Index i) { return cross(along, from(origin, i)).squaredNorm(); },
                          [&](Index i) { return !collinear(at(a), at(b), at(i)); });
     if (c == kNoIndex) return {a, b};
-    const Point normal = across(along, from(origin, c));
+    const Point normal = cross(along, from(origin, c));
     const Index d = most([&](Index i) { return std::abs(normal.dot(from(origin, i))); },
                          [&](Index i) { return orient3d(at(a), at(b), at(c), at(i)) != 0; });
     if (d == kNoIndex) return {a, b, c};
@@ -34,9 +36,6 @@ class SimplexSearch {
   [[nodiscard]] Point at(Index i) const { return points_[i].template cast<double>(); }
   /// The point relative to an origin, scaled so that no product overflows and none that matters underflows.
   [[nodiscard]] Point from(const Point& origin, Index i) const { return (at(i) - origin) * scale_; }
-  [[nodiscard]] static Point across(const Point& p, const Point& q) {
-    return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-  }
 
   std::array<Index, 2> farthest_extremes() {
     std::array<Index, 3> least{}, greatest{};
@@ -51,7 +50,7 @@ class SimplexSearch {
     double widest = 0, longest = -1;
     for (std::size_t axis = 0; axis < 3; ++axis)
       widest = std::max(widest, (at(greatest[axis]) - at(least[axis])).cwiseAbs().maxCoeff());
-    if (widest > 0) scale_ = std::ldexp(1.0, std::min(1000, -std::ilogb(widest)));
+    scale_ = to_unit_size(widest);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double square = from(at(least[axis]), greatest[axis]).squaredNorm();
       if (square > longest) {

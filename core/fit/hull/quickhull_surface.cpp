@@ -5,16 +5,14 @@
 
 #include "geometry/orientation.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/power_of_two.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::fit {
 namespace {
 
 /// The mark on a facet that was tested against an eye.
 std::uint32_t mark_of(Index eye, bool sees) { return 2 * static_cast<std::uint32_t>(eye) + (sees ? 3 : 2); }
-
-Vector<double, 3> cross(const Vector<double, 3>& p, const Vector<double, 3>& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
 
 }  // namespace
 
@@ -30,8 +28,7 @@ HullSurface<Scalar>::HullSurface(PointSpan<Scalar, 3> points) : points_(points) 
   Vector<double, 3> scale;
   for (int axis = 0; axis < 3; ++axis) {
     const double reach = std::max(high[axis] - middle[axis], middle[axis] - low[axis]);
-    // An extent below 2^-1000 cannot be scaled exactly; so small a cloud is within the error bound anyway.
-    scale[axis] = reach == 0 ? 1 : std::ldexp(1.0, std::min(1000, -std::ilogb(reach) - 1));
+    scale[axis] = reach == 0 ? 1 : to_unit_size(reach) / 2;
   }
   sites_.resize(points.size());
   for (Index i = 0; i < points.size(); ++i)
@@ -72,7 +69,7 @@ bool HullSurface<Scalar>::flat(Index f, int edge) const {
   const Index g = facet(f).across[edge];
   const auto& corners = facet(g).vertices;
   const Index from = facet(f).vertices[edge];
-  const std::size_t at = corners[0] == from ? 0 : corners[1] == from ? 1 : 2;
+  const auto at = static_cast<std::size_t>(facet(g).corner_of(from));
   const Index apex = corners[(at + 1) % 3];  // g has the edge the other way round, ending at from
   return height(facet(f), apex) >= -facet(f).doubt && side_exact(facet(f), apex) == 0;
 }
@@ -174,8 +171,7 @@ void HullSurface<Scalar>::look_from_above(Index seeing) {
         }
       }
       const Index to = from.vertices[(e + 1) % 3];
-      const int edge = neighbor.vertices[0] == to ? 0 : neighbor.vertices[1] == to ? 1 : 2;
-      border_.push_back({from.vertices[e], to, g, edge});
+      border_.push_back({from.vertices[e], to, g, neighbor.corner_of(to)});
     }
   }
   order_border();

@@ -23,6 +23,11 @@ struct Facet {
   std::uint32_t seen = 0;     // the last eye that it was tested against, and whether it saw it
 
   [[nodiscard]] bool alive() const { return vertices[0] != kNoIndex; }
+  /// Which of its vertices a point is. point: one of them.
+  [[nodiscard]] int corner_of(Index point) const {
+    if (vertices[0] == point) return 0;
+    return vertices[1] == point ? 1 : 2;
+  }
 };
 
 /// The surface is exactly convex at all times. A facet sees a point only if the point lies strictly above its plane, so

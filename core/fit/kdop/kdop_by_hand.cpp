@@ -6,7 +6,7 @@
 
 #include "fit/hull/quickhull.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/contains_hull.hpp"
+#include "query/contain/contains_hull.hpp"
 
 namespace snug::fit {
 namespace {

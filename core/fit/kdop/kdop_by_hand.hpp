@@ -53,8 +53,14 @@ template <int Dim>
   SlabFound found{.least = 0, .greatest = 0, .min = axis.dot(points[0]), .max = axis.dot(points[0])};
   for (Index i = 1; i < points.size(); ++i) {
     const double at = axis.dot(points[i]);
-    if (at < found.min) found.min = at, found.least = i;
-    if (at > found.max) found.max = at, found.greatest = i;
+    if (at < found.min) {
+      found.min = at;
+      found.least = i;
+    }
+    if (at > found.max) {
+      found.max = at;
+      found.greatest = i;
+    }
   }
   return found;
 }

@@ -1,3 +1,4 @@
+// The k-DOP of points: the least and greatest projection onto each of its axes.
 // Source: J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, "Efficient collision detection using
 // bounding volume hierarchies of k-DOPs", 1998.
 #pragma once
@@ -35,14 +36,21 @@ template <class Scalar, int Dim>
     const Scalar plain = project<Scalar, Dim>(axis, points[i]);
     if (plain < min + doubt) {
       const Scalar bound = project_down<Scalar, Dim>(axis, points[i]);
-      if (bound < min) min = bound, found.least = i;
+      if (bound < min) {
+        min = bound;
+        found.least = i;
+      }
     }
     if (plain > max - doubt) {
       const Scalar bound = project_up<Scalar, Dim>(axis, points[i]);
-      if (bound > max) max = bound, found.greatest = i;
+      if (bound > max) {
+        max = bound;
+        found.greatest = i;
+      }
     }
   }
-  found.min = static_cast<double>(min), found.max = static_cast<double>(max);
+  found.min = static_cast<double>(min);
+  found.max = static_cast<double>(max);
   return found;
 }
 

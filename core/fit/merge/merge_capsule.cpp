@@ -39,7 +39,8 @@ Capsule<double, Dim> along_line(const Balls<Dim>& balls, const Matrix<double, Di
       square -= across * across;
     }
     const double reach = std::sqrt(std::max(square, 0.0));
-    low = std::min(low, along + reach), high = std::max(high, along - reach);
+    low = std::min(low, along + reach);
+    high = std::max(high, along - reach);
   }
   if (low > high) low = high = (low + high) / 2;
   Vector<double, Dim> foot = Vector<double, Dim>::Zero();

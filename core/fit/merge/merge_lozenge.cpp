@@ -41,7 +41,11 @@ class LozengeAround {
         low = std::min(low, ball.center[axis] - ball.radius);
         high = std::max(high, ball.center[axis] + ball.radius);
       }
-      if (high - low < thinnest) thinnest = high - low, thin_ = axis, height_ = low + thinnest / 2;
+      if (high - low < thinnest) {
+        thinnest = high - low;
+        thin_ = axis;
+        height_ = low + thinnest / 2;
+      }
     }
     radius_ = std::max(radius_, thinnest / 2);
     edge_axes_ = {(thin_ + 1) % 3, (thin_ + 2) % 3};
@@ -62,7 +66,8 @@ class LozengeAround {
       high = std::max(high, ball.center[edge_axes_[edge]] - reach(ball));
     }
     if (low > high) low = high = (low + high) / 2;
-    low_[edge] = low, high_[edge] = high;
+    low_[edge] = low;
+    high_[edge] = high;
   }
 
   /// If the ball is within reach of two sides but not of the vertex between them, lengthens the first edge until it is.
@@ -70,7 +75,8 @@ class LozengeAround {
     const double x = ball.center[edge_axes_[0]], y = ball.center[edge_axes_[1]], most = reach(ball);
     const double past_y = std::max({low_[1] - y, y - high_[1], 0.0});
     const double left = std::sqrt(std::max(most * most - past_y * past_y, 0.0));
-    low_[0] = std::min(low_[0], x + left), high_[0] = std::max(high_[0], x - left);
+    low_[0] = std::min(low_[0], x + left);
+    high_[0] = std::max(high_[0], x - left);
   }
 
   Matrix<double, Dim> axes_;

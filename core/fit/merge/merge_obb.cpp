@@ -11,6 +11,7 @@
 #include "fit/obb/obb_frame.hpp"
 #include "fit/obb/principal_axes.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::fit {
 namespace {
@@ -109,8 +110,7 @@ Matrix<Scalar, Dim> axes_of_corners(const Obb<Scalar, Dim>& a, const Obb<Scalar,
       }
       largest = std::max(largest, place.cwiseAbs().maxCoeff());
     }
-  if (largest > 0)
-    for (auto& place : corners) place *= std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
+  for (auto& place : corners) place *= to_unit_size(largest);
   const auto set = *PointSet<double, Dim>::make(std::move(corners));  // of about unit size: never refused
   Ignore ignore;
   const auto mean = mean_of(set.span(), ignore);

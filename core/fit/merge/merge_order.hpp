@@ -26,7 +26,8 @@ template <class VolumeType>
     };
   };
   fields_of(a, list(of_a)), fields_of(b, list(of_b));
-  return of_a < of_b ? -1 : of_b < of_a ? 1 : 0;
+  if (of_a < of_b) return -1;
+  return of_b < of_a ? 1 : 0;
 }
 
 }  // namespace snug::fit

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fit/merge/merge.hpp"
-#include "query/overlaps_spheres.hpp"
+#include "query/overlap/overlaps_spheres.hpp"
 
 namespace snug::fit {
 namespace {

@@ -10,7 +10,8 @@
 
 #include "fit/swept/swept_radius.hpp"
 #include "number/outward.hpp"
-#include "query/contains.hpp"
+#include "number/power_of_two.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 
@@ -70,7 +71,7 @@ template <class VolumeType, int Dim>
 template <class VolumeType, int Dim>
 void widen_to_hold(VolumeType& volume, const Balls<Dim>& balls) {
   using Scalar = decltype(volume.radius);
-  const SweptCore<Dim> core(volume);
+  const ScaledCore<Dim> core(volume);
   double most = 0;
   for (const BallIn<Dim>& ball : balls) most = std::max(most, core.distance(ball.center) + ball.radius);
   volume.radius = static_cast<Scalar>(most);
@@ -94,8 +95,11 @@ struct LocalBalls {
       ball.center -= origin;
       largest = std::max({largest, ball.center.cwiseAbs().maxCoeff(), ball.radius});
     }
-    if (largest > 0) scale = std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000));
-    for (BallIn<Dim>& ball : balls) ball.center *= scale, ball.radius *= scale;
+    scale = to_unit_size(largest);
+    for (BallIn<Dim>& ball : balls) {
+      ball.center *= scale;
+      ball.radius *= scale;
+    }
   }
   [[nodiscard]] Vector<double, Dim> to_scene(const Vector<double, Dim>& local) const { return origin + local / scale; }
 };

@@ -1,3 +1,4 @@
+// The rectangle of least area around a convex polygon, by rotating calipers.
 // Source: H. Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve",
 // 1975, for the theorem that one of its sides lies on an edge of the hull; G. T. Toussaint, "Solving geometric problems
 // with the rotating calipers", 1983, for trying all edges in one turn around the hull.
@@ -14,6 +15,7 @@
 #include "geometry/hull.hpp"
 #include "geometry/orientation.hpp"
 #include "number/double_double.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::fit {
 
@@ -43,7 +45,7 @@ class Calipers {
   Calipers(const ConvexHull<Scalar, 2>& hull, Observer& observe) : hull_(hull), observe_(observe) {
     double widest = 0;
     for (Index i = 1; i < size(); ++i) widest = std::max(widest, (point(i) - point(0)).cwiseAbs().maxCoeff());
-    unit_ = std::ilogb(widest);
+    unit_ = exponent_of(widest);
   }
 
   /// The rectangle of least area; of several, the first.

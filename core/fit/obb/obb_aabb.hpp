@@ -1,3 +1,4 @@
+// The axis-aligned box, as an oriented one.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, section 4.2.
 #pragma once
 

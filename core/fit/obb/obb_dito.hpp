@@ -1,3 +1,4 @@
+// DiTO: a box on the best edges and faces of a ditetrahedron of extreme points.
 // Source: T. Larsson, L. Källberg, "Fast computation of tight-fitting oriented bounding boxes", Game Engine Gems 2,
 // 2011: their DiTO-14, ditetrahedron OBB; boxes are compared by volume. In 2-D the base is a segment, with a triangle
 // on either side.

@@ -255,6 +255,6 @@ EdgePairSearch::Ends EdgePairSearch::Pair::by_second(const Stretch& stretch) con
 }
 
 template PairTally EdgePairSearch::search(Index, Ignore&);
-template PairTally EdgePairSearch::search(Index, Tally&);
+template PairTally EdgePairSearch::search(Index, PartCounter&);
 
 }  // namespace snug::fit

@@ -30,7 +30,7 @@ class EdgePairSearch {
   EdgePairSearch(const HullSolid& solid, const Matrix<double, 3>& start);
 
   /// Searches all boxes with one face flush with this edge and an adjacent one flush with a later edge. Once all edges
-  /// are searched, no box is smaller than lower_bound(). count: Ignore or Tally.
+  /// are searched, no box is smaller than lower_bound(). count: Ignore or PartCounter.
   template <class Count>
   PairTally search(Index edge, Count& count);
   PairTally search(Index edge) {

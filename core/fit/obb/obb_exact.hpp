@@ -1,3 +1,4 @@
+// The oriented box of least volume.
 // Source: J. O'Rourke, "Finding minimal enclosing boxes", 1985, for the theorem: two adjacent faces of the smallest box
 // lie on edges of the hull. The algorithm is not his, but a branch and bound over the pairs of edges. In 2-D: H.
 // Freeman, R. Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975.
@@ -46,7 +47,7 @@ class ObbExact {
 
   void start() {
     const PointSet<Scalar, 3> vertices = vertices_of(hull_);
-    TallyFor<Observer> tally;
+    PartCounterFor<Observer> tally;
     const auto axes = watched_principal_axes(vertices.span(), 1, tally);
     hand_on(tally, observe_);
     trials_.attempt(axes.template cast<double>(), std::array<Index, 0>{}, 1);
@@ -54,13 +55,13 @@ class ObbExact {
   }
 
   void search() {
-    TallyFor<Observer> built;
+    PartCounterFor<Observer> built;
     const HullSolid solid(hull_, built);
     EdgePairSearch pairs(solid, trials_.axes());
     count_box<3>(hull_.vertices.size(), built);  // of the box to beat
     hand_on(built, observe_);
     for (Index e = 0; e < static_cast<Index>(solid.edges().size()); ++e) {
-      TallyFor<Observer> spent;
+      PartCounterFor<Observer> spent;
       const PairTally tally = pairs.search(e, spent);
       hand_on(spent, observe_);
       if (tally.smaller_on) trials_.attempt(pairs.axes(), indices(*tally.smaller_on), 7);

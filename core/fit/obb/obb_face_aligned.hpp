@@ -1,3 +1,4 @@
+// The best oriented box that is flush with a face of the hull.
 // Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: a box flush with a face of the hull, on
 // the least-area rectangle of the projection onto it. In the plane that is the smallest box (H. Freeman, R. Shapira,
 // "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975); in space it need not be.
@@ -49,14 +50,14 @@ class ObbFaceAligned {
   [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[i]; }
 
   void try_faces() {
-    TallyFor<Observer> built;
+    PartCounterFor<Observer> built;
     const HullSolid solid(hull_, built);
     hand_on(built, observe_);
     for (std::size_t f = 0; f < hull_.facets.size(); ++f) {
       if (f > 0 && in_one_plane(hull_.facets[f - 1], hull_.facets[f])) continue;
       const Point& normal = solid.normals()[f];
       std::vector<Point> outline;
-      TallyFor<Observer> walked;
+      PartCounterFor<Observer> walked;
       for (const Index i : solid.outline(normal, walked)) outline.push_back(at(i));
       hand_on(walked, observe_);
       std::array<Index, 3> face{};

@@ -6,6 +6,7 @@
 
 #include "geometry/tolerance.hpp"
 #include "geometry/vector.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::fit {
 
@@ -21,8 +22,7 @@ template <int Dim>
 [[nodiscard]] Vector<double, Dim> unit(const Vector<double, Dim>& v) {
   const double largest = v.cwiseAbs().maxCoeff();
   if (largest == 0) return v;
-  Vector<double, Dim> scaled;
-  for (int i = 0; i < Dim; ++i) scaled[i] = std::ldexp(v[i], -std::ilogb(largest));
+  const Vector<double, Dim> scaled = v * to_unit_size(largest);
   return scaled / scaled.norm();
 }
 

@@ -7,7 +7,8 @@
 #include "geometry/tolerance.hpp"
 #include "number/double_double.hpp"
 #include "number/outward.hpp"
-#include "query/contains.hpp"
+#include "number/power_of_two.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 namespace {
@@ -32,7 +33,7 @@ class Slab {
  public:
   /// size: the points' largest distance from the centre, within a factor of 8.
   Slab(const Vector<Scalar, Dim>& center, const Vector<Scalar, Dim>& axis, double size)
-      : center_(center), axis_(axis), exponent_(size > 0 ? std::ilogb(size) : 0) {}
+      : center_(center), axis_(axis), exponent_(exponent_of(size)) {}
 
   [[nodiscard]] Scalar half_extent() const { return half_; }
 

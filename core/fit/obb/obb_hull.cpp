@@ -29,7 +29,7 @@ struct Projected {
 };
 
 /// Counts, and keeps what the calipers report.
-struct CalipersWatcher : Tally {
+struct CalipersWatcher : PartCounter {
   std::vector<BoxTried<double, 2>> tried;
   void operator()(const ObbStep<double, 2>& step) { tried.push_back(*std::get_if<BoxTried<double, 2>>(&step.fact)); }
 };
@@ -44,10 +44,11 @@ RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction, const std:
 }
 
 template RectangleFrame<3> rectangle_along(const Vector<double, 3>&, const std::vector<Vector<double, 3>>&, Ignore&);
-template RectangleFrame<3> rectangle_along(const Vector<double, 3>&, const std::vector<Vector<double, 3>>&, Tally&);
+template RectangleFrame<3> rectangle_along(const Vector<double, 3>&, const std::vector<Vector<double, 3>>&,
+                                           PartCounter&);
 
 RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction, const std::vector<Vector<double, 3>>& points,
-                                  Tally& count, std::vector<CalipersTurn>& turns) {
+                                  PartCounter& count, std::vector<CalipersTurn>& turns) {
   const Projected projected(direction, points, count);
   CalipersWatcher watcher;
   const RectangleFrame<2> found = smallest_rectangle(projected.hull, watcher);

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "fit/counters.hpp"
 #include "fit/hull/quickhull.hpp"
 #include "fit/obb/min_area_rectangle.hpp"
 #include "fit/obb/obb_frame.hpp"
 #include "fit/obb/obb_from_axes.hpp"
-#include "fit/tally.hpp"
 
 namespace snug::fit {
 
@@ -61,7 +61,8 @@ RectangleFrame<2> smallest_rectangle(const ConvexHull<Scalar, 2>& hull, Observer
 }
 
 /// The smallest rectangle around the points' projection along a direction, which is the frame's first axis. points: n
-/// >= 1, with coordinates of about 1; the edge is given by their indices. count: Ignore or Tally. O(n log n) time.
+/// >= 1, with coordinates of about 1; the edge is given by their indices. count: Ignore or PartCounter. O(n log n)
+/// time.
 template <class Count>
 [[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
                                                 const std::vector<Vector<double, 3>>& points, Count& count);
@@ -81,7 +82,7 @@ struct CalipersTurn {
 
 /// The same, and appends every rectangle in the order of the turn. None if the projection is flat.
 [[nodiscard]] RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction,
-                                                const std::vector<Vector<double, 3>>& points, Tally& count,
+                                                const std::vector<Vector<double, 3>>& points, PartCounter& count,
                                                 std::vector<CalipersTurn>& turns);
 
 /// The same for an observer: it is told the counts, but no steps.
@@ -89,7 +90,7 @@ template <class Observer>
 [[nodiscard]] RectangleFrame<3> watched_rectangle_along(const Vector<double, 3>& direction,
                                                         const std::vector<Vector<double, 3>>& points,
                                                         Observer& observe) {
-  TallyFor<Observer> tally;
+  PartCounterFor<Observer> tally;
   RectangleFrame<3> found = rectangle_along(direction, points, tally);
   hand_on(tally, observe);
   return found;

@@ -9,6 +9,7 @@
 #include "geometry/orientation.hpp"
 #include "number/double_double.hpp"
 #include "number/dyadic.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::fit {
 namespace {
@@ -17,13 +18,9 @@ using Point = Vector<double, 3>;
 
 /// (b - a) x (c - a), in any number type that has +, - and *.
 template <class Number>
-std::array<Number, 3> cross_of(const Point& a, const Point& b, const Point& c) {
-  std::array<Number, 3> e, f;
-  for (int i = 0; i < 3; ++i) {
-    e[i] = Number(b[i]) - Number(a[i]);
-    f[i] = Number(c[i]) - Number(a[i]);
-  }
-  return {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+Tuple<Number, 3> cross_of(const Point& a, const Point& b, const Point& c) {
+  const auto from = tuple_of<Number, 3>(a);
+  return cross(tuple_of<Number, 3>(b) - from, tuple_of<Number, 3>(c) - from);
 }
 
 /// An edge with the facets on its left and right, as seen from outside on the way from its first vertex to its second,
@@ -203,7 +200,7 @@ Index HullSolid::far(const Point& direction) const {
   template Index HullSolid::farthest(const Vector<double, 3>&, Index, Count&) const;                                   \
   template std::vector<Index> HullSolid::outline(const Vector<double, 3>&, Count&) const;
 SNUG_INSTANTIATE(Ignore)
-SNUG_INSTANTIATE(Tally)
+SNUG_INSTANTIATE(PartCounter)
 #undef SNUG_INSTANTIATE
 
 }  // namespace snug::fit

@@ -27,7 +27,7 @@ struct NormalArc {
 /// A hull whose affine_dim is 3.
 class HullSolid {
  public:
-  /// count: Ignore or Tally, as below.
+  /// count: Ignore or PartCounter, as below.
   template <class Scalar, class Count>
   HullSolid(const ConvexHull<Scalar, 3>& hull, Count& count) : local_(hull.vertices) {
     Corners corners;

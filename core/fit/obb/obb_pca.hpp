@@ -1,3 +1,4 @@
+// An oriented box along the principal axes of the points.
 // Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection",
 // 1996.
 #pragma once

@@ -1,3 +1,4 @@
+// An oriented box along the principal axes of the hull's vertices.
 // Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: a hierarchical structure for rapid interference detection",
 // 1996, who take the hull's vertices in place of all points.
 #pragma once

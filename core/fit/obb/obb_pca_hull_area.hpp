@@ -1,3 +1,4 @@
+// An oriented box along the principal axes of the hull's surface.
 // Source: S. Gottschalk, "Collision queries using oriented bounding boxes", PhD thesis, 2000, section 4: the covariance
 // of the hull's surface, integrated over its triangles. In 2-D over its edges.
 #pragma once

@@ -1,3 +1,4 @@
+// An oriented box along one principal axis, with the rectangle of least area around the projection along it.
 // Source: G. Barequet, S. Har-Peled, "Efficiently approximating the minimum-volume bounding box of a point set in three
 // dimensions", 2001, and I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: project along an axis of
 // the PCA box, take the rectangle of least area, repeat.
@@ -71,7 +72,7 @@ RectangleFrame<3> told_rectangle_along(const Vector<double, 3>& direction, const
                                        const std::vector<Index>& indices, std::ptrdiff_t& left, int line,
                                        Observer& observe) {
   if constexpr (kWatched<Observer>) {
-    Tally tally;
+    PartCounter tally;
     std::vector<CalipersTurn> turns;
     const RectangleFrame<3> found = rectangle_along(direction, trials.local().at, tally, turns);
     hand_on(tally, observe);
@@ -117,7 +118,7 @@ Fit<Obb<Scalar, Dim>> obb_pca_rectangle(PointSpan<Scalar, Dim> points, Observer&
   if constexpr (Dim == 3) {
     shrink_by_rectangles(trials, hull.indices, 6, kMostTurnsTold, observe);
   } else {
-    TallyFor<Watcher> tally;
+    PartCounterFor<Watcher> tally;
     const RectangleFrame<2> found = smallest_rectangle(hull, tally);
     hand_on(tally, observe);
     attempt_rectangle(trials, found, 6, observe);

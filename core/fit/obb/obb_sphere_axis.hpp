@@ -1,3 +1,4 @@
+// An oriented box along the axis that the bounding sphere suggests.
 // Source: I. D. Romanick, "Data Structures & Algorithms for Geometry", 2007: the bounding sphere gives an estimate of
 // the longest axis. Here the circle around the points' projection along that axis gives the second in the same way.
 #pragma once
@@ -27,7 +28,7 @@ struct LongestChord {
   PairChosen pair;
   Vector<double, Dim> chord;
 
-  /// points: n >= 1, of coordinates of about 1. count: Ignore or Tally.
+  /// points: n >= 1, of coordinates of about 1. count: Ignore or PartCounter.
   template <class Count>
   LongestChord(std::vector<Vector<double, Dim>> points, Count& count) {
     const auto set = *PointSet<double, Dim>::make(std::move(points));  // finite and small: nothing is refused
@@ -57,7 +58,7 @@ Fit<Obb<Scalar, Dim>> obb_sphere_axis(PointSpan<Scalar, Dim> points, Observer&& 
     observe(Step{line + 1, false, {}, PairChosen{found.pair.a, found.pair.b, kNoIndex, scale * found.pair.distance}});
   };
 
-  TallyFor<Observer> tally;
+  PartCounterFor<Observer> tally;
   const LongestChord<Dim> first(local.at, tally);
   hand_on(tally, observe);
   const Vector<double, Dim> center = first.ball.volume.center;
@@ -70,7 +71,7 @@ Fit<Obb<Scalar, Dim>> obb_sphere_axis(PointSpan<Scalar, Dim> points, Observer&& 
     const Vector<double, 3> u = axes.col(0), x = axes.col(1), y = axes.col(2);
     std::vector<Vector<double, 2>> cast;
     for (const auto& p : local.at) cast.emplace_back(x.dot(p), y.dot(p));
-    TallyFor<Observer> spent;
+    PartCounterFor<Observer> spent;
     spent.count(Operation::kPointsTouched, points.size());
     spent.count(Operation::kDotProducts, 2 * std::int64_t{points.size()});
     const LongestChord<2> second(std::move(cast), spent);

@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "fit/counters.hpp"
 #include "fit/obb/obb_frame.hpp"
 #include "fit/obb/obb_steps.hpp"
-#include "fit/tally.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/power_of_two.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::fit {
@@ -34,7 +35,7 @@ struct LocalPoints {
       at.push_back(p.template cast<double>() - first);
       largest = std::max(largest, at.back().cwiseAbs().maxCoeff());
     }
-    exponent = largest > 0 ? std::ilogb(largest) : 0;
+    exponent = exponent_of(largest);
     for (auto& p : at) {
       for (int i = 0; i < Dim; ++i) p[i] = std::ldexp(p[i], -exponent);
       size = std::max(size, p.norm());

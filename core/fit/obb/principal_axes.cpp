@@ -1,4 +1,5 @@
 #include "fit/obb/principal_axes.hpp"
+#include "number/power_of_two.hpp"
 
 #include <utility>
 
@@ -59,7 +60,7 @@ struct Jacobi {
 template <class Scalar, int Dim>
 AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread) {
   const Scalar largest = spread.covariance.cwiseAbs().maxCoeff();
-  const int exponent = largest > 0 ? std::ilogb(largest) : 0;  // squares of numbers near 1 do not underflow
+  const int exponent = exponent_of(largest);  // squares of numbers near 1 do not underflow
   Jacobi<Scalar, Dim> jacobi{spread.covariance.unaryExpr([&](Scalar x) { return std::ldexp(x, -exponent); })};
   jacobi.diagonalise();
 

@@ -8,6 +8,7 @@
 
 #include "fit/sphere/sphere_steps.hpp"
 #include "geometry/tolerance.hpp"
+#include "number/power_of_two.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::fit {
@@ -80,8 +81,7 @@ AxesFound<Scalar, Dim> principal_axes(const CovarianceFound<Scalar, Dim>& spread
   for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - spread.mean).cwiseAbs().maxCoeff());
   observe.count(Operation::kPointsTouched, points.size());
   if (largest == 0) return principal_axes(spread);
-  const Scalar scale =
-      std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), std::numeric_limits<Scalar>::max_exponent - 1));
+  const Scalar scale = to_unit_size(largest);
   const auto n = static_cast<Scalar>(points.size());
   const CovarianceFound<Scalar, Dim> magnified{spread.mean, sum_of_products(spread.mean, scale, points, observe) / n};
   AxesFound<Scalar, Dim> found = principal_axes(magnified);

@@ -8,6 +8,7 @@
 
 #include "fit/obb/principal_axes.hpp"
 #include "geometry/pose.hpp"
+#include "number/power_of_two.hpp"
 
 namespace snug::fit {
 
@@ -37,11 +38,9 @@ template <class StepType, class Scalar, int Dim, class Observer>
   found.axes = orthonormal<Scalar, Dim>(found.axes);
   observe(StepType{2, false, {}, found});
 
-  PrincipalFrame<Scalar, Dim> frame{mean.mean, found.axes, 1, {}};
   Scalar largest = 0;
   for (const auto& p : points) largest = std::max(largest, Vector<Scalar, Dim>(p - mean.mean).cwiseAbs().maxCoeff());
-  constexpr int kMostExponent = std::numeric_limits<Scalar>::max_exponent - 1;
-  if (largest > 0) frame.scale = std::ldexp(Scalar{1}, std::min(-std::ilogb(largest), kMostExponent));
+  PrincipalFrame<Scalar, Dim> frame{mean.mean, found.axes, to_unit_size(largest), {}};
   frame.local.reserve(points.size());
   for (const auto& p : points)
     frame.local.push_back(turned_back<Scalar, Dim>(found.axes, (p - mean.mean) * frame.scale));

@@ -1,3 +1,4 @@
+// The sphere around the centre of the axis-aligned box.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, section 4.3.
 #pragma once
 

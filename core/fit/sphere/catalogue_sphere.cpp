@@ -3,6 +3,7 @@
 #include "fit/catalogue_rows.hpp"
 #include "fit/sphere/aabb_center.hpp"
 #include "fit/sphere/brute_force.hpp"
+#include "fit/sphere/certify_sphere.hpp"
 #include "fit/sphere/pca_sphere.hpp"
 #include "fit/sphere/pivot.hpp"
 #include "fit/sphere/ritter.hpp"

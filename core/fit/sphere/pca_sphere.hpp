@@ -1,3 +1,4 @@
+// A sphere through the two extreme points along the principal axis, which grows until it contains all points.
 // Source: X. Wu, "A linear-time simple bounding volume algorithm", Graphics Gems III, 1992; the growing pass is
 // Ritter's.
 #pragma once

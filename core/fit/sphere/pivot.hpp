@@ -1,3 +1,4 @@
+// The smallest enclosing ball by pivoting: the point farthest outside enters the support set, again and again.
 // Source: B. Gärtner, "Fast and robust smallest enclosing balls", 1999: farthest-point pivoting. Here a pass finds the
 // farthest point of each block, because it costs more than a few changes of the support set.
 #pragma once

@@ -100,7 +100,10 @@ class Pivoting {
     Scalar most = limit_;
     for (const Index i : few) {
       const Scalar square = square_to(i);
-      if (square > most) most = square, farthest = i;
+      if (square > most) {
+        most = square;
+        farthest = i;
+      }
     }
     observe_.count(Operation::kDistanceTests, static_cast<std::int64_t>(few.size()));
     return farthest;

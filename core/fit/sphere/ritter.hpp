@@ -1,3 +1,4 @@
+// Ritter's sphere: through two points that are far apart, and grown in one pass over all.
 // Source: J. Ritter, "An efficient bounding sphere", Graphics Gems, 1990.
 #pragma once
 

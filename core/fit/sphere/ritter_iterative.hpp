@@ -1,3 +1,4 @@
+// Ritter's sphere, shrunk and grown again over the points in random orders; the smallest is kept.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, section 4.3.5: iterative refinement of Ritter's sphere.
 #pragma once
 

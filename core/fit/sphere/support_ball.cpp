@@ -8,6 +8,7 @@
 #include "geometry/sphere.hpp"
 #include "geometry/tolerance.hpp"
 #include "number/bits.hpp"
+#include "number/tuple.hpp"
 
 namespace snug::fit {
 namespace {
@@ -50,20 +51,10 @@ Wide scaled(Wide value, int exponent) {
   return {value.high * power, value.low * power};
 }
 
-template <int Dim>
-using WideVector = std::array<Wide, Dim>;
-
-template <int Dim>
-Wide dot(const WideVector<Dim>& a, const WideVector<Dim>& b) {
-  Wide sum;
-  for (std::size_t i = 0; i < Dim; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 /// The edges from the first support point to the others, scaled by a power of two to a largest coordinate near 1.
 template <class Scalar, int Dim>
 struct Edges {
-  std::array<WideVector<Dim>, Dim> edge;
+  std::array<Tuple<Wide, Dim>, Dim> edge;
   int exponent = 0;
 
   Edges(PointSpan<Scalar, Dim> points, const Support& support) {
@@ -97,13 +88,13 @@ template <class Scalar, int Dim>
 std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, const Support& support) {
   const int n = support.size() - 1;
   const Edges<Scalar, Dim> edges(points, support);
-  const auto edge = [&](int i) -> const WideVector<Dim>& { return edges.edge[i]; };
+  const auto edge = [&](int i) -> const Tuple<Wide, Dim>& { return edges.edge[i]; };
 
   std::array<std::array<Wide, Dim>, Dim> gram{};
   std::array<Wide, Dim> weight{};
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j <= i; ++j) {
-      const Wide entry = dot<Dim>(edge(i), edge(j));
+      const Wide entry = dot(edge(i), edge(j));
       gram[i][j] = entry;
       gram[j][i] = entry;
     }
@@ -111,7 +102,7 @@ std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, cons
   }
   if (!solve<Dim>(gram, weight, n)) return std::nullopt;
 
-  WideVector<Dim> to_center{};
+  Tuple<Wide, Dim> to_center{};
   Wide first = 1.0;
   SupportBall<Dim> ball{.support = support};
   for (int i = 0; i < n; ++i) {
@@ -122,7 +113,7 @@ std::optional<SupportBall<Dim>> ball_through(PointSpan<Scalar, Dim> points, cons
   }
   ball.weights[0] = first.value();
   ball.exponent = edges.exponent;
-  ball.scaled_square = dot<Dim>(to_center, to_center);
+  ball.scaled_square = dot(to_center, to_center);
   ball.radius = std::ldexp(std::sqrt(ball.scaled_square.value()), edges.exponent);
   const Vector<double, Dim> base = points[support[0]].template cast<double>();
   for (int axis = 0; axis < Dim; ++axis)

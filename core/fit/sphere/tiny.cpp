@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fit/sphere/certify_sphere.hpp"
 #include "geometry/point_set.hpp"
 
 namespace snug::fit {
@@ -56,10 +57,14 @@ void reduce(double& length, double unit) { length *= unit; }
 void reduce(Vector<double, 3>& v, double unit) { v *= unit; }
 void reduce(Sphere3& ball, double unit) { ball.center *= unit, ball.radius *= unit; }
 void reduce(CovarianceFound<double, 3>& fact, double unit) {
-  fact.mean *= unit, fact.covariance *= unit, fact.covariance *= unit;
+  fact.mean *= unit;
+  fact.covariance *= unit;
+  fact.covariance *= unit;
 }
 void reduce(AxesFound<double, 3>& fact, double unit) {
-  fact.mean *= unit, fact.variances *= unit, fact.variances *= unit;
+  fact.mean *= unit;
+  fact.variances *= unit;
+  fact.variances *= unit;
 }
 template <class Other>
 void reduce(Other&, double) {}  // an index, a count, a choice
@@ -121,7 +126,8 @@ Watched watch_of_any_size(const AnyPointSet& points, const Options& options, con
     Watched watched = watch(*larger, options, see_reduced);
     // The proof is that of the enlarged points, whose numbers are the same; what rounding left outside is not.
     const Certificate rounded = certify(put_back(watched.result, larger->span()), span, false);
-    watched.certificate.contains = rounded.contains, watched.certificate.outside = rounded.outside;
+    watched.certificate.contains = rounded.contains;
+    watched.certificate.outside = rounded.outside;
     watched.certificate.max_outside = rounded.max_outside;
     watched.certificate.lower_bound *= unit;
     return watched;

@@ -1,3 +1,4 @@
+// Welzl's smallest enclosing ball, the recursion written as a loop.
 // Source: E. Welzl, "Smallest enclosing disks (balls and ellipsoids)", 1991, with his move-to-front heuristic.
 #pragma once
 

@@ -111,7 +111,9 @@ class WelzlNaive {
       observe_(Step{4, has_ball_, ball_, CircumsphereFailed{support}});
       return false;
     }
-    ball_ = *sphere, support_ = support, has_ball_ = true;
+    ball_ = *sphere;
+    support_ = support;
+    has_ball_ = true;
     observe_(Step{4, true, ball_, BoundaryForced{support, support.size()}});
     return true;
   }

@@ -1,3 +1,4 @@
+// Welzl's smallest enclosing ball, as the recursion that it is printed as.
 // Source: E. Welzl, "Smallest enclosing disks (balls and ellipsoids)", 1991, as lectures print it: two recursions, the
 // first as deep as there are points. welzl.hpp has the same without a deep stack.
 #pragma once

@@ -1,3 +1,4 @@
+// A capsule along the longest principal axis of the points.
 // Source: D. Eberly, "3D Game Engine Design", 2000, for the axis and the caps. The line goes through the centre of the
 // smallest circle instead of the mean: B. Gärtner, "Fast and robust smallest enclosing balls", 1999.
 #pragma once
@@ -79,10 +80,19 @@ template <class Scalar, int Dim, class Observer>
     const Vector<Scalar, Dim> across = local[i] - circle.center;
     const Scalar square = circle.radius * circle.radius - across.template head<Dim - 1>().squaredNorm();
     const Scalar reach = std::sqrt(std::max(square, Scalar{0}));
-    if (i == 0) ends.far = {along, along}, ends.near = {along + reach, along - reach};
+    if (i == 0) {
+      ends.far = {along, along};
+      ends.near = {along + reach, along - reach};
+    }
     ends.far = {std::min(ends.far[0], along), std::max(ends.far[1], along)};
-    if (along + reach < ends.near[0]) ends.near[0] = along + reach, ends.touching[0] = static_cast<Index>(i);
-    if (along - reach > ends.near[1]) ends.near[1] = along - reach, ends.touching[1] = static_cast<Index>(i);
+    if (along + reach < ends.near[0]) {
+      ends.near[0] = along + reach;
+      ends.touching[0] = static_cast<Index>(i);
+    }
+    if (along - reach > ends.near[1]) {
+      ends.near[1] = along - reach;
+      ends.touching[1] = static_cast<Index>(i);
+    }
   }
   // A point that supports the circle has no reach, so the ends are in order but for rounding.
   if (ends.near[0] > ends.near[1]) ends.near[0] = ends.near[1] = (ends.near[0] + ends.near[1]) / 2;

@@ -1,3 +1,4 @@
+// A lozenge along the two longest principal axes of the points.
 // Source: E. Larsen, S. Gottschalk, M. C. Lin, D. Manocha, "Fast proximity queries with swept sphere volumes", 1999.
 #pragma once
 

@@ -11,22 +11,24 @@
 #include "geometry/lozenge.hpp"
 #include "geometry/point_set.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/contains.hpp"
+#include "number/power_of_two.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 
 /// The core over which the sphere is swept, a segment or a rectangle, in double.
 template <int Dim>
-class SweptCore {
+class ScaledCore {
  public:
   template <class Scalar>
-  explicit SweptCore(const Capsule<Scalar, Dim>& capsule)
-      : SweptCore(capsule.a.template cast<double>(),
-                  capsule.b.template cast<double>() - capsule.a.template cast<double>(), Vector<double, Dim>::Zero()) {}
+  explicit ScaledCore(const Capsule<Scalar, Dim>& capsule)
+      : ScaledCore(capsule.a.template cast<double>(),
+                   capsule.b.template cast<double>() - capsule.a.template cast<double>(), Vector<double, Dim>::Zero()) {
+  }
   template <class Scalar>
-  explicit SweptCore(const Lozenge<Scalar, Dim>& lozenge)
-      : SweptCore(lozenge.origin.template cast<double>(), lozenge.edges[0].template cast<double>(),
-                  lozenge.edges[1].template cast<double>()) {}
+  explicit ScaledCore(const Lozenge<Scalar, Dim>& lozenge)
+      : ScaledCore(lozenge.origin.template cast<double>(), lozenge.edges[0].template cast<double>(),
+                   lozenge.edges[1].template cast<double>()) {}
 
   /// The distance of the point from the core, within kSweptDistance of that distance and twice the size.
   [[nodiscard]] double distance(const Vector<double, Dim>& point) const {
@@ -46,8 +48,7 @@ class SweptCore {
     double scale, square;
 
     explicit Edge(const Vector<double, Dim>& edge) : whole(edge) {
-      const double largest = edge.cwiseAbs().maxCoeff();
-      scale = largest > 0 ? std::ldexp(1.0, -std::max(std::ilogb(largest), -1022)) : 1;
+      scale = to_unit_size(edge.cwiseAbs().maxCoeff());
       scaled = edge * scale;
       square = scaled.squaredNorm();
     }
@@ -60,7 +61,7 @@ class SweptCore {
     }
   };
 
-  SweptCore(const Vector<double, Dim>& origin, const Vector<double, Dim>& edge, const Vector<double, Dim>& other)
+  ScaledCore(const Vector<double, Dim>& origin, const Vector<double, Dim>& edge, const Vector<double, Dim>& other)
       : origin_(origin), edges_{Edge(edge), Edge(other)} {}
 
   Vector<double, Dim> origin_;
@@ -72,13 +73,13 @@ template <class VolumeType, class Scalar, int Dim>
 [[nodiscard]] double swept_size(const VolumeType& volume, PointSpan<Scalar, Dim> points) {
   Scalar largest = 0;
   for (const auto& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return static_cast<double>(largest) + static_cast<double>(volume.radius) + SweptCore<Dim>(volume).size();
+  return static_cast<double>(largest) + static_cast<double>(volume.radius) + ScaledCore<Dim>(volume).size();
 }
 
 /// Whether the point lies on the boundary, within rounding. size: swept_size.
 template <class VolumeType, class Scalar, int Dim>
 [[nodiscard]] bool touches(const VolumeType& volume, const Vector<Scalar, Dim>& point, double size) {
-  const double distance = SweptCore<Dim>(volume).distance(point.template cast<double>());
+  const double distance = ScaledCore<Dim>(volume).distance(point.template cast<double>());
   return std::abs(distance - static_cast<double>(volume.radius)) <=
          tolerance::kSweptBoundaryRoundoffs * tolerance::roundoff<Scalar>(size);
 }
@@ -106,7 +107,7 @@ bool widen_swept(VolumeType& volume, const Vector<Scalar, Dim>& point, Scalar le
 /// passes.
 template <class VolumeType, class Scalar, int Dim>
 SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
-  const SweptCore<Dim> core(volume);
+  const ScaledCore<Dim> core(volume);
   std::vector<double> distances;
   distances.reserve(points.size());
   for (const auto& p : points) distances.push_back(core.distance(p.template cast<double>()));

@@ -1,3 +1,5 @@
+// Updates an axis-aligned box of a rotated body by hill climbing: its extreme vertices move along the edges of the hull
+// to the new ones.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.2.5.
 #pragma once
 

@@ -58,7 +58,8 @@ Updated<Kdop<Scalar, Dim>> update_slabs(int k, Scalar doubt, std::int64_t points
   const auto axes = kdop_axes<Dim>(k);
   for (std::size_t slab = 0; slab < axes.size(); ++slab) {
     const auto [least, greatest] = bounds_along(axes[slab]);
-    kdop.min[slab] = least - doubt, kdop.max[slab] = greatest + doubt;
+    kdop.min[slab] = least - doubt;
+    kdop.max[slab] = greatest + doubt;
     observe.count(Operation::kPointsTouched, points);
     observe.count(Operation::kDotProducts, points * (Dim + 1));  // placed, then projected
     observe.count(Operation::kComparisons, 2 * points);

@@ -1,3 +1,4 @@
+// Updates a k-DOP of a rotated body by hill climbing on the hull: one climb for each of its bounds.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.6.
 #pragma once
 

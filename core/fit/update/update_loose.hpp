@@ -1,3 +1,4 @@
+// Updates an axis-aligned box of a rotated body that is large enough for every rotation: it only moves.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.2.3.
 #pragma once
 

@@ -1,3 +1,4 @@
+// Updates an oriented box with its body: its centre and its axes turn along.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.4.
 #pragma once
 

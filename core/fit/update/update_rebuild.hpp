@@ -1,3 +1,4 @@
+// Updates an axis-aligned box of a rotated body by a new fit to all of its points.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.2.4.
 #pragma once
 

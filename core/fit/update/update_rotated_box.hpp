@@ -1,3 +1,4 @@
+// Updates an axis-aligned box by rotating it and taking the AABB of the result.
 // Source: J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems, 1990.
 #pragma once
 

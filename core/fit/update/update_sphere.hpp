@@ -1,3 +1,4 @@
+// Updates a sphere with its body: only its centre moves.
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 4.3.
 #pragma once
 

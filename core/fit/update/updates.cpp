@@ -6,13 +6,13 @@
 
 #include "fit/aabb/aabb_min_max.hpp"
 #include "fit/catalogue_rows.hpp"
+#include "fit/counters.hpp"
 #include "fit/hull/quickhull.hpp"
 #include "fit/kdop/kdop_fit.hpp"
 #include "fit/lift.hpp"
 #include "fit/obb/obb_pca.hpp"
 #include "fit/obb/obb_pca_rectangle.hpp"
 #include "fit/sphere/pivot.hpp"
-#include "fit/tally.hpp"
 #include "fit/update/update_hill_climb.hpp"
 #include "fit/update/update_kdop.hpp"
 #include "fit/update/update_kdop_climb.hpp"
@@ -21,7 +21,7 @@
 #include "fit/update/update_rebuild.hpp"
 #include "fit/update/update_rotated_box.hpp"
 #include "fit/update/update_sphere.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::fit {
 namespace {
@@ -183,7 +183,7 @@ template <class Scalar, int Dim>
 struct RotatedKdop : UpdatedKdop<Scalar, Dim> {
   RotatedKdop(PointSpan<Scalar, Dim> points, int k) : UpdatedKdop<Scalar, Dim>{points, k} {
     const Kdop<Scalar, Dim> local = kdop_fit(points, k).volume;
-    size = size_of(local);
+    size = magnitude_of(local);
     for (const auto& vertex : kdop_vertices(local)) vertices.push_back(vertex.template cast<Scalar>());
   }
   auto volume_at(const Pose<Scalar, Dim>& pose, auto& watch) {

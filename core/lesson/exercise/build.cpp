@@ -123,7 +123,7 @@ int level_of(const Exercise& exercise, const Session& session) {
   const Task& task = session.lesson().tasks.front();
   if ((!task.only.empty() && !session.at_task()) || is_flat(session.subject())) return 0;
   if (const AnyPointSet* points = session.subject().points();
-      points != nullptr && task.points > 0 && static_cast<int>(fit::size_of(*points)) != task.points)
+      points != nullptr && task.points > 0 && static_cast<int>(fit::count_of(*points)) != task.points)
     return 0;
   int least = exercise.build->levels;
   for (std::size_t i = 0; i < task.conditions.size(); ++i) {

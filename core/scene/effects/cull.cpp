@@ -1,5 +1,5 @@
 // cull: tests each body's AABB against a camera's view frustum.
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 #include "scene/effect.hpp"
 
 namespace snug::scene {

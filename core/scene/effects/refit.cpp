@@ -43,7 +43,7 @@ class Refit final : public Effect {
         continue;
       }
       const fit::UpdatedFrame frame = updates_[i](pose, {});
-      state.volumes[i] = std::visit([](const auto& volume) { return hierarchy::bounds_of(volume); }, frame.volume);
+      state.volumes[i] = std::visit([](const auto& volume) { return bounds_of(volume); }, frame.volume);
       if (measure == 0) state.refitted.first = frame.volume;
       measure += frame.measure, tightest += frame.tightest;
       state.refitted.cost += static_cast<double>(frame.counts[static_cast<std::size_t>(Operation::kPointsTouched)]);

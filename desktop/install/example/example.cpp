@@ -1,6 +1,6 @@
 #include <iostream>
 #include <snug/fit/sphere/welzl.hpp>
-#include <snug/query/overlaps.hpp>
+#include <snug/query/overlap/overlaps.hpp>
 
 int main() {
   const auto points = snug::PointSet<double, 3>::make({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}});

@@ -11,7 +11,7 @@
 #include "fit/obb/obb_pca_rectangle.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 namespace snug::test {
 namespace {
@@ -223,7 +223,7 @@ class Member {
     traits_.hull_dim = hull.affine_dim;
     traits_.hull_vertices = static_cast<int>(hull.vertices.size());
     const double on = 4 * ulp<Scalar>(known_.size), near = (sizeof(Scalar) == 4 ? 3e-6 : 1e-11) * ball_.radius;
-    for (Index i = 0; i < fit::size_of(set_); ++i) {
+    for (Index i = 0; i < fit::count_of(set_); ++i) {
       const double off = std::abs(scaled_norm<double, 3>(fit::point_of(set_, i) - ball_.center) - ball_.radius);
       traits_.on_sphere += off <= on;
       traits_.near_sphere += off <= near;
@@ -334,7 +334,7 @@ void check_pair(PairTally& tally, const Cloud<Scalar, Dim>& first, Cloud<Scalar,
   ++tally.pairs;
   tally.overlapping += one.overlap;
   tally.unordered += one.overlap != other.overlap || one.distance != other.distance;
-  // What touches may seem apart by the rounding of a box's axes (query/overlaps.hpp).
+  // What touches may seem apart by the rounding of a box's axes (query/overlap/overlaps.hpp).
   const double doubt = 64 * tolerance::roundoff<Scalar>(2 * std::max(farthest(first), farthest(second)));
   tally.missed += share && !one.overlap && one.separating_axis->gap > doubt;
   const int exponent = any_exponent<Scalar>(seed);

@@ -87,7 +87,7 @@ void check_promises(std::span<const fit::Algorithm> algorithms, const std::strin
   const AnyPointSet set = set_of<Scalar, Dim>(points);
   INFO(name << ", " << points.size() << " points, dim " << Dim << ", " << sizeof(Scalar) << " bytes");
   for (const fit::Algorithm& algorithm : algorithms)
-    if (!algorithm.loses_points && fit::takes(algorithm, Dim) && fit::size_of(set) <= algorithm.max_points)
+    if (!algorithm.loses_points && fit::takes(algorithm, Dim) && fit::count_of(set) <= algorithm.max_points)
       check_promises(algorithm, set);
 }
 

@@ -8,8 +8,8 @@
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
 #include "geometry/convert.hpp"
-#include "query/contains.hpp"
-#include "query/contains_hull.hpp"
+#include "query/contain/contains.hpp"
+#include "query/contain/contains_hull.hpp"
 
 using namespace snug;
 
@@ -28,7 +28,7 @@ void check_cloud(const test::Cloud<double, Dim>& cloud) {
   }
   const AnyPointSet points = test::set_of<float, Dim>(floats);
   for (const fit::Algorithm& algorithm : fit::algorithms()) {
-    if (!fit::takes(algorithm, Dim) || fit::size_of(points) > algorithm.max_points) continue;
+    if (!fit::takes(algorithm, Dim) || fit::count_of(points) > algorithm.max_points) continue;
     INFO(algorithm.volume << " " << algorithm.name << ", dim " << Dim);
     const fit::Watched run = algorithm.watch(points, {}, {});
     const fit::Rounded rounded = fit::rounded(run.result, run.certificate, points, given);

@@ -19,7 +19,7 @@ std::uint64_t hash_of_all(bool loses_points = false) {
         const AnyPointSet set = test::set_of<Scalar, Dim>(cloud.points);
         for (const fit::Algorithm& algorithm : fit::algorithms())
           if (algorithm.loses_points == loses_points && fit::takes(algorithm, Dim) &&
-              fit::size_of(set) <= algorithm.max_points &&
+              fit::count_of(set) <= algorithm.max_points &&
               (algorithm.volume == "sphere" || n * static_cast<int>(seed) <= 20))
             all = all * 0x100000001b3u ^ fit::hash_of(algorithm.record(set, {}).steps);
       }

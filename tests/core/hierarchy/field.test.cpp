@@ -8,8 +8,8 @@
 #include "core/query/exact_planes.hpp"
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
-#include "query/frustum_sat.hpp"
-#include "query/vertices_along.hpp"
+#include "query/cull/frustum_sat.hpp"
+#include "query/cull/vertices_along.hpp"
 
 using namespace snug;
 using hierarchy::Field;

@@ -7,8 +7,8 @@
 #include "core/hierarchy/scenes.hpp"
 #include "hierarchy/traverse_pair.hpp"
 #include "hierarchy/traverse_self.hpp"
-#include "query/aabb_overlap.hpp"
-#include "query/ray_aabb.hpp"
+#include "query/overlap/aabb_overlap.hpp"
+#include "query/overlap/ray_aabb.hpp"
 
 using namespace snug;
 using hierarchy::Answer;

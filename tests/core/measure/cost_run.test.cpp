@@ -54,7 +54,7 @@ void check_rows(const AnyPointSet& points) {
     const cost::CostRow& row = run.rows()[i];
     INFO(row.volume << " " << row.algorithm << ", dim " << dim);
     CHECK(row.algorithm == algorithms[i]->name);
-    if (algorithms[i]->max_points < fit::size_of(points)) {
+    if (algorithms[i]->max_points < fit::count_of(points)) {
       CHECK(row.points == algorithms[i]->max_points);
       CHECK(row.whole_ns.value() > 0);
       continue;
@@ -276,13 +276,13 @@ TEST_CASE("a sample has each part of the set once") {
   for (int i = 0; i < 1000; ++i) cloud.emplace_back(i, 0);
   const AnyPointSet points = test::set_of<double, 2>(cloud);
   const AnyPointSet fewer = cost::sample(points, 37, 5);
-  REQUIRE(fit::size_of(fewer) == 37);
+  REQUIRE(fit::count_of(fewer) == 37);
   for (Index i = 0; i < 37; ++i) {
     CHECK(fit::point_of(fewer, i)[0] >= i * 1000 / 37);
     CHECK(fit::point_of(fewer, i)[0] < (i + 1) * 1000 / 37);
   }
-  CHECK(fit::size_of(cost::sample(points, 1000, 5)) == 1000);
-  CHECK(fit::size_of(cost::sample(points, 5000, 5)) == 1000);
+  CHECK(fit::count_of(cost::sample(points, 1000, 5)) == 1000);
+  CHECK(fit::count_of(cost::sample(points, 5000, 5)) == 1000);
 }
 
 TEST_CASE("a row has the time of one test, and of one update, as soon as it is ready") {

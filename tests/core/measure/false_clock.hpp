@@ -30,13 +30,13 @@ inline cost::Clock ticking_clock() {
 /// A true algorithm whose runs take false time: coefficient times n^power.
 template <int kCoefficient, int kTwicePower>
 fit::Result slow_fit(const AnyPointSet& points, const fit::Options& options) {
-  pass(kCoefficient * std::pow(fit::size_of(points), kTwicePower / 2.0));
+  pass(kCoefficient * std::pow(fit::count_of(points), kTwicePower / 2.0));
   return fit::find_algorithm("sphere", "ritter")->fit(points, options);
 }
 /// Watched it takes three times as long.
 template <int kCoefficient, int kTwicePower>
 fit::Watched slow_watch(const AnyPointSet& points, const fit::Options& options, const fit::SeeStep& see) {
-  pass(3 * kCoefficient * std::pow(fit::size_of(points), kTwicePower / 2.0));
+  pass(3 * kCoefficient * std::pow(fit::count_of(points), kTwicePower / 2.0));
   return fit::find_algorithm("sphere", "ritter")->watch(points, options, see);
 }
 /// theory: of its time; none where nothing is said of it.

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/volume.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 using namespace snug;
 

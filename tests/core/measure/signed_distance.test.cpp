@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/query/volume_pairs.hpp"
-#include "query/exact_gap.hpp"
-#include "query/obb_sat.hpp"
+#include "query/overlap/exact_gap.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 using namespace snug;
 using namespace snug::test;

@@ -5,7 +5,7 @@
 
 #include "core/scene/declared.hpp"
 #include "geometry/random.hpp"
-#include "query/obb_sat.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 using namespace snug;
 using namespace snug::test;
@@ -265,16 +265,17 @@ TEST_CASE("with restitution a ball comes back as high as it must, and no higher"
 }
 
 TEST_CASE("with restitution there is never more energy than there was") {
-  const auto spinning = [](double tilt, double turning, double restitution) {
+  const auto spinning = [](double tilt, double angular_velocity, double restitution) {
     Body body = box({0.5, 0.1, 0.5}, {0, 1.5, 0});
     body.orientation = quaternion_about(V3::UnitZ(), tilt * std::numbers::pi / 180);
-    return Declaration{.bodies = {floor(), moving(body, {0, -1, 0}, {0, 0, turning})},
+    return Declaration{.bodies = {floor(), moving(body, {0, -1, 0}, {0, 0, angular_velocity})},
                        .effects = solid(restitution, true, 0)};
   };
   std::vector<Declaration> all{tumble(0.6, false), tumble(0.9, true), tumble(1, false)};
   for (const double restitution : {0.5, 0.6, 0.7, 0.9, 1.0})
     for (int tilt = 0; tilt < 90; tilt += 17)
-      for (const double turning : {-9.0, -3.0, 5.0, 12.0}) all.push_back(spinning(tilt, turning, restitution));
+      for (const double angular_velocity : {-9.0, -3.0, 5.0, 12.0})
+        all.push_back(spinning(tilt, angular_velocity, restitution));
   for (const Declaration& declaration : all)
     for (const bool gravity : {true, false}) {
       Declaration own = declaration;

@@ -1,5 +1,5 @@
 // The three tests of boxes against rational arithmetic on the numbers of each representation.
-#include "query/aabb_overlap.hpp"
+#include "query/overlap/aabb_overlap.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,11 @@
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 #include <doctest/doctest.h>
 
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
-#include "query/classify_corners.hpp"
-#include "query/culler.hpp"
+#include "query/cull/classify_corners.hpp"
+#include "query/cull/culler.hpp"
 
 using namespace snug;
 using query::Culling;

@@ -1,13 +1,13 @@
-#include "query/classify_corners.hpp"
+#include "query/cull/classify_corners.hpp"
 
 #include <doctest/doctest.h>
 
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
-#include "query/classify.hpp"
-#include "query/frustum_sat.hpp"
-#include "query/random_boxes.hpp"
-#include "query/wrong_corners_outside.hpp"
+#include "measure/random_boxes.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/frustum_sat.hpp"
+#include "query/exhibits/wrong_corners_outside.hpp"
 
 using namespace snug;
 using query::Culling;
@@ -63,7 +63,7 @@ void check_counter_example() {
   Random random(1);
   int lost = 0;
   for (int i = 0; i < 1000; ++i) {
-    Obb<Scalar, Dim> box = query::random_box<Scalar, Dim>(random);
+    Obb<Scalar, Dim> box = cost::random_box<Scalar, Dim>(random);
     box.center = inside + 5 * box.center, box.half_extents *= 5;
     if (query::corners_outside(frustum, box).verdict != Culling::kOutside || !exact::overlap(frustum, box)) continue;
     CHECK(query::classify(frustum, box).verdict == Culling::kIntersecting);

@@ -3,7 +3,7 @@
 #include "core/query/exact_planes.hpp"
 #include "core/query/grazing.hpp"
 #include "fit/hull/quickhull.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 using namespace snug;
 using query::Culling;
@@ -101,7 +101,7 @@ template <class Scalar, int Dim, class Shape>
 void check_doubt(const Plane<Scalar, Dim>& plane, const Shape& volume, int times, double& most) {
   const auto rounded = query::span_of(plane, volume);
   const auto exact = core_span<Dyadic>(plane, volume);
-  const auto doubt = static_cast<double>(query::doubt_of(plane, size_of(volume)));
+  const auto doubt = static_cast<double>(query::doubt_of(plane, magnitude_of(volume)));
   const auto off = [&](Scalar own, const Dyadic& right) {
     const double error = std::abs((Dyadic(static_cast<double>(own)) * Dyadic(times) - right).approximate()) / times;
     CHECK(error <= doubt);

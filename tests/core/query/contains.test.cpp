@@ -1,4 +1,4 @@
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Whether a hull holds a point, against the definition in rational arithmetic.
-#include "query/contains_hull.hpp"
+#include "query/contain/contains_hull.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Distances of points, segments and rectangles against 300 bits. Each family is what was hard for somebody's test.
-#include "query/distance.hpp"
+#include "query/distance/distance.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/query/distance_oracle.hpp"
 #include "geometry/random.hpp"
-#include "query/distance_rectangles.hpp"
+#include "query/distance/distance_rectangles.hpp"
 
 using namespace snug;
 using query::Rectangle;

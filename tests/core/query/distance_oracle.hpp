@@ -1,5 +1,5 @@
 // Distances of points, segments and parallelograms in 300 bits, by trying every pair of features: the oracle of what
-// query/distance.hpp does in one scalar.
+// query/distance/distance.hpp does in one scalar.
 #pragma once
 
 #include <array>

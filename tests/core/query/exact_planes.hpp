@@ -10,7 +10,7 @@
 #include "geometry/lozenge.hpp"
 #include "geometry/obb.hpp"
 #include "geometry/sphere.hpp"
-#include "query/classify_steps.hpp"
+#include "query/cull/classify_steps.hpp"
 
 namespace snug::exact {
 

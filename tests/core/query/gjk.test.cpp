@@ -1,5 +1,5 @@
 // GJK against whole numbers, and where rounding hides the nearest features.
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,7 @@
 
 #include "core/query/box_pairs.hpp"
 #include "geometry/frustum.hpp"
-#include "query/plane_reach.hpp"
+#include "query/cull/plane_reach.hpp"
 
 namespace snug::test {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "query/overlaps_any.hpp"
+#include "query/overlap/overlaps_any.hpp"
 
 namespace snug::test {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "geometry/convert.hpp"
 #include "geometry/turn.hpp"
-#include "query/exact_gap.hpp"
-#include "query/naive_sat.hpp"
-#include "query/random_boxes.hpp"
+#include "measure/random_boxes.hpp"
+#include "query/exhibits/naive_sat.hpp"
+#include "query/overlap/exact_gap.hpp"
 
 using namespace snug;
 using query::Guard;
@@ -20,7 +20,7 @@ struct Pair {
 
 /// Boxes that overlap, often just so, with axes that are parallel but for a tiny rotation.
 Pair nearly_parallel(Random& random, double scale, double angle) {
-  auto a = query::random_box<double, 3>(random), b = query::random_box<double, 3>(random);
+  auto a = cost::random_box<double, 3>(random), b = cost::random_box<double, 3>(random);
   const Vector<double, 3> line = a.axes * Vector<double, 3>(1, 2, 3);
   b.axes = orthonormal<double, 3>(turn(line, angle) * a.axes);
   Vector<double, 3> way;
@@ -65,7 +65,7 @@ TEST_CASE("an absolute epsilon misses every gap between tiny boxes") {
   Random random(5);
   int apart = 0;
   for (int i = 0; i < 200; ++i) {
-    auto a = query::random_box<double, 3>(random), b = query::random_box<double, 3>(random);
+    auto a = cost::random_box<double, 3>(random), b = cost::random_box<double, 3>(random);
     for (auto* box : {&a, &b}) box->center *= 0x1p-22, box->half_extents *= 0x1p-22;
     if (query::obb_sat(a, b).overlap) continue;
     ++apart;
@@ -79,7 +79,7 @@ TEST_CASE("the face axes alone are wrong to one side") {
   Random random(9);
   int missed = 0;
   for (int i = 0; i < 4000; ++i) {
-    const auto a = query::random_box<double, 3>(random), b = query::random_box<double, 3>(random);
+    const auto a = cost::random_box<double, 3>(random), b = cost::random_box<double, 3>(random);
     const bool overlap = query::obb_sat(a, b).overlap, says = query::faces_only(a, b);
     if (overlap) CHECK(says);
     missed += says && !overlap;
@@ -90,7 +90,7 @@ TEST_CASE("the face axes alone are wrong to one side") {
 TEST_CASE("the exact gap along a row is the rounded one where rounding does not matter, and 0 for parallel edges") {
   Random random(2);
   for (int i = 0; i < 200; ++i) {
-    const auto a = query::random_box<double, 3>(random), b = query::random_box<double, 3>(random);
+    const auto a = cost::random_box<double, 3>(random), b = cost::random_box<double, 3>(random);
     query::SatRecorder<double, 3> recorder;
     query::obb_sat(a, b, query::SatExtent::kAll, recorder);
     int place = 0;

@@ -1,4 +1,4 @@
-#include "query/obb_sat.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/query/volume_pairs.hpp"
 #include "fit/field_hash.hpp"
-#include "query/overlaps_any.hpp"
+#include "query/overlap/overlaps_any.hpp"
 
 namespace snug::query {
 namespace {

@@ -1,13 +1,13 @@
 // Every pair of volumes, at distances that are known.
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 #include <doctest/doctest.h>
 
 #include "core/exact.hpp"
 #include "core/query/volume_pairs.hpp"
 #include "geometry/point_set.hpp"
-#include "query/contains.hpp"
-#include "query/overlaps_any.hpp"
+#include "query/contain/contains.hpp"
+#include "query/overlap/overlaps_any.hpp"
 #include "trace/fields.hpp"
 
 using namespace snug;

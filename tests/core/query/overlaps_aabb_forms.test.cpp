@@ -1,5 +1,5 @@
 // The stepped tests of axis-aligned boxes against rational arithmetic on the numbers of each representation.
-#include "query/overlaps_aabb_forms.hpp"
+#include "query/overlap/overlaps_aabb_forms.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 #include "core/query/grazing.hpp"
 #include "core/query/lattice_pairs.hpp"
 #include "core/query/tree_queries.hpp"
-#include "query/classify.hpp"
-#include "query/obb_sat.hpp"
+#include "query/cull/classify.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 namespace snug::test {
 namespace {

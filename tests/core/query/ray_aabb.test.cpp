@@ -1,5 +1,5 @@
 // A ray against a box, held to rational arithmetic.
-#include "query/ray_aabb.hpp"
+#include "query/overlap/ray_aabb.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,8 +9,8 @@
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
 #include "hierarchy/bounds.hpp"
-#include "query/classify.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
+#include "query/cull/classify.hpp"
 
 using namespace snug;
 using query::Culling;

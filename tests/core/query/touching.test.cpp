@@ -1,5 +1,5 @@
 // Touching is told from overlapping exactly: at the gap, and one unit in the last place to either side of it.
-#include "query/touching.hpp"
+#include "query/overlap/touching.hpp"
 
 #include <doctest/doctest.h>
 

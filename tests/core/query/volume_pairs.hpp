@@ -7,7 +7,7 @@
 #include "geometry/random.hpp"
 #include "geometry/turn.hpp"
 #include "geometry/volume.hpp"
-#include "query/support_function.hpp"
+#include "query/distance/support_function.hpp"
 
 namespace snug::test {
 

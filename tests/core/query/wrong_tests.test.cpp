@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
-#include "query/obb_sat.hpp"
-#include "query/random_boxes.hpp"
-#include "query/wrong_corners_only.hpp"
-#include "query/wrong_extents_only.hpp"
+#include "measure/random_boxes.hpp"
+#include "query/exhibits/wrong_corners_only.hpp"
+#include "query/exhibits/wrong_extents_only.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 using namespace snug;
 
@@ -15,7 +15,7 @@ void check_both() {
   Random random(7);
   int empty_corners = 0, crossings = 0;
   for (int i = 0; i < 2000; ++i) {
-    const auto a = query::random_box<Scalar, Dim>(random), b = query::random_box<Scalar, Dim>(random);
+    const auto a = cost::random_box<Scalar, Dim>(random), b = cost::random_box<Scalar, Dim>(random);
     const bool overlap = query::obb_sat(a, b).overlap;
     if (overlap) CHECK(query::extents_only(a, b));
     if (!overlap) CHECK_FALSE(query::corners_only(a, b));

@@ -29,9 +29,9 @@ inline Body named(std::string name, Body body) {
   body.name = std::move(name);
   return body;
 }
-inline Body moving(Body body, const V3& velocity, const V3& turning = V3::Zero()) {
+inline Body moving(Body body, const V3& velocity, const V3& angular_velocity = V3::Zero()) {
   body.velocity = velocity;
-  body.turning = turning;
+  body.angular_velocity = angular_velocity;
   return body;
 }
 /// Its top at y = 0.
@@ -59,8 +59,8 @@ inline std::string refusal(const Declaration& declaration) {
   return scene ? "" : scene.error().message();
 }
 
-inline const scene::Tally& tally(const Scene& scene, std::string_view effect) {
-  for (const scene::Tally& one : scene.tallies())
+inline const scene::EffectTally& tally(const Scene& scene, std::string_view effect) {
+  for (const scene::EffectTally& one : scene.tallies())
     if (one.effect == effect) return one;
   FAIL("no effect " << effect);
   return scene.tallies().front();

@@ -6,7 +6,7 @@
 #include "core/scene/declared.hpp"
 #include "geometry/turn.hpp"
 #include "hierarchy/bounds.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 using namespace snug;
 using namespace snug::test;

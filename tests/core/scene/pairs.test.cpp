@@ -5,7 +5,7 @@
 
 #include "core/scene/declared.hpp"
 #include "geometry/random.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 #include "scene/pairs.hpp"
 #include "scene/shape.hpp"
 

@@ -15,8 +15,8 @@ Declaration bouncing(int count, std::uint64_t seed) {
                 random.between(-1, 1)};  // in braces and one by one: in that order, whatever the compiler
     Body body = i % 2 == 0 ? ball(0.25, at) : box({0.25, 0.2, 0.3}, at);
     const V3 velocity{random.normal(), 0, random.normal()};
-    const V3 turning{random.normal(), random.normal(), random.normal()};
-    declaration.bodies.push_back(moving(body, velocity, turning));
+    const V3 angular_velocity{random.normal(), random.normal(), random.normal()};
+    declaration.bodies.push_back(moving(body, velocity, angular_velocity));
   }
   declaration.effects.push_back(call("trail"));
   declaration.effects.push_back(call("shadow"));

@@ -10,7 +10,7 @@
 #include "lesson/figures.hpp"
 #include "lesson/rows.hpp"
 #include "lesson/words.hpp"
-#include "query/contains_hull.hpp"
+#include "query/contain/contains_hull.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -105,13 +105,13 @@ void AxesByHand::begin(const AnyPointSet& points) {
 void AxesByHand::follow(const AnyPointSet& points) {
   if (fit::dim_of(points) != dim_) return begin(points);
   Point3 least = fit::point_of(points, 0), greatest = least;
-  for (Index i = 1; i < fit::size_of(points); ++i) {
+  for (Index i = 1; i < fit::count_of(points); ++i) {
     least = least.cwiseMin(fit::point_of(points, i));
     greatest = greatest.cwiseMax(fit::point_of(points, i));
   }
   center_ = least + (greatest - least) / 2;
   double farthest = 0;
-  for (Index i = 0; i < fit::size_of(points); ++i)
+  for (Index i = 0; i < fit::count_of(points); ++i)
     farthest = std::max(farthest, (fit::point_of(points, i) - center_).norm());
   reach_ = farthest > 0 ? kKnobBeyond * farthest : 1;
 }

@@ -11,7 +11,7 @@ ScalarsCompared compare_scalars(std::string_view goal, const AnyPointSet& points
   const int dim = fit::dim_of(points);
   ScalarsCompared compared;
   const auto rounded = to_set(all_points(points), dim, true);
-  compared.fits = rounded && fit::size_of(points) <= naive.max_points && fit::takes(naive, dim);
+  compared.fits = rounded && fit::count_of(points) <= naive.max_points && fit::takes(naive, dim);
   if (!compared.fits) return compared;
   const auto judged = [&](const AnyPointSet& set) {
     const fit::Result result = naive.fit(set, {.seed = seed});

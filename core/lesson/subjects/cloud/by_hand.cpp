@@ -8,6 +8,7 @@
 #include "fit/kdop/kdop_by_hand.hpp"
 #include "fit/obb/certify_obb.hpp"
 #include "fit/obb/obb_by_hand.hpp"
+#include "fit/sphere/certify_sphere.hpp"
 #include "fit/swept/certify_swept.hpp"
 #include "fit/swept/swept_by_hand.hpp"
 

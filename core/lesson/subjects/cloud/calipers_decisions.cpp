@@ -64,7 +64,7 @@ const char* offer_touched(Asked& asked, const Run& run) {
   const Tried& tried = tried_at(asked, run);
   if (asked.dim != 2 || tried.on.size() < 3) return "\"touched\" can only be asked of a box on an edge in the plane";
   asked.of = edge_words(asked, tried);
-  for (Index i = 0; i < fit::size_of(fit_run(run).points()); ++i)
+  for (Index i = 0; i < fit::count_of(fit_run(run).points()); ++i)
     if (i != tried.on[0] && i != tried.on[1]) asked.stage_points.push_back(i);
   asked.on_stage = asked.many = true;
   return nullptr;

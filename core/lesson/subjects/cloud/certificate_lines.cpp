@@ -26,7 +26,7 @@ Dyadic excess_at(const Point3& p, const fit::Sphere3& sphere) {
 /// Compares all points in twice a double's digits, and only the farthest of them exactly.
 void add_contained(CertificateLines& lines, const AnyPointSet& points, const fit::Sphere3& sphere) {
   std::vector<std::pair<double, Index>> all;
-  for (Index i = 0; i < fit::size_of(points); ++i) all.emplace_back(-outside_by(fit::point_of(points, i), sphere), i);
+  for (Index i = 0; i < fit::count_of(points); ++i) all.emplace_back(-outside_by(fit::point_of(points, i), sphere), i);
   std::sort(all.begin(), all.end());
   for (const auto& [inside, i] : all) {
     if (lines.contained.size() < kMostContained) {
@@ -55,7 +55,7 @@ void add_mean(CertificateLines& lines, const FitRun& run, const fit::Sphere3& sp
 /// The distance of the farthest point, rounded to the nearest double.
 double farthest_distance(const AnyPointSet& points, const Point3& center) {
   DoubleDouble most;
-  for (Index i = 0; i < fit::size_of(points); ++i) {
+  for (Index i = 0; i < fit::count_of(points); ++i) {
     DoubleDouble square;
     for (int axis = 0; axis < 3; ++axis) {
       const DoubleDouble apart = DoubleDouble::sum(fit::point_of(points, i)[axis], -center[axis]);

@@ -14,7 +14,7 @@ using Wide = std::array<DoubleDouble, 3>;
 
 Wide wide_mean(const AnyPointSet& points) {
   Wide mean;
-  const Index n = fit::size_of(points);
+  const Index n = fit::count_of(points);
   for (Index i = 0; i < n; ++i)
     for (int axis = 0; axis < 3; ++axis) mean[axis] += fit::point_of(points, i)[axis];
   for (DoubleDouble& one : mean) one = one / DoubleDouble(static_cast<double>(n));
@@ -26,7 +26,7 @@ Wide wide_mean(const AnyPointSet& points) {
 int digits_right(const Matrix<double, 3>& found, const AnyPointSet& points) {
   constexpr int kMost = 16;
   const Wide mean = wide_mean(points);
-  const Index n = fit::size_of(points);
+  const Index n = fit::count_of(points);
   double largest = 0, error = 0;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column <= row; ++column) {

@@ -20,7 +20,7 @@ using namespace fit;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-Index count_of(const Run& run) { return fit::size_of(fit_run(run).points()); }
+Index count_of(const Run& run) { return fit::count_of(fit_run(run).points()); }
 Point3 point_at(const Run& run, Index i) { return fit::point_of(fit_run(run).points(), i); }
 double share(const Asked& asked, double length) { return length / extent_of(*asked.subject); }
 

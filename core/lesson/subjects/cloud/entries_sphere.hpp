@@ -150,7 +150,7 @@ struct Entry<fit::MeanFound<double, 3>> : FitEntry {
     if (const auto* hull = before != nullptr ? std::get_if<fit::HullFound>(&before->fact) : nullptr)
       return "The mean of the hull's " + count_text(static_cast<std::int64_t>(hull->vertices.size())) +
              " vertices is (" + at + "): no other point counts.";
-    return "The mean of all " + counted(fit::size_of(where.run.points()), "point") + " is (" + at +
+    return "The mean of all " + counted(fit::count_of(where.run.points()), "point") + " is (" + at +
            "): their centre of mass.";
   }
 };

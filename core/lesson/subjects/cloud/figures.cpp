@@ -55,7 +55,7 @@ class FitBoard {
     add(name, std::move(key), number_text(value, digits) + " units", value, "units");
   }
   void of_all(std::string_view name, std::string key, Index count) {
-    add(name, std::move(key), count_text(count) + " of " + count_text(fit::size_of(run_.points())), count, "points");
+    add(name, std::move(key), count_text(count) + " of " + count_text(fit::count_of(run_.points())), count, "points");
   }
 
   void volume() {

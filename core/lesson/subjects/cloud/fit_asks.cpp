@@ -30,7 +30,7 @@ Truth pass_truth(double radius, double best) {
 
 void offer_points_or_none(Asked& asked, const FitRun& run) {
   asked.add_choice("none");
-  for (Index i = 0; i < fit::size_of(run.points()); ++i) asked.add_choice(asked.subject->name_of(i), {i});
+  for (Index i = 0; i < fit::count_of(run.points()); ++i) asked.add_choice(asked.subject->name_of(i), {i});
   asked.on_stage = true;
 }
 
@@ -164,7 +164,7 @@ const char* offer_first_wrong(Asked& asked, const Run& run) {
 /// A tap on the stage cannot tell points in the same place apart, so all of them are right.
 void add_points_in_same_places(Truth& truth, const FitRun& run) {
   const std::vector<Index> found = truth.points;
-  for (Index i = 0; i < fit::size_of(run.points()); ++i) {
+  for (Index i = 0; i < fit::count_of(run.points()); ++i) {
     const auto same = [&](Index one) { return fit::point_of(run.points(), one) == fit::point_of(run.points(), i); };
     if (std::find(found.begin(), found.end(), i) != found.end() || std::none_of(found.begin(), found.end(), same))
       continue;

@@ -96,7 +96,7 @@ std::vector<Index> FitRun::support(int steps) const {
 }
 
 std::vector<Index> FitRun::candidates(int) const {
-  std::vector<Index> all(points_alone_ ? static_cast<std::size_t>(fit::size_of(points_)) : 0);
+  std::vector<Index> all(points_alone_ ? static_cast<std::size_t>(fit::count_of(points_)) : 0);
   std::iota(all.begin(), all.end(), Index{0});
   return all;
 }

@@ -17,7 +17,7 @@ struct Extents {
   Point3 center = Point3::Zero(), lengths = Point3::Zero();
   explicit Extents(const AnyPointSet& points) {
     Point3 least = fit::point_of(points, 0), greatest = least;
-    for (Index i = 1; i < fit::size_of(points); ++i) {
+    for (Index i = 1; i < fit::count_of(points); ++i) {
       least = least.cwiseMin(fit::point_of(points, i));
       greatest = greatest.cwiseMax(fit::point_of(points, i));
     }

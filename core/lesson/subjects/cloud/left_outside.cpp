@@ -100,7 +100,7 @@ LeftOutside left_outside_hull(const AnyPointSet& points, std::span<const Index> 
   LeftOutside left;
   left.extent = (greatest - least).maxCoeff() / 2;
   double largest = 0;
-  for (Index i = 0; i < fit::size_of(points); ++i) {
+  for (Index i = 0; i < fit::count_of(points); ++i) {
     const Point3 point = fit::point_of(points, i);
     largest = std::max(largest, point.cwiseAbs().maxCoeff());
     if (outline.contains(point)) continue;
@@ -160,7 +160,7 @@ void add_left_outside(std::vector<Figure>& figures, const FitRun& run) {
     figures.push_back({std::move(name), std::move(key), std::move(text), value, std::move(unit)});
   };
   const auto count = static_cast<std::int64_t>(left.points.size());
-  add("Outside, exactly", "outside_count", count_text(count) + " of " + count_text(fit::size_of(run.points())),
+  add("Outside, exactly", "outside_count", count_text(count) + " of " + count_text(fit::count_of(run.points())),
       static_cast<double>(count), "points");
   const double size_ulps = left.by / left.size_ulp;
   if (std::holds_alternative<fit::Sphere3>(result.volume)) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/certify.hpp"
+#include "fit/sphere/certify_sphere.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 namespace snug::lesson {
 namespace {

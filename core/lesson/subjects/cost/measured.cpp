@@ -255,11 +255,11 @@ std::vector<cost::CostRow> counted_costs(const Lesson& lesson, const AnyPointSet
   for (const std::string& name : lesson.algorithms) {
     const Method& method = *find_method(lesson, name);
     const fit::Algorithm& algorithm = *fit::find_algorithm(method.volume, method.name);
-    if (fit::size_of(points) > algorithm.max_points) continue;
+    if (fit::count_of(points) > algorithm.max_points) continue;
     const fit::Watched run = algorithm.watch(points, {.seed = lesson.seed}, {});
     cost::CostRow row;
     row.volume = algorithm.volume, row.algorithm = algorithm.name;
-    row.points = row.of = fit::size_of(points);
+    row.points = row.of = fit::count_of(points);
     row.time.median = static_cast<double>(std::accumulate(run.counts.begin(), run.counts.end(), std::int64_t{1}));
     row.noise = cost::rounding_of(points).noise(dim);
     row.size = fit::size_of(run.result.volume, dim), row.measure = fit::measure_of(run.result.volume, dim);

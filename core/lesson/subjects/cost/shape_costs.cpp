@@ -10,15 +10,15 @@ namespace {
 constexpr std::size_t kMostShapes = 4;
 
 bool same(const AnyPointSet& a, const AnyPointSet& b) {
-  const Index n = fit::size_of(a);
-  if (a.index() != b.index() || n != fit::size_of(b)) return false;
+  const Index n = fit::count_of(a);
+  if (a.index() != b.index() || n != fit::count_of(b)) return false;
   for (Index i = 0; i < n; ++i)
     if (fit::point_of(a, i) != fit::point_of(b, i)) return false;
   return true;
 }
 
 bool takes(const Method& method, const AnyPointSet& points) {
-  return fit::size_of(points) <= method.max_points && (fit::dim_of(points) == 2 ? method.plane : method.space);
+  return fit::count_of(points) <= method.max_points && (fit::dim_of(points) == 2 ? method.plane : method.space);
 }
 
 const fit::Algorithm& catalogued(const Method& method) { return *fit::find_algorithm(method.volume, method.name); }

@@ -5,12 +5,12 @@
 
 #include "geometry/convert.hpp"
 #include "lesson/subjects/frustum/matrix_planes.hpp"
-#include "query/classify.hpp"
-#include "query/classify_corners.hpp"
-#include "query/classify_sphere.hpp"
-#include "query/frustum_sat.hpp"
-#include "query/gjk.hpp"
-#include "query/wrong_corners_outside.hpp"
+#include "query/cull/classify.hpp"
+#include "query/cull/classify_corners.hpp"
+#include "query/cull/classify_sphere.hpp"
+#include "query/cull/frustum_sat.hpp"
+#include "query/distance/gjk.hpp"
+#include "query/exhibits/wrong_corners_outside.hpp"
 
 namespace snug::lesson {
 namespace {

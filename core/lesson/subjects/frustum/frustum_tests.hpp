@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lesson/subjects/frustum/frustum_box.hpp"
-#include "query/classify_steps.hpp"
+#include "query/cull/classify_steps.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::lesson {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lesson/subjects/frustum/frustum_box.hpp"
-#include "query/classify_steps.hpp"
+#include "query/cull/classify_steps.hpp"
 
 namespace snug::lesson {
 

@@ -8,10 +8,10 @@ namespace {
 constexpr std::int64_t kPortion = 500;  // spheres: less than a millisecond
 
 template <int Dim>
-std::optional<query::SphereSurvey<Dim>> survey_in(const BoxPair& pair, std::uint64_t seed) {
+std::optional<cost::SphereSurvey<Dim>> survey_in(const BoxPair& pair, std::uint64_t seed) {
   const auto frustum = frustum_of<Dim>(pair);
   if (!frustum) return std::nullopt;
-  return query::SphereSurvey<Dim>::make(*frustum, pair.boxes[0].half_extents[0], seed);
+  return cost::SphereSurvey<Dim>::make(*frustum, pair.boxes[0].half_extents[0], seed);
 }
 
 }  // namespace
@@ -25,8 +25,8 @@ std::optional<FrustumSurvey> FrustumSurvey::make(const BoxPair& pair, std::uint6
   return std::nullopt;
 }
 
-const query::SurveyCounts& FrustumSurvey::counts() const {
-  return std::visit([](const auto& run) -> const query::SurveyCounts& { return run.counts(); }, run_);
+const cost::SurveyCounts& FrustumSurvey::counts() const {
+  return std::visit([](const auto& run) -> const cost::SurveyCounts& { return run.counts(); }, run_);
 }
 
 void FrustumSurvey::step() {

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "lesson/subjects/frustum/frustum_box.hpp"
-#include "query/sphere_survey.hpp"
+#include "measure/sphere_survey.hpp"
 
 namespace snug::lesson {
 
@@ -17,14 +17,14 @@ class FrustumSurvey {
   [[nodiscard]] static std::optional<FrustumSurvey> make(const BoxPair& pair, std::uint64_t seed);
   /// Whether it is about these.
   [[nodiscard]] bool is_of(const BoxPair& pair) const { return rows_of(pair) == rows_; }
-  [[nodiscard]] const query::SurveyCounts& counts() const;
+  [[nodiscard]] const cost::SurveyCounts& counts() const;
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] bool done() const { return counts().spheres >= kSurveySpheres; }
   /// Tests some more.
   void step();
 
  private:
-  using Run = std::variant<query::SphereSurvey<2>, query::SphereSurvey<3>>;
+  using Run = std::variant<cost::SphereSurvey<2>, cost::SphereSurvey<3>>;
   FrustumSurvey(Run run, Rows rows, std::uint64_t seed) : run_(std::move(run)), rows_(std::move(rows)), seed_(seed) {}
 
   Run run_;

@@ -1,7 +1,7 @@
 // The cylinders on the axes of two capsules, which GJK tests as it tests any convex volumes.
 #include "geometry/cylinder.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 
 namespace snug::lesson {
 namespace {

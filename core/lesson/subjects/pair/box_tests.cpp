@@ -5,9 +5,9 @@
 
 #include "lesson/subjects/pair/naive_tests.hpp"
 #include "lesson/subjects/pair/pair.hpp"
-#include "query/obb_sat.hpp"
-#include "query/wrong_corners_only.hpp"
-#include "query/wrong_extents_only.hpp"
+#include "query/exhibits/wrong_corners_only.hpp"
+#include "query/exhibits/wrong_extents_only.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 namespace snug::lesson {
 namespace {

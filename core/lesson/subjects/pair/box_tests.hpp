@@ -9,10 +9,10 @@
 
 #include "geometry/convert.hpp"
 #include "lesson/boxes.hpp"
-#include "query/gjk.hpp"
-#include "query/overlap_steps.hpp"
-#include "query/sat_steps.hpp"
-#include "query/wrong_steps.hpp"
+#include "query/distance/gjk.hpp"
+#include "query/exhibits/wrong_steps.hpp"
+#include "query/overlap/overlap_steps.hpp"
+#include "query/overlap/sat_steps.hpp"
 #include "trace/fields.hpp"
 #include "trace/observer.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/sort.hpp"
-#include "query/gjk_simplex.hpp"
+#include "query/distance/gjk_simplex.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -58,7 +58,7 @@ Point3 nearest_of(std::span<const Point3> points) {
   query::Simplex<double> simplex;
   for (const Point3& p : points) simplex.corners[simplex.size++] = {p[0], p[1], p[2]};
   const auto nearest = simplex.nearest_to_origin().point;
-  return {nearest.x, nearest.y, nearest.z};
+  return {nearest[0], nearest[1], nearest[2]};
 }
 
 }  // namespace snug::lesson

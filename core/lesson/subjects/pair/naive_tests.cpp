@@ -7,9 +7,9 @@
 
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/pair/pair.hpp"
-#include "query/exact_gap.hpp"
-#include "query/naive_sat.hpp"
-#include "query/obb_sat.hpp"
+#include "query/exhibits/naive_sat.hpp"
+#include "query/overlap/exact_gap.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -4,7 +4,7 @@
 #include "lesson/boxes.hpp"
 #include "lesson/facts.hpp"
 #include "lesson/subjects/pair/naive_tests.hpp"
-#include "query/axis_counts.hpp"
+#include "measure/axis_counts.hpp"
 
 namespace snug::lesson {
 
@@ -76,7 +76,7 @@ class PairSubject final : public BoxSubject {
   PairSubject(const BoxPair& pair, std::uint64_t seed, int random_pairs = 0)
       : BoxSubject(pair, seed), random_pairs_(random_pairs) {}
   /// Counts over random pairs by its seed; null if the lesson wants none.
-  [[nodiscard]] const query::AxisCounts* random_counts() const;
+  [[nodiscard]] const cost::AxisCounts* random_counts() const;
   [[nodiscard]] const SubjectRow& row() const override { return kRow; }
   [[nodiscard]] std::unique_ptr<Subject> clone() const override { return std::make_unique<PairSubject>(*this); }
   [[nodiscard]] std::optional<std::array<Point3, 2>> gap() const override;
@@ -95,7 +95,7 @@ class PairSubject final : public BoxSubject {
  private:
   struct Counted {
     std::uint64_t seed;
-    query::AxisCounts counts;
+    cost::AxisCounts counts;
   };
   int random_pairs_;
   mutable std::shared_ptr<const Counted> counted_;  // those of the last seed

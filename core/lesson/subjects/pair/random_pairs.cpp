@@ -5,17 +5,17 @@
 
 namespace snug::lesson {
 
-const query::AxisCounts* PairSubject::random_counts() const {
+const cost::AxisCounts* PairSubject::random_counts() const {
   if (random_pairs_ == 0) return nullptr;
   if (counted_ == nullptr || counted_->seed != origin_.seed) {
-    const auto count = dim() == 2 ? &query::count_axes<2> : &query::count_axes<3>;
+    const auto count = dim() == 2 ? &cost::count_axes<2> : &cost::count_axes<3>;
     counted_ = std::make_shared<const Counted>(Counted{origin_.seed, count(random_pairs_, origin_.seed)});
   }
   return &counted_->counts;
 }
 
 void add_random_counts(std::vector<Figure>& figures, const PairSubject& subject) {
-  const query::AxisCounts* counts = subject.random_counts();
+  const cost::AxisCounts* counts = subject.random_counts();
   if (counts == nullptr) return;
   const auto add = [&](const char* name, const char* key, int count) {
     figures.push_back(

@@ -3,7 +3,7 @@
 
 #include "lesson/figures.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
-#include "query/overlaps_spheres.hpp"
+#include "query/overlap/overlaps_spheres.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "lesson/names.hpp"
 #include "lesson/subjects/pair/volumes.hpp"
-#include "query/overlaps_aabb_forms.hpp"
-#include "query/overlaps_any.hpp"
+#include "query/overlap/overlaps_aabb_forms.hpp"
+#include "query/overlap/overlaps_any.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -4,7 +4,7 @@
 #include "lesson/held_volume.hpp"
 #include "lesson/subjects/pair/pair.hpp"
 #include "measure/pair_cost.hpp"
-#include "query/overlap_table.hpp"
+#include "query/overlap/overlap_table.hpp"
 
 namespace snug::lesson {
 

@@ -1,6 +1,6 @@
 #include "lesson/subjects/scene/pictured.hpp"
 
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 namespace snug::lesson {
 

@@ -85,7 +85,7 @@ SceneBody read_body(const toml::table& toml, bool has_mesh, Complaints& complain
   one.body.orientation = turned_by(vector_or(table, "turn", V3::Zero()));
   one.body.fixed = table.flag_or("fixed", false);
   one.body.velocity = vector_or(table, "velocity", V3::Zero());
-  one.body.turning = vector_or(table, "turning", V3::Zero()) * (std::numbers::pi / 180);
+  one.body.angular_velocity = vector_or(table, "turning", V3::Zero()) * (std::numbers::pi / 180);
   one.body.mass = table.any_number("mass", one.body.mass);
   if (one.of_points && one.at_points) table.wrong("at_points", "is for bodies of a shape of their own");
   if (one.at_points && !one.body.name.empty()) table.wrong("name", "would be that of several bodies");

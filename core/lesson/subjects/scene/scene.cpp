@@ -42,7 +42,7 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_scene(const Lesson& less
   auto points = own_points(lesson, mesh);
   if (!points) return tl::unexpected(std::move(points.error()));
   const SceneSet& set = set_of(lesson);
-  if (set.is_too_long(fit::size_of(*points)))
+  if (set.is_too_long(fit::count_of(*points)))
     return tl::unexpected(at_line({.what = too_long_text()}, set.frames_line));
   if (const Done sound = check_scene_opens(set, lesson.algorithms, *points, lesson.seed); !sound)
     return tl::unexpected(at_line(sound.error(), set.line));
@@ -281,7 +281,7 @@ int SceneSubject::off_since(std::string_view effect, int step) const {
   return -1;
 }
 
-std::string SceneSubject::time_of(const scene::Tally& tally) const {
+std::string SceneSubject::time_of(const scene::EffectTally& tally) const {
   return clock_ != nullptr ? effect_time_text(tally, clock_step_) : std::string();
 }
 
@@ -290,7 +290,7 @@ std::vector<Switch> SceneSubject::switches(const View& view) const {
   const std::size_t effects = run.tallies.size(), first = static_cast<std::size_t>(view.step) * effects;
   std::vector<Switch> all;
   for (std::size_t i = 0; i < effects; ++i) {
-    const scene::Tally& last = run.tallies[i];
+    const scene::EffectTally& last = run.tallies[i];
     const EffectCount& now = run.counts[first + i];
     const bool on = std::none_of(off_.begin(), off_.end(), [&](const auto& off) { return off.effect == last.effect; });
     all.push_back({last.effect, on, last.constructed, now.run, now.skipped, time_of(last)});

@@ -101,7 +101,7 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] int off_since(std::string_view effect, int step) const;
 
  private:
-  [[nodiscard]] std::string time_of(const scene::Tally& tally) const;
+  [[nodiscard]] std::string time_of(const scene::EffectTally& tally) const;
   void points_changed() override { pushed_.clear(); }
   [[nodiscard]] Done is_sound() const;
   /// Whether it differs from the lesson's own only in the effects that are called for.

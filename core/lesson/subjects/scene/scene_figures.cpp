@@ -75,7 +75,7 @@ std::string effect_words(std::string name) {
   return name;
 }
 
-std::string effect_time_text(const scene::Tally& tally, double clock_step) {
+std::string effect_time_text(const scene::EffectTally& tally, double clock_step) {
   if (tally.run == 0) return {};
   const auto runs = static_cast<double>(tally.run);
   const double mean = tally.nanoseconds / runs / 1000, doubt = 2 * clock_step / std::sqrt(runs) / 1000;

@@ -45,6 +45,6 @@ inline constexpr std::string_view kOverHull = "over_hull";
 /// The mean time of one run, microseconds: "3.2", or "< 20" if the clock cannot resolve it; "" if there was no run.
 /// clock_step: the smallest step of the clock, ns. A run's time is off by less than one such step either way, and the
 /// sum of n runs by about sqrt(n) / 2 steps.
-[[nodiscard]] std::string effect_time_text(const scene::Tally& tally, double clock_step);
+[[nodiscard]] std::string effect_time_text(const scene::EffectTally& tally, double clock_step);
 
 }  // namespace snug::lesson

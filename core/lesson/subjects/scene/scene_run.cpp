@@ -71,7 +71,7 @@ void add_frame(SceneRecording& run, const scene::Scene& scene) {
   }
   for (const Aabb<double, 3>& box : world.state.volumes) hold(run.volumes, box.min, box.max);
   run.tallies.assign(scene.tallies().begin(), scene.tallies().end());
-  for (const scene::Tally& tally : run.tallies) run.counts.push_back({tally.run, tally.skipped});
+  for (const scene::EffectTally& tally : run.tallies) run.counts.push_back({tally.run, tally.skipped});
   int awake = 0;
   for (std::size_t i = 0; i < world.size(); ++i) awake += world.awake(i) ? 1 : 0;
   run.awake.push_back(awake);
@@ -106,7 +106,7 @@ std::span<const Method> scene_methods() {
 
 scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points, std::uint64_t seed) {
   scene::Declaration declaration{.effects = set.effects, .seed = seed, .step = set.step};
-  const Index count = fit::size_of(points);
+  const Index count = fit::count_of(points);
   for (const SceneBody& one : set.bodies) {
     scene::Body body = one.body;
     if (one.of_points) {
@@ -147,7 +147,7 @@ tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& sc
 
 tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<const std::string> methods,
                                                  const AnyPointSet& points, std::uint64_t seed) {
-  if (set.is_too_long(fit::size_of(points))) return tl::unexpected(InputError{.what = too_long_text()});
+  if (set.is_too_long(fit::count_of(points))) return tl::unexpected(InputError{.what = too_long_text()});
   for (const std::string& method : methods) {
     const auto scene = declaration_with(set, method, points, seed).and_then([](const scene::Declaration& declaration) {
       return scene::Scene::open(declaration);
@@ -159,7 +159,7 @@ tl::expected<void, InputError> check_scene_opens(const SceneSet& set, std::span<
 
 std::vector<InputError> scene_faults(const SceneSet& set, std::span<const std::string> methods,
                                      const AnyPointSet& points, std::uint64_t seed) {
-  if (set.is_too_long(fit::size_of(points))) return {scene::error_at(set.frames_line, too_long_text())};
+  if (set.is_too_long(fit::count_of(points))) return {scene::error_at(set.frames_line, too_long_text())};
   std::vector<InputError> all;
   // A table that makes many bodies is told of a mistake once, at the first of them.
   const auto without_name = [](std::string_view what) { return what.substr(std::min(what.size(), what.find(": "))); };
@@ -204,7 +204,7 @@ FrameTaken frame_of(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
   const std::uint64_t hash = scene.world().hash();
   const bool pairs = std::any_of(scene.tallies().begin(), scene.tallies().end(),
-                                 [](const scene::Tally& tally) { return tally.effect == "broad_phase"; });
+                                 [](const scene::EffectTally& tally) { return tally.effect == "broad_phase"; });
   return {.frame = state.frame,
           .all_pairs = pairs ? static_cast<double>(state.funnel.all) : 0,
           .compared = static_cast<double>(state.funnel.compared),
@@ -266,8 +266,8 @@ tl::expected<SceneRecorder, InputError> run_scene(const SceneSet& set, std::stri
   const auto known = std::find_if(scene_methods().begin(), scene_methods().end(),
                                   [&](const Method& one) { return one.name == method; });
   const int line = static_cast<int>(known->pseudocode.size()) - 1;
-  return SceneRecorder(*std::move(opened), line, frames_of(set, fit::size_of(points), pushed), {off.begin(), off.end()},
-                       {pushed.begin(), pushed.end()});
+  return SceneRecorder(*std::move(opened), line, frames_of(set, fit::count_of(points), pushed),
+                       {off.begin(), off.end()}, {pushed.begin(), pushed.end()});
 }
 
 int frames_of(const SceneSet& set, std::int64_t points, std::span<const Pushed> pushed) {

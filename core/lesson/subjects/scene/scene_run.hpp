@@ -32,9 +32,9 @@ struct SceneRecording {
   std::vector<Recorder<FrameStep>::Entry> steps;  // one for each frame
   SceneFrames frames;
   std::vector<scene::Member> members;
-  std::vector<scene::Tally> tallies;  // those at its last frame
-  std::vector<EffectCount> counts;    // for each frame, the start first: the effects in the order of tallies
-  Aabb<double, 3> bodies, volumes;    // around all bodies in all its frames and orientations, and around all volumes
+  std::vector<scene::EffectTally> tallies;  // those at its last frame
+  std::vector<EffectCount> counts;          // for each frame, the start first: the effects in the order of tallies
+  Aabb<double, 3> bodies, volumes;  // around all bodies in all its frames and orientations, and around all volumes
   std::vector<const scene::EffectKind*> kinds = {};  // of the effects, in the order of tallies
   std::vector<scene::Deed> deeds = {};               // for each frame from the first on: what each effect did
   std::vector<scene::SlotSet> changes = {};          // for each frame from the first on: what changed

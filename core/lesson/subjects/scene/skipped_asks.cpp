@@ -17,7 +17,7 @@ constexpr const char* kNoEffect = "none of them";
 const char* offer_effects(Asked& asked, const Run& run) {
   const SceneRecording& recording = scene_run(run).recording(0);
   asked.many = true;
-  for (const scene::Tally& tally : recording.tallies) asked.add_choice(effect_words(tally.effect));
+  for (const scene::EffectTally& tally : recording.tallies) asked.add_choice(effect_words(tally.effect));
   asked.add_choice(kNoEffect);
   return recording.tallies.size() > kMostEffects ? "the scene has more than 10 effects" : nullptr;
 }

@@ -42,7 +42,7 @@ double half_perimeter_of(const NodeVolume& volume) {
 }
 
 Box2 bounds_of(const NodeVolume& volume) {
-  return std::visit([](const auto& own) { return hierarchy::bounds_of(own); }, volume);
+  return std::visit([](const auto& own) { return snug::bounds_of(own); }, volume);
 }
 
 fit::Volume3 volume_in_space(const NodeVolume& volume) {

@@ -5,7 +5,7 @@
 #include "lesson/decide.hpp"
 #include "lesson/subjects/tree/entries.hpp"
 #include "lesson/subjects/tree/tree_methods.hpp"
-#include "query/ray_aabb.hpp"
+#include "query/overlap/ray_aabb.hpp"
 
 namespace snug::lesson {
 namespace {

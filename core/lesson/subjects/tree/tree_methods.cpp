@@ -7,9 +7,9 @@
 #include "hierarchy/cull.hpp"
 #include "hierarchy/shape.hpp"
 #include "hierarchy/traverse_pair.hpp"
-#include "query/contains.hpp"
-#include "query/overlaps.hpp"
-#include "query/ray_aabb.hpp"
+#include "query/contain/contains.hpp"
+#include "query/overlap/overlaps.hpp"
+#include "query/overlap/ray_aabb.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "hierarchy/steps.hpp"
 #include "lesson/subjects/tree/forest.hpp"
-#include "query/classify_steps.hpp"
+#include "query/cull/classify_steps.hpp"
 #include "trace/observer.hpp"
 
 namespace snug::lesson {

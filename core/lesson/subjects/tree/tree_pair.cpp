@@ -5,7 +5,7 @@
 #include "hierarchy/traverse_pair.hpp"
 #include "lesson/names.hpp"
 #include "lesson/subjects/tree/tree_merge.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 namespace snug::lesson {
 namespace {

@@ -133,7 +133,7 @@ std::vector<Index> UpdateRun::support(int steps) const {
 
 std::vector<Index> UpdateRun::candidates(int i) const {
   if (std::holds_alternative<fit::NeighborsCompared>(trace()[i].step.fact)) return recording_.corners;
-  std::vector<Index> all(fit::size_of(points_));
+  std::vector<Index> all(fit::count_of(points_));
   std::iota(all.begin(), all.end(), Index{0});
   return all;
 }

@@ -6,7 +6,7 @@
 #include "core/exact.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/hull/quickhull.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 using namespace snug;
 using exact::Rational;

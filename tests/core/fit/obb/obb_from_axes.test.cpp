@@ -10,7 +10,7 @@
 #include "geometry/sphere.hpp"
 #include "geometry/turn.hpp"
 #include "number/exact_tally.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 using namespace snug;
 

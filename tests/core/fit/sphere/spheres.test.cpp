@@ -27,7 +27,7 @@ TEST_CASE_TEMPLATE("a covariance holds as many points as there are, as far out a
 TEST_CASE("traces have equal hashes for equal seeds, and others for others") {
   const AnyPointSet set = test::set_of<double, 2>(test::generated<double, 2>("gaussian", 50, 3));
   for (const Algorithm& algorithm : fit::algorithms_of("sphere")) {
-    if (fit::size_of(set) > algorithm.max_points) continue;
+    if (fit::count_of(set) > algorithm.max_points) continue;
     const auto hash = [&](std::uint64_t seed) { return fit::hash_of(algorithm.record(set, {seed}).steps); };
     CHECK(hash(1) == hash(1));
     const bool random = algorithm.name == "ritter_iterative" || algorithm.name == "welzl" ||
@@ -52,7 +52,7 @@ TEST_CASE("the point that the last check finds farthest is among those that a gr
 TEST_CASE("counts grow along a trace and end at the whole run's") {
   const AnyPointSet set = test::set_of<double, 3>(test::generated<double, 3>("cube", 200, 3));
   for (const Algorithm& algorithm : fit::algorithms_of("sphere")) {
-    if (fit::size_of(set) > algorithm.max_points) continue;
+    if (fit::count_of(set) > algorithm.max_points) continue;
     const auto run = algorithm.record(set, {});
     OperationCounts before{};
     for (const auto& entry : run.steps) {

@@ -5,6 +5,7 @@
 #include "core/exact.hpp"
 #include "core/point_clouds.hpp"
 #include "fit/catalogue.hpp"
+#include "fit/sphere/certify_sphere.hpp"
 #include "geometry/tolerance.hpp"
 
 using namespace snug;

@@ -40,7 +40,7 @@ void check_ends(const test::Cloud<Scalar, Dim>& points) {
     const fit::Algorithm& naive = *fit::find_algorithm("sphere", name);
     const fit::Recording run = naive.record(set, {});
     CHECK(is_finite(run.result));
-    CHECK(count_of(run, "point_examined") <= fit::kMostTestsPerPoint * (fit::size_of(set) + 1));
+    CHECK(count_of(run, "point_examined") <= fit::kMostTestsPerPoint * (fit::count_of(set) + 1));
     CHECK(fit::name_of(run.steps.back().step) == "finished");
     CHECK(naive.fit(set, {}).support == run.result.support);
   }

@@ -20,7 +20,7 @@
 #include "fit/update/update_rotated_box.hpp"
 #include "fit/update/update_sphere.hpp"
 #include "geometry/turn.hpp"
-#include "query/contains.hpp"
+#include "query/contain/contains.hpp"
 
 using namespace snug;
 

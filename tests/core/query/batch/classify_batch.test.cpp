@@ -1,11 +1,11 @@
-#include "query/batch/classify_batch.hpp"
+#include "query/cull/batch/classify_batch.hpp"
 
 #include <doctest/doctest.h>
 
 #include <vector>
 
 #include "core/query/grazing.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 using namespace snug;
 using query::Culling;

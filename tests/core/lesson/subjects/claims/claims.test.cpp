@@ -106,7 +106,7 @@ TEST_CASE("a cloud of a row is the one that its kind, number and seed scatter") 
   REQUIRE(worst.has_value());
   REQUIRE(session.set_generator(worst->kind, worst->points, 3, static_cast<std::uint64_t>(worst->seed)));
   const AnyPointSet cloud = cost::trial_cloud(worst->kind, worst->points, worst->seed);
-  REQUIRE(session.size() == fit::size_of(cloud));
+  REQUIRE(session.size() == fit::count_of(cloud));
   for (Index i = 0; i < session.size(); ++i) CHECK(session.point(i) == fit::point_of(cloud, i));
   CHECK(shown_by(session.lesson(), *cost::find_trial("four_points")) == "brute_force_slide");
   CHECK(shown_by(session.lesson(), *cost::find_trial("kdop_tighter")) == "kdop/k14");

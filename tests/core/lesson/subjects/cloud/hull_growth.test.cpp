@@ -42,7 +42,7 @@ void check_all_there(const GrowingHull& hull, Index n) {
 
 void check_growth(const AnyPointSet& points) {
   const fit::Recording run = fit::find_algorithm("hull", "quickhull")->record(points, {});
-  const Index n = fit::size_of(points);
+  const Index n = fit::count_of(points);
   for (int step = 1; step <= static_cast<int>(run.steps.size()); ++step) {
     const fit::Step3& now = run.steps[step - 1].step;
     const auto hull = growing_hull(run.steps, step);

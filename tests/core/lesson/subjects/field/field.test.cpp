@@ -5,7 +5,7 @@
 
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
-#include "query/classify.hpp"
+#include "query/cull/classify.hpp"
 
 using namespace snug;
 using namespace snug::lesson;

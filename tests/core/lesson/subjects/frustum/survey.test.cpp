@@ -64,7 +64,7 @@ TEST_CASE("the survey of the lesson on spheres counts what snug cull --survey pr
     while (!survey->done()) survey->step();
     return survey->counts();
   };
-  using Counts = query::SurveyCounts;
+  using Counts = cost::SurveyCounts;
   const Counts flat = counted("own");
   CHECK(flat == Counts{1'000'000, 157'719, 548'001, 294'280, flat.false_at_two, flat.false_at_more});
   CHECK(flat.false_positives() == 6168);

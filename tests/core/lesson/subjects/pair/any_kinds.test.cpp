@@ -229,7 +229,7 @@ TEST_CASE("the figures of random pairs are the counts, by the seed on the stage"
                          "turn = [[20, 0, 0], [0, -35, 10]]\n[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n");
   for (const std::uint64_t seed : {1, 5}) {
     session.scatter(seed);
-    const query::AxisCounts counts = query::count_axes<3>(300, seed);
+    const cost::AxisCounts counts = cost::count_axes<3>(300, seed);
     const auto value = [&](std::string_view key) {
       for (const Figure& figure : session.figures())
         if (figure.key == key) return figure.value;

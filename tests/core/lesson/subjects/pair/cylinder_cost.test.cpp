@@ -10,7 +10,7 @@
 #include "geometry/capsule.hpp"
 #include "geometry/cylinder.hpp"
 #include "geometry/random.hpp"
-#include "query/gjk.hpp"
+#include "query/distance/gjk.hpp"
 
 namespace snug {
 

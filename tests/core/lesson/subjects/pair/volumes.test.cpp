@@ -11,7 +11,7 @@
 #include "core/lesson/lesson_files.hpp"
 #include "lesson/session.hpp"
 #include "lesson/volume_rows.hpp"
-#include "query/overlaps.hpp"
+#include "query/overlap/overlaps.hpp"
 
 using namespace snug;
 using namespace snug::lesson;

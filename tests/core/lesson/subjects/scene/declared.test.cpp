@@ -170,7 +170,7 @@ TEST_CASE("an effect that is taken out is never constructed, and what needs it s
   REQUIRE(session.call_for("trail", false).has_value());
   CHECK(names_of(session, false) == std::vector<std::string>{"trail", "shadow"});
   CHECK(session.steps() == 200);
-  for (const scene::Tally& tally : run_of(session).tallies) CHECK(tally.effect != "trail");
+  for (const scene::EffectTally& tally : run_of(session).tallies) CHECK(tally.effect != "trail");
 
   REQUIRE(session.call_for("broad_phase", false).has_value());
   CHECK(session.steps() == 0);

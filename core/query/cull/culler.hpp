@@ -1,0 +1,77 @@
+// The verdict alone of a sphere or an axis-aligned box against a frustum, for many volumes against the same planes:
+// what depends on the planes alone is prepared once, and no result is built. Its source is that of classify.hpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometry/tolerance.hpp"
+#include "query/cull/classify.hpp"
+
+namespace snug::query {
+
+/// A frustum prepared for many verdicts, each of them that of classify: planes decide as far as rounding cannot change
+/// the answer, and classify decides what is left. The frustum must outlive it.
+template <class Scalar, int Dim>
+class Culler {
+ public:
+  explicit Culler(const Frustum<Scalar, Dim>& frustum) : frustum_(frustum) {
+    for (int i = 0; i < kFrustumPlanes<Dim>; ++i) {
+      const Plane<Scalar, Dim>& plane = frustum[i];
+      const Scalar length = length_of(plane);
+      planes_[i] = {plane.normal / length, plane.d / length};
+      farthest_ = std::max(farthest_, std::abs(plane.d / length));
+    }
+  }
+
+  [[nodiscard, gnu::flatten]] Culling operator()(const Sphere<Scalar, Dim>& sphere) const {
+    const Scalar doubt = doubt_of(magnitude_of(sphere)), most = sphere.radius + doubt, least = sphere.radius - doubt;
+    Culling verdict = Culling::kInside;
+    for (const Plane<Scalar, Dim>& plane : planes_) {
+      const Scalar value = plane.normal.dot(sphere.center) + plane.d;
+      if (value > most) return Culling::kOutside;
+      if (value < -most) continue;
+      if (!(std::abs(value) < least)) [[unlikely]]
+        return closely(sphere);
+      verdict = Culling::kIntersecting;
+    }
+    return verdict;
+  }
+
+  [[nodiscard, gnu::flatten]] Culling operator()(const Aabb<Scalar, Dim>& box) const {
+    const Scalar doubt = doubt_of(magnitude_of(box));
+    Culling verdict = Culling::kInside;
+    for (const Plane<Scalar, Dim>& plane : planes_) {
+      Scalar low = plane.d, high = plane.d;
+      for (int i = 0; i < Dim; ++i) {
+        const bool towards_max = plane.normal[i] >= 0;
+        low += plane.normal[i] * (towards_max ? box.min[i] : box.max[i]);
+        high += plane.normal[i] * (towards_max ? box.max[i] : box.min[i]);
+      }
+      if (low > doubt) return Culling::kOutside;
+      if (high < -doubt) continue;
+      if (!(low < -doubt && high > doubt)) [[unlikely]]
+        return closely(box);
+      verdict = Culling::kIntersecting;
+    }
+    return verdict;
+  }
+
+ private:
+  /// The error bound of a value at any of the planes.
+  [[nodiscard]] Scalar doubt_of(Scalar size) const {
+    return tolerance::kUnitPlaneReach<Scalar> * (2 * size + farthest_) + std::numeric_limits<Scalar>::min();
+  }
+
+  template <class Shape>
+  [[gnu::cold, gnu::noinline]] Culling closely(const Shape& shape) const {
+    return classify(frustum_, shape).verdict;
+  }
+
+  const Frustum<Scalar, Dim>& frustum_;
+  std::array<Plane<Scalar, Dim>, kFrustumPlanes<Dim>> planes_;  // unit
+  Scalar farthest_ = 0;                                         // of the planes from the origin
+};
+
+}  // namespace snug::query
