@@ -137,7 +137,7 @@ template <class Scalar, int Dim>
 Json answer(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b, bool exact, Trace* trace) {
   Ignore ignore;
   if (trace == nullptr) return answer<Scalar, Dim>(a, b, exact, ignore);
-  trace->turned = query::turned<Scalar, Dim>(a, b);
+  trace->turned = query::swapped<Scalar, Dim>(a, b);
   return answer<Scalar, Dim>(a, b, exact, *trace);
 }
 

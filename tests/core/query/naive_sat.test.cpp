@@ -8,6 +8,7 @@
 #include "measure/random_boxes.hpp"
 #include "query/exhibits/naive_sat.hpp"
 #include "query/overlap/exact_gap.hpp"
+#include "query/overlap/obb_sat.hpp"
 
 using namespace snug;
 using query::Guard;

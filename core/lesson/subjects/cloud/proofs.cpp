@@ -34,14 +34,14 @@ Proof boundary(const Method& method, bool holds) {
 
 std::vector<Proof> of_result(const Method& method, const FitRun& run) {
   const Certificate& certificate = run.recording().certificate;
-  return {{"contains " + all(count_of(run.points())) + ", exactly", certificate.contains, true},
+  return {{"contains " + all(fit::count_of(run.points())) + ", exactly", certificate.contains, true},
           boundary(method, certificate.on_boundary),
           smallest(certificate, method, run.dim())};
 }
 
 /// Before the end, containment is not guaranteed yet, and only the ball's support set can be checked.
 std::vector<Proof> on_the_way(const View& view, const FitRun& run, const Step3& step) {
-  const Index n = count_of(run.points());
+  const Index n = fit::count_of(run.points());
   const Index outside = run.outside_at(view.step - 1);
   const std::string held =
       outside == 0 ? "contains " + all(n) : "contains " + count_text(n - outside) + " of " + count_text(n) + " points";
