@@ -16,7 +16,7 @@ struct Nearest {
   int size = 0;
   std::array<int, 4> corners{};   // the first `size` are indices into the simplex
   std::array<Real, 4> weights{};  // > 0, of sum 1
-  Tuple<Real, 3> point;
+  Tuple<Real, 3> point{};
   Real square{};  // its squared distance from the origin
 };
 

@@ -78,13 +78,14 @@ TEST_CASE("the entries of a row are those in its formulas") {
     }
 }
 
-TEST_CASE("the lesson on the fifteen axes prints each row's formulas") {
+TEST_CASE("the lesson on the fifteen axes prints each row's formulas, but for the radius that it asks for") {
   const std::string text = test::lessons_file("obb-axes.toml");
   for (int row = 0; row < 15; ++row) {
     const std::string name = lesson::axis_names(3)[row].text;
     const lesson::RowFormulas formulas = lesson::row_formulas(3, row);
+    const std::string radius_b = name == "A y × B z" ? "…" : "$" + formulas.radius_b + "$";
     const std::string line = "| [" + name + "](mark:" + name + ") | $" + formulas.distance + "$ > $" +
-                             formulas.radius_a + "$ + $" + formulas.radius_b + "$ |";
+                             formulas.radius_a + "$ + " + radius_b + " |";
     CHECK_MESSAGE(text.find(line) != std::string::npos, line);
   }
 }
