@@ -56,7 +56,8 @@ class BottomUp {
  private:
   [[nodiscard]] const Group& group(Index id) const { return groups_[place_[id]]; }
 
-  /// Among equally near groups it takes the previous one in the chain, so that the chain ends, and else the first by id.
+  /// Among equally near groups it takes the previous one in the chain, so that the chain ends, and else the first by
+  /// id.
   [[nodiscard]] Index nearest_to(Index id, Index before) const {
     const Group& own = group(id);
     Index nearest = kNoIndex;
