@@ -26,7 +26,9 @@ lesson=lessons/examples/cloud.toml
 card() { convert "$work/$1.png" -crop 610x220+371+440 +repage "$work/$1-card.png"; } # on the stage's foot
 for one in step asked answered; do card $one; done
 has() { [[ $(convert "$work/$1-card.png" -fill white +opaque "$2" -format '%k' info:) == 2 ]]; }
-has asked '#0A5FBF' || fail "the question does not stand on the stage"
+white() { [[ $(convert "$work/$1-card.png" -fill black +opaque white -format '%[fx:mean>0.4]' info:) == 1 ]]; }
+white asked || fail "the question does not stand on the stage"
+! white step || fail "a card stands where nothing is asked"
 has answered '#007A5A' || fail "the outcome is not told as right"
 ! has step '#007A5A' || fail "an outcome is told where none was asked for"
 [[ $(compare -metric AE "$work/step.png" "$work/asked.png" null: 2>&1) != 0 ]] || fail "the question is not in the picture"
