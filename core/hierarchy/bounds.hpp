@@ -13,7 +13,7 @@
 
 namespace snug::hierarchy {
 
-/// For a kind that has none of its own (geometry/bounds.hpp). The volume must not be empty.
+/// The box around a volume whose kind has no bounds_of in geometry/bounds.hpp. The volume must not be empty.
 template <template <class, int> class Kind, class Scalar, int Dim>
 [[nodiscard]] Aabb<double, Dim> bounds_of(const Kind<Scalar, Dim>& volume) {
   return query::box_around(volume);

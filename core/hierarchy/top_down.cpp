@@ -96,7 +96,7 @@ class TopDown {
     return {spread(axis) > 0 ? axis : kNoIndex, center(*middle, axis), left, 0};
   }
 
-  /// By the surface-area heuristic; its axis is kNoIndex if all centres are in one place.
+  /// The split that the surface-area heuristic rates cheapest. Its axis is kNoIndex if all centres are in one place.
   Split cheapest(const Part& part, const Box& all, const Box& centers) {
     std::vector<double> costs;
     if (facts_ != nullptr) costs.assign(static_cast<std::size_t>(layout_.dim * sah::kBorders), sah::kInfinity);
