@@ -38,6 +38,7 @@ class ObbExact {
   /// Its axes.
   Matrix<Scalar, 3> run() {
     start();
+    if (hull_.affine_dim == 2) lay_in_plane();
     if (hull_.affine_dim == 3) search();
     return trials_.scalar_axes();
   }
@@ -52,6 +53,13 @@ class ObbExact {
     hand_on(tally, observe_);
     trials_.attempt(axes.template cast<double>(), std::array<Index, 0>{}, 1);
     shrink_by_rectangles(trials_, hull_.indices, 2, 0, observe_);
+  }
+
+  /// The principal axes of a sliver may be off by so much that the boxes on them are thicker than rounding.
+  void lay_in_plane() {
+    const std::vector<Vector<double, 3>>& vertices = trials_.local().at;
+    RectangleFrame<3> found = watched_rectangle_along(watched_flat_normal(vertices, observe_), vertices, observe_);
+    attempt_rectangle(trials_, on_points(found, hull_.indices), 2, observe_);
   }
 
   void search() {

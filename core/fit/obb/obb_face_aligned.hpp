@@ -37,7 +37,7 @@ class ObbFaceAligned {
     switch (hull_.affine_dim) {
       case 0: attempt({Matrix<double, 3>::Identity()}, hull_.indices); break;
       case 1: attempt({frame(at(1) - at(0), Vector<double, 3>::Zero())}, hull_.indices); break;
-      case 2: attempt(watched_rectangle_along(flat_normal(), trials_.local().at, observe_), hull_.indices); break;
+      case 2: try_plane(); break;
       default: try_faces();
     }
     return trials_.scalar_axes();
@@ -48,6 +48,11 @@ class ObbFaceAligned {
   using Triangle = std::array<Index, 3>;
 
   [[nodiscard]] const Point& at(Index i) const { return trials_.local().at[i]; }
+
+  void try_plane() {
+    const std::vector<Point>& vertices = trials_.local().at;
+    attempt(watched_rectangle_along(watched_flat_normal(vertices, observe_), vertices, observe_), hull_.indices);
+  }
 
   void try_faces() {
     PartCounterFor<Observer> built;
@@ -74,17 +79,6 @@ class ObbFaceAligned {
       observe_.count(Operation::kOrientationTests, 1);
       return orient3d(p(f[0]), p(f[1]), p(f[2]), p(i)) == 0;
     });
-  }
-
-  /// The largest triangle in a flat polygon's fan determines the plane most precisely.
-  [[nodiscard]] Point flat_normal() {
-    observe_.count(Operation::kSquareRoots, 2 * (std::ssize(hull_.vertices) - 2));
-    Point best = Point::Zero();
-    for (Index i = 1; i + 1 < static_cast<Index>(hull_.vertices.size()); ++i) {
-      const Point normal = (at(i) - at(0)).cross(at(i + 1) - at(0));
-      if (best.norm() < normal.norm()) best = normal;
-    }
-    return best;
   }
 
   template <class Indices>

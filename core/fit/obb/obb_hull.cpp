@@ -34,7 +34,36 @@ struct CalipersWatcher : PartCounter {
   void operator()(const ObbStep<double, 2>& step) { tried.push_back(*std::get_if<BoxTried<double, 2>>(&step.fact)); }
 };
 
+/// The longest vector that `of` gives for a vertex.
+template <class Of>
+Vector<double, 3> longest(const std::vector<Vector<double, 3>>& vertices, Of&& of) {
+  Vector<double, 3> best = Vector<double, 3>::Zero();
+  for (const auto& vertex : vertices)
+    if (const Vector<double, 3> v = of(vertex); v.squaredNorm() > best.squaredNorm()) best = v;
+  return best;
+}
+
 }  // namespace
+
+template <class Count>
+Vector<double, 3> flat_normal(const std::vector<Vector<double, 3>>& vertices, Count& count) {
+  using Vertex = Vector<double, 3>;
+  const auto from_first = [&](const Vertex& vertex) -> Vertex { return vertex - vertices.front(); };
+  const Vertex along = unit<3>(longest(vertices, from_first));
+  const Vertex across = longest(vertices, [&](const Vertex& vertex) -> Vertex {
+    const Vertex to = from_first(vertex);
+    return to - along.dot(to) * along;
+  });
+  const auto n = static_cast<std::int64_t>(vertices.size());
+  count.count(Operation::kPointsTouched, 2 * n);
+  count.count(Operation::kDistanceTests, 2 * n);
+  count.count(Operation::kDotProducts, n);
+  count.count(Operation::kSquareRoots, 1);
+  return along.cross(across);
+}
+
+template Vector<double, 3> flat_normal(const std::vector<Vector<double, 3>>&, Ignore&);
+template Vector<double, 3> flat_normal(const std::vector<Vector<double, 3>>&, PartCounter&);
 
 template <class Count>
 RectangleFrame<3> rectangle_along(const Vector<double, 3>& direction, const std::vector<Vector<double, 3>>& points,

@@ -73,6 +73,22 @@ template <class Count>
   return rectangle_along(direction, points, ignore);
 }
 
+/// A normal of the plane of a flat hull, of any length. Its line is the one from the first vertex to the farthest, the
+/// vertex farthest from that line gives the plane, and the normal is perpendicular to both within their roundings: so a
+/// sliver lies in its plane as well as a square does. vertices: three or more, of about 1 in size. count: as above.
+/// O(n) time.
+template <class Count>
+[[nodiscard]] Vector<double, 3> flat_normal(const std::vector<Vector<double, 3>>& vertices, Count& count);
+
+/// The same for an observer: it is told the counts, but no steps.
+template <class Observer>
+[[nodiscard]] Vector<double, 3> watched_flat_normal(const std::vector<Vector<double, 3>>& vertices, Observer& observe) {
+  PartCounterFor<Observer> tally;
+  const Vector<double, 3> normal = flat_normal(vertices, tally);
+  hand_on(tally, observe);
+  return normal;
+}
+
 /// A rectangle on which the calipers stand while they turn around a projection.
 struct CalipersTurn {
   RectangleFrame<3> rectangle;

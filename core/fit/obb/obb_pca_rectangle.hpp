@@ -52,6 +52,13 @@ void tell_turns(const std::vector<CalipersTurn>& turns, const ObbTrials<Scalar, 
   }
 }
 
+/// The rectangle with its edge as indices of points. vertices: a point's index for each vertex.
+[[nodiscard]] inline RectangleFrame<3> on_points(RectangleFrame<3> found, const std::vector<Index>& vertices) {
+  for (Index* i : {&found.edge_a, &found.edge_b})
+    if (*i != kNoIndex) *i = vertices[*i];
+  return found;
+}
+
 /// Reports a rectangle. found: with its edge as indices of points. line: as below.
 template <class Scalar, int Dim, class Observer>
 void attempt_rectangle(ObbTrials<Scalar, Dim, Observer>& trials, const RectangleFrame<Dim>& found, int line,
@@ -96,10 +103,8 @@ void shrink_by_rectangles(ObbTrials<Scalar, 3, Observer>& trials, const std::vec
     const double before = trials.least();
     const Matrix<double, 3> box = by_length<3>(LocalBox<3>(trials.axes(), points));
     count_box<3>(points.size(), observe);
-    RectangleFrame<3> found = told_rectangle_along(box.col(turn), trials, indices, told, line - 1, observe);
-    for (Index* i : {&found.edge_a, &found.edge_b})
-      if (*i != kNoIndex) *i = indices[*i];
-    attempt_rectangle(trials, found, line, observe);
+    const RectangleFrame<3> found = told_rectangle_along(box.col(turn), trials, indices, told, line - 1, observe);
+    attempt_rectangle(trials, on_points(found, indices), line, observe);
     turn = trials.least() < before * (1 - tolerance::kSameBox) ? 0 : turn + 1;
   }
 }

@@ -71,6 +71,20 @@ Cloud prism(int sides, double height, double twist) {
 
 }  // namespace
 
+TEST_CASE("around a sliver the smallest box is as flat as the sliver") {
+  Random random(4);
+  check_smallest("found by fuzzing",
+                 {{0x1p-12, -0x1p-12, -0x1p-24}, {-0x1p-24, -0x1p-24, -0x1.0000000000001p-24}, {-4, -4, -4}}, 0,
+                 random);
+  for (int k = 4; k <= 50; ++k)
+    for (int turned = 0; turned < 20; ++turned) {
+      const Cloud cloud{4 * test::any_direction(random), 4 * test::any_direction(random)};
+      const Vector<double, 3> beside = cloud[0] + 0.3 * (cloud[1] - cloud[0]);
+      check_smallest("at random", {cloud[0], cloud[1], beside + std::ldexp(1, -k) * test::any_direction(random)}, 0,
+                     random);
+    }
+}
+
 TEST_CASE("the smallest box is proven so, and no search finds a smaller one") {
   Random random(1);
   for (int n = 4; n <= 12; ++n)
