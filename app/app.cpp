@@ -558,7 +558,6 @@ void App::frame(const Layout& layout, double now) {
   s.look.tools = layout.tools;
   s.look.foot = layout.foot;
   ++s.frames;
-  if (s.look.drawn != nullptr) s.look.drawn->clear();
   advance(now);
   if (!s.session) return;
   const lesson::WithDecimals wished(s.session->lesson().view.decimals);
@@ -596,7 +595,8 @@ void App::frame(const Layout& layout, double now) {
 }
 
 void App::advance(double now) {
-  state_->now = now;
+  // A door may draw panels of its own before the frame of this moment.
+  if (std::exchange(state_->now, now) != now && state_->look.drawn != nullptr) state_->look.drawn->clear();
   if (!state_->session) return;
   state_->play_on();
   if (state_->sitting) state_->sitting->see(*state_->session);

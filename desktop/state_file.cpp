@@ -1,5 +1,6 @@
 #include "desktop/state_file.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -12,8 +13,11 @@
 #include "number/fnv.hpp"
 
 namespace snug::desktop {
-StateFile::StateFile() {
-  if (const char* path = std::getenv("SNUG_STATE")) path_ = path;
+StateFile::StateFile(app::App& app) {
+  const char* const path = std::getenv("SNUG_STATE");
+  if (path == nullptr) return;
+  path_ = path;
+  app.note_words(&words_);
 }
 
 namespace {
@@ -28,6 +32,14 @@ Json mistakes_of(const Shell& shell) {
     for (const check::DraftText::Line& line : says.lines) lines.push_back(line.text);
   }
   return lines;
+}
+
+/// The lowest words on the screen; null where there are none.
+Json smallest_of(const std::vector<app::DrawnWords>& words) {
+  const auto lower = [](const app::DrawnWords& a, const app::DrawnWords& b) { return a.size < b.size; };
+  const auto smallest = std::min_element(words.begin(), words.end(), lower);
+  if (smallest == words.end()) return {};
+  return {{"size", smallest->size}, {"words", smallest->words}};
 }
 
 Json course_state(Shell& shell) {
@@ -178,6 +190,7 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   if (path_.empty() || (!shell.course_shown && shell.app().session() == nullptr)) return;
   Json state = shell.course_shown ? course_state(shell) : lesson_state(shell, extent.window_per_page);
   state["height"] = extent.height;
+  state["smallest"] = smallest_of(words_);
   state["asks_path"] = shell.file_card.what != FileCard::What::kNone && !shell.dialog_open;
   state["dialog"] = shell.dialog_open;
   state["frames_beside"] = beside_;

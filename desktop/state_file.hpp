@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "desktop/glfw_host.hpp"
 #include "desktop/shell.hpp"
@@ -11,7 +12,7 @@ namespace snug::desktop {
 
 class StateFile {
  public:
-  StateFile();
+  explicit StateFile(app::App& app);
   void write(Shell& shell, const Extent& extent);
   /// While a thread has the session, after a frame: what the window says of the time. All else stands as it was written
   /// last.
@@ -19,7 +20,8 @@ class StateFile {
 
  private:
   std::string path_, written_;
-  int beside_ = 0;  // frames that were drawn while a thread had the session
+  std::vector<app::DrawnWords> words_;  // of the frame
+  int beside_ = 0;                      // frames that were drawn while a thread had the session
 };
 
 }  // namespace snug::desktop

@@ -571,7 +571,7 @@ void run(GlfwHost& host, Shell& shell) {
     shell.measured_anew = true;
   };
   ImGui::GetIO().UserData = &shell.focus;
-  StateFile state;
+  StateFile state(shell.app());
   std::string title;
   bool due = true, presented = false, anew = false;
   std::unique_ptr<SecondWindow> notes;
