@@ -24,6 +24,7 @@ namespace {
 
 // The shortest and the longest time for playing the steps up to an outcome.
 constexpr double kWatchedSeconds = 2, kLongestWatched = 4;
+constexpr double kSecondsOfStep = 0.5;
 constexpr int kSettleFrames = 2;  // ImGui answers an input over this many frames
 constexpr double kOrbitStep = 0.2, kZoomStep = 1.25;
 
@@ -85,9 +86,15 @@ struct App::State {
 
   void load_fonts();
   void refresh_look(bool fingers);
+  /// Seconds per step while playing at speed 1: of frames the time that one simulates. watched: the least time per step
+  /// while the steps up to an outcome are played, in which a frame would be too short to see; otherwise 0.
+  [[nodiscard]] double seconds_of_step(double watched) const {
+    const lesson::HasFrames* const frames = session->subject().frames();
+    return frames != nullptr ? std::max(frames->seconds_of_frame(), watched) : kSecondsOfStep;
+  }
   /// Seconds from one playing step to the next.
   [[nodiscard]] double pause() const {
-    return watched_pause > 0 ? watched_pause : view->seconds_of_step(*session, 0) / static_cast<double>(speed);
+    return watched_pause > 0 ? watched_pause : seconds_of_step(0) / static_cast<double>(speed);
   }
   void play_on();
   [[nodiscard]] bool player(std::string_view name);
@@ -152,7 +159,7 @@ void App::State::watch() {
   if (outcome == nullptr || (watched_pause > 0 && now < watched_until)) return;
   if (watched_pause > 0) return end_watching();  // without one more step, which would continue
   const int steps = std::max(1, outcome->step - session->step());
-  watched_pause = std::min(view->seconds_of_step(*session, kWatchedSeconds / steps), kLongestWatched / steps);
+  watched_pause = std::min(seconds_of_step(kWatchedSeconds / steps), kLongestWatched / steps);
   watched_until = now + kLongestWatched;
   playing = true;
   next_step_at = now + watched_pause;
@@ -375,7 +382,7 @@ void App::State::invite(const Rect& rect) {
   const auto at = *due == lesson::Invited::kDrag   ? handle_to_drag(rect)
                   : *due == lesson::Invited::kStep ? std::optional(step_button)
                                                    : std::optional(play_button);
-  if (at) invitation = Invitation{lesson::invitation_text(*due, invited_handle, step_words(*session, *view)), *at};
+  if (at) invitation = Invitation{lesson::invitation_text(*due, invited_handle, step_words(*session)), *at};
 }
 
 /// What was measured would give the answers away.

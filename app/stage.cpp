@@ -165,11 +165,12 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   }
   const bool first = scene_.points.empty();
   points_moved_ = false;
-  if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum &&
-      seen_in_frame_ == view_->in_frame())
+  const LocalFrame* const frame = view_->local_frame(session);
+  const bool in_frame = frame != nullptr && frame->is_shown();
+  if (!first && seen_ == session.revision() && seen_optimum_ == settings.show_optimum && seen_in_frame_ == in_frame)
     return;
   seen_ = session.revision();
-  seen_in_frame_ = view_->in_frame();
+  seen_in_frame_ = in_frame;
   seen_optimum_ = settings.show_optimum;
   view_->refresh(session, settings.show_optimum && !session.predicting());
   if (!view_->can_move(session)) hands_.arrows = false;
@@ -194,10 +195,11 @@ void Stage::upload_points(const lesson::Session& session) {
   points.reserve(session.size());
   for (Index i = 0; i < session.size(); ++i)
     if (view_->is_point(session, i)) points.push_back(frame_.to_stage(view_->place_of(session, i)));
-  points_moved_ = points != scene_.points || session.subject().triangles().size() != scene_.triangles.size();
+  const lesson::HasPoints* const own = session.subject().with_points();
+  const auto triangles = own != nullptr ? own->triangles() : std::span<const std::array<Index, 3>>();
+  points_moved_ = points != scene_.points || triangles.size() != scene_.triangles.size();
   if (!points_moved_) return;
   scene_.points = std::move(points);
-  const auto triangles = session.subject().triangles();
   scene_.triangles.assign(triangles.begin(), triangles.end());
   scene_.normals = scene_.triangles.empty() ? std::vector<Point3f>{} : mesh_normals(scene_.points, scene_.triangles);
   ++scene_.points_version;
@@ -286,7 +288,8 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
 /// The volume, possibly moving towards the step's volume.
 std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::Session& session, double now) {
   const bool stepped = session.step() != seen_step_ && seen_run_ == session.method(0) && !points_moved_;
-  const bool jump = !view_->glides() || look.still || hands_.dragging || (!stepped && !motion_.moving());
+  const bool jump =
+      session.subject().frames() != nullptr || look.still || hands_.dragging || (!stepped && !motion_.moving());
   seen_step_ = session.step();
   seen_run_ = session.method(0);
   return motion_.at(view_->shown().volume, jump, now);
@@ -297,7 +300,7 @@ Stage::Taken Stage::taken_now(const Look& look, const lesson::Session& session, 
   Taken taken{.inset_right = is_low(rect) ? inset_.x + inset_.width - rect.x : 0};
   if (inset_.width <= 0) taken.inset_right = 0;
   if (camera_.dim() == session.dim()) taken.above = view_->room_of_inset(look, session, rect);
-  taken.wide_tools = look.tools_right > 0 || !view_->frame_button(session).empty() ||
+  taken.wide_tools = look.tools_right > 0 || view_->local_frame(session) != nullptr ||
                      (!view_->optimum_button().empty() && !session.predicting());
   return taken;
 }

@@ -55,6 +55,9 @@ class Stage {
   [[nodiscard]] bool dragging() const { return hands_.dragging; }
 
  private:
+  /// Where a place of the world is shown now, and back.
+  [[nodiscard]] Point3 shown_at(const lesson::Session& session, const Point3& at) const;
+  [[nodiscard]] Point3 meant_by(const lesson::Session& session, const Point3& shown) const;
   // stage.cpp
   void sync(const lesson::Session& session, const Settings& settings);
   void keep_framed(const lesson::Session& session, bool anew);

@@ -93,10 +93,10 @@ void Stage::drag(lesson::Session& session) {
     hands_.arrows = false;
   }
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !begins) return;
-  const Point3 at = view_->place_shown(session, session.point(pressed_));
+  const Point3 at = shown_at(session, session.point(pressed_));
   const Point3 to = camera_.unproject(io.MousePos.x + grab_x_, io.MousePos.y + grab_y_, at);
-  static_cast<void>(session.move(
-      pressed_, view_->place_meant(session, to)));  // if refused, beyond the largest coordinate, the point stays
+  // If refused, beyond the largest coordinate, the point stays.
+  static_cast<void>(session.move(pressed_, meant_by(session, to)));
 }
 
 void Stage::release(lesson::Session& session) {
@@ -138,12 +138,22 @@ void Stage::pinch(float factor, float x, float y, float dx, float dy) {
   if (factor > 0) camera_.zoom(factor, x, y);
 }
 
+Point3 Stage::shown_at(const lesson::Session& session, const Point3& at) const {
+  const LocalFrame* const frame = view_->local_frame(session);
+  return frame != nullptr ? frame->place_shown(session, at) : at;
+}
+
+Point3 Stage::meant_by(const lesson::Session& session, const Point3& shown) const {
+  const LocalFrame* const frame = view_->local_frame(session);
+  return frame != nullptr ? frame->place_meant(session, shown) : shown;
+}
+
 bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fine) {
   if (hands_.selected == kNoIndex || !view_->can_move(session) || (away != 0 && session.dim() == 2)) return false;
-  const Point3 from = view_->place_shown(session, session.point(hands_.selected));
+  const Point3 from = shown_at(session, session.point(hands_.selected));
   const double step = nice_at_least(kNudgePixels / camera_.scale_at(from)) * (fine ? 0.1 : 1);
   const Point3 by = camera_.right() * right + camera_.up() * up + camera_.forward() * away;
-  return session.move(hands_.selected, view_->place_meant(session, from + by * step)).has_value();
+  return session.move(hands_.selected, meant_by(session, from + by * step)).has_value();
 }
 
 bool Stage::add_point(lesson::Session& session) {

@@ -91,18 +91,17 @@ void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) 
   // A cover's button takes its place.
   if (!view_->optimum_button().empty() && !brush.session.predicting() && look.tools_right == 0)
     draw_toggle(brush, settings, right, y, height);
-  const std::string_view frame = view_->frame_button(brush.session);
-  if (!frame.empty()) {
-    const float width = measure(look, Face::kSemiBold, 13, frame).x + look.px(28);
+  if (LocalFrame* const frame = view_->local_frame(brush.session)) {
+    const std::string id(frame->button());
+    const float width = measure(look, Face::kSemiBold, 13, id).x + look.px(28);
     const Rect rect{right - width, y, width, height};
-    const std::string id(frame);
     if (button(brush.list, look,
                {.id = id.c_str(),
                 .rect = rect,
-                .words = frame,
-                .kind = view_->in_frame() ? ButtonKind::kChosen : ButtonKind::kOutlined,
+                .words = id,
+                .kind = frame->is_shown() ? ButtonKind::kChosen : ButtonKind::kOutlined,
                 .size = 13})) {
-      view_->show_frame(!view_->in_frame());
+      frame->show(!frame->is_shown());
       reset_view(brush.session);
     }
     keep_free(brush.canvas.obstacles, rect);

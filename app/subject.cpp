@@ -5,11 +5,6 @@
 #include "app/polytope.hpp"
 
 namespace snug::app {
-namespace {
-
-constexpr double kSecondsOfStep = 0.5;
-
-}  // namespace
 
 void SubjectView::draw(Brush& brush) const {
   draw_compared(brush, shown());
@@ -58,6 +53,5 @@ float SubjectView::draw_panels(const Look&, lesson::Session&, ImVec2, float) con
 bool SubjectView::fills_column(const lesson::Session&) const { return false; }
 bool SubjectView::in_panels(const lesson::Figure&) const { return false; }
 MarkWords SubjectView::mark_words(const lesson::Session&) const { return {}; }
-double SubjectView::seconds_of_step(const lesson::Session&, double) const { return kSecondsOfStep; }
 
 }  // namespace snug::app

@@ -26,6 +26,20 @@ struct MarkWords {
 /// overlap, if that left the first less than so much height.
 [[nodiscard]] float room_over_picture(const Look& look, const Rect& stage, float height, float least);
 
+/// Another coordinate system in which the stage can be shown.
+class LocalFrame {
+ public:
+  [[nodiscard]] virtual std::string_view button() const = 0;
+  [[nodiscard]] virtual bool is_shown() const = 0;
+  virtual void show(bool on) = 0;
+  /// Where a place of the world is shown now, and back.
+  [[nodiscard]] virtual Point3 place_shown(const lesson::Session& session, const Point3& at) const = 0;
+  [[nodiscard]] virtual Point3 place_meant(const lesson::Session& session, const Point3& shown) const = 0;
+
+ protected:
+  ~LocalFrame() = default;
+};
+
 /// The view of a subject; one is made for each opened lesson. By default it shows points, the volume fitted to them,
 /// and the handles that the step names.
 class SubjectView {
@@ -58,8 +72,6 @@ class SubjectView {
   [[nodiscard]] virtual fit::Sphere3 extent(const lesson::Session& session);
   /// The same as it is seen, which frames it more tightly; none if only the ball is known.
   [[nodiscard]] virtual std::optional<Outline> outline(const lesson::Session&, const Camera&) const { return {}; }
-  /// Whether the volume moves smoothly from one step to the next; it jumps if the points inside move.
-  [[nodiscard]] virtual bool glides() const { return true; }
   /// The button that shows the smallest volume, or what the lesson compares with, before the end; empty for none.
   [[nodiscard]] virtual std::string_view optimum_button() const { return {}; }
   /// The coordinate axis that the step works along, 0 to 2; -1 for none.
@@ -70,13 +82,8 @@ class SubjectView {
   virtual void work(lesson::Session&) const {}
   /// Whether its panels work on something, so that the next frame is wanted.
   [[nodiscard]] virtual bool working() const { return false; }
-  /// The button that shows the scene in another coordinate system, and whether it is on; empty for none.
-  [[nodiscard]] virtual std::string_view frame_button(const lesson::Session&) const { return {}; }
-  [[nodiscard]] virtual bool in_frame() const { return false; }
-  virtual void show_frame(bool) {}
-  /// Where a place of the scene is shown, and back.
-  [[nodiscard]] virtual Point3 place_shown(const lesson::Session&, const Point3& at) const { return at; }
-  [[nodiscard]] virtual Point3 place_meant(const lesson::Session&, const Point3& shown) const { return shown; }
+  /// The frame in which the stage can be shown besides the world's; null for none.
+  [[nodiscard]] virtual LocalFrame* local_frame(const lesson::Session&) { return nullptr; }
 
   /// Lights a mark of the prose that is no handle, until another is lit; "" for none.
   virtual void light(std::string_view) {}
@@ -123,11 +130,6 @@ class SubjectView {
   /// Whether a panel shows the figure already.
   [[nodiscard]] virtual bool in_panels(const lesson::Figure& figure) const;
   [[nodiscard]] virtual MarkWords mark_words(const lesson::Session& session) const;
-  /// The word on the button for one step.
-  [[nodiscard]] virtual std::string_view step_button() const { return "Step"; }
-  /// Seconds per step while playing at speed 1. watched: the least time per step while the steps up to an outcome are
-  /// played; otherwise 0.
-  [[nodiscard]] virtual double seconds_of_step(const lesson::Session& session, double watched) const;
 };
 
 }  // namespace snug::app

@@ -16,6 +16,11 @@
 namespace snug::app {
 namespace {
 
+/// On the button for one step.
+std::string_view step_word(const lesson::Session& session) {
+  return session.subject().frames() != nullptr ? "Next" : "Step";
+}
+
 using Kind = lesson::Mark::Kind;
 using lesson::Standing;
 
@@ -184,7 +189,7 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
   const bool at_end = session.step() == session.steps() && !session.previewing();
   // The student's run, which goes from decision to decision.
   const bool own = told && is_over(session) && session.question_of(*session.outcome()) != &session.questions().back();
-  const std::string_view step = own ? lesson::kNextDecisionWord : step_words(session, view);
+  const std::string_view step = own ? lesson::kNextDecisionWord : step_words(session);
   const bool short_of_room = measure(look, Face::kSemiBold, kButtonSize, step).x > rects[2].width - kButtonEdges;
   const bool at_start = session.step() == 0;
   const auto press = [&](const Button& b, std::string_view command) {
@@ -198,7 +203,7 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
                      .words = gate            ? lesson::kAnswerWord
                               : own           ? (short_of_room ? "Next" : step)
                               : told          ? lesson::kContinueWord
-                              : short_of_room ? view.step_button()
+                              : short_of_room ? step_word(session)
                                               : step,
                      .icon = chosen || told || session.previewing() ? Icon::kNone
                              : gate                                 ? Icon::kLock
@@ -219,8 +224,8 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
 
 }  // namespace
 
-std::string_view step_words(const lesson::Session& session, const SubjectView& view) {
-  return session.previewing() ? "From the start" : view.step_button();
+std::string_view step_words(const lesson::Session& session) {
+  return session.previewing() ? "From the start" : step_word(session);
 }
 
 PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect,

@@ -23,7 +23,7 @@ struct PlayerWish {
 inline constexpr std::array kSpeeds{0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f, 32.0f};
 
 /// What the button says that takes a step: where the end is shown before the player was used, a step begins anew.
-[[nodiscard]] std::string_view step_words(const lesson::Session& session, const SubjectView& view);
+[[nodiscard]] std::string_view step_words(const lesson::Session& session);
 
 /// Draws into a rectangle of the current pane. Scrubbing moves the session directly.
 [[nodiscard]] PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view,

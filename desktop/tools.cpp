@@ -92,7 +92,7 @@ void draw_edits(Shell& shell, Column& column) {
 /// The switch between float and double.
 void draw_scalar(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
-  if (!session.subject().takes_float()) return;
+  if (session.subject().scalar() == nullptr) return;
   const bool in_float = session.subject().in_float();
   column.gap(12);
   column.heading(lesson::kScalarWord);

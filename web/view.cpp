@@ -66,7 +66,7 @@ void set_points(val& object, const app::App& app, const lesson::Session& session
   object.set("edited", session.edited());
   object.set("source", session.source());
   object.set("seed", static_cast<double>(session.seed()));
-  const bool in_float = session.subject().in_float(), offered = session.subject().takes_float();
+  const bool in_float = session.subject().in_float(), offered = session.subject().scalar() != nullptr;
   object.set("scalar", offered ? val(in_float ? "float" : "double") : val::null());
   object.set("canUndo", session.can_undo());
   object.set("canRedo", session.can_redo());

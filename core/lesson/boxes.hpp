@@ -84,7 +84,7 @@ struct BoxHandle {
 /// z. taper: 1 for two boxes. Of a ball or a point only the centre is listed, and of a ball a radius.
 [[nodiscard]] BoxPair read_pair(TomlTable& table, int dim, double taper, Form form = Form::kBox);
 
-class BoxSubject : public Subject {
+class BoxSubject : public Subject, public HasScalar {
  public:
   [[nodiscard]] const BoxPair& boxes() const { return pair_; }
   [[nodiscard]] int dim() const override { return pair_.dim; }
@@ -108,7 +108,6 @@ class BoxSubject : public Subject {
     return box == 0 ? Words{"Box A", "A", "Half extents"} : Words{"Box B", "B", "Half extents"};
   }
   Done move(Index i, const Point3& to) override;
-  [[nodiscard]] bool takes_float() const override { return true; }
   Done set_float(bool in_float) override;
   /// Replaces the boxes. Errors: another dimension; a number that is not finite, a half extent below 0; the errors of
   /// check.
@@ -117,6 +116,7 @@ class BoxSubject : public Subject {
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
  protected:
+  [[nodiscard]] Abilities abilities() override { return {.scalar = this}; }
   BoxSubject(BoxPair pair, std::uint64_t seed) : lesson_seed_(seed), pair_(std::move(pair)) { origin_.seed = seed; }
   BoxSubject(const BoxSubject&) = default;
   BoxSubject& operator=(const BoxSubject&) = default;

@@ -48,7 +48,8 @@ std::optional<Figure> excess_over(const Requirement& due, const Method& method, 
 /// The figures that a requirement can be about.
 std::vector<Figure> results_for(const Requirement& due, const Method& method, const Subject& subject,
                                 const View& view) {
-  return due.at_frame > 0 ? subject.results_at(method, due.at_frame) : subject.results(method, view);
+  if (due.at_frame == 0) return subject.results(method, view);
+  return subject.frames() != nullptr ? subject.frames()->results_at(method, due.at_frame) : std::vector<Figure>();
 }
 
 std::optional<Figure> figure_of(const Requirement& due, const Method& method, const Lesson& lesson,
@@ -143,7 +144,8 @@ std::vector<Requirement> read_requirements(TomlTable& table, const Lesson& lesso
 
 Judged judge_requirement(const Requirement& due, const Lesson& lesson, std::string_view algorithm,
                          const Subject& subject, const View& view) {
-  if (!due.goal.empty()) return {subject.reaches(due.goal), 0, {}, subject.goal_says(due.goal)};
+  if (const HasGoals* const goals = subject.goals(); !due.goal.empty() && goals != nullptr)
+    return {goals->reaches(due.goal), 0, {}, goals->goal_says(due.goal)};
   const Method& method = *find_method(lesson, due.algorithm.empty() ? algorithm : std::string_view(due.algorithm));
   if (const std::string refusal = subject.refusal(method); !refusal.empty())
     return {false, kNone, {}, refusal + ".", false};

@@ -18,7 +18,8 @@ constexpr std::string_view kTaskSource = "task";
 std::optional<io::PointFile> file_of(const Subject& subject) {
   if (subject.points() == nullptr) return std::nullopt;
   io::PointFile file{subject.dim(), all_points(*subject.points()), {}};
-  file.triangles.assign(subject.triangles().begin(), subject.triangles().end());
+  const auto triangles = subject.with_points()->triangles();
+  file.triangles.assign(triangles.begin(), triangles.end());
   return file;
 }
 

@@ -48,8 +48,10 @@ std::optional<io::PointFile> points_to_try(const Session& session) {
   io::PointFile file{.dim = session.dim(), .points = {}, .triangles = {}};
   if (const AnyPointSet* points = subject.points()) {
     file.points = all_points(*points);
-    file.triangles.assign(subject.triangles().begin(), subject.triangles().end());
-  } else if (const std::vector<fit::Volume3> volumes = subject.volumes(); !volumes.empty()) {
+    const auto triangles = subject.with_points()->triangles();
+    file.triangles.assign(triangles.begin(), triangles.end());
+  } else if (const HasVolumes* const own = subject.with_volumes(); own != nullptr && !own->volumes().empty()) {
+    const std::vector<fit::Volume3> volumes = own->volumes();
     file.points = file.dim == 2 ? farthest_points<2>(volumes.front()) : farthest_points<3>(volumes.front());
   }
   return file.points.empty() ? std::nullopt : std::optional(std::move(file));

@@ -143,8 +143,7 @@ Done PointSubject::take(const std::vector<Point3>& points, int dim, std::shared_
   return {};
 }
 
-Done PointSubject::set_float(bool in_float) {
-  if (in_float && !takes_float()) return Subject::set_float(in_float);
+Done PointSubject::round_to_float(bool in_float) {
   std::optional<AnyPointSet> rounded;
   if (in_float) {
     auto set = to_set(all_points(unrounded_), dim(), true);

@@ -45,16 +45,14 @@ using NamesOfPoints = std::shared_ptr<const std::vector<std::string>>;
 /// Reads a task's "model", a list of points.
 [[nodiscard]] Rows read_point_model(TomlTable& task, const Lesson& lesson, Complaints& complaints);
 
-class PointSubject : public Subject {
+class PointSubject : public Subject, public HasPoints {
  public:
   [[nodiscard]] int dim() const override { return fit::dim_of(unrounded_); }
   [[nodiscard]] Index size() const override { return fit::count_of(unrounded_); }
-  [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(*points(), i); }
+  [[nodiscard]] Point3 at(Index i) const override { return fit::point_of(set_of_points(), i); }
   [[nodiscard]] std::string name_of(Index i) const override { return point_name(i, names_); }
-  /// In float, the rounded ones.
-  [[nodiscard]] const AnyPointSet* points() const override { return rounded_ ? &*rounded_ : &unrounded_; }
-  [[nodiscard]] const AnyPointSet* unrounded_points() const override { return &unrounded_; }
-  Done set_float(bool in_float) override;
+  [[nodiscard]] const AnyPointSet& set_of_points() const override { return rounded_ ? *rounded_ : unrounded_; }
+  [[nodiscard]] const AnyPointSet& unrounded_points() const override { return unrounded_; }
   [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override;
   [[nodiscard]] std::string_view stage_says() const override { return "the points and the volume around them"; }
   [[nodiscard]] Tools tools() const override { return {"Points", "Points", true}; }
@@ -84,6 +82,10 @@ class PointSubject : public Subject {
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
  protected:
+  [[nodiscard]] Abilities abilities() override { return {.points = this}; }
+  /// For a subject that has runs in float (HasScalar::set_float).
+  Done round_to_float(bool in_float);
+
   using Triangles = std::vector<std::array<Index, 3>>;
   /// How the lesson's points are scattered: by its own generator, or by another kind with as many points.
   struct Recipe {
@@ -102,7 +104,7 @@ class PointSubject : public Subject {
 
   [[nodiscard]] const NamesOfPoints& names() const { return names_; }
   /// The number of points: a subject may have more handles.
-  [[nodiscard]] Index count() const { return fit::count_of(*points()); }
+  [[nodiscard]] Index count() const { return fit::count_of(set_of_points()); }
   /// Called when the points have changed, and cached results are stale.
   virtual void points_changed() {}
   /// Takes over edited points. Errors: those of to_set, and of float where the runs are in float.

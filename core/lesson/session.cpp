@@ -131,8 +131,12 @@ void Session::subject_changed() {
   ++revision_;
 }
 
+std::vector<Switch> Session::switches() const {
+  return now_->parts() != nullptr ? now_->parts()->switches(view()) : std::vector<Switch>();
+}
+
 bool Session::turn(std::string_view name, bool on) {
-  if (conduct_.decides || !now_->turn(name, on, view())) return false;
+  if (conduct_.decides || now_->parts() == nullptr || !now_->parts()->turn(name, on, view())) return false;
   results_.clear();
   run_again(0);
   run_again(1);
@@ -141,7 +145,7 @@ bool Session::turn(std::string_view name, bool on) {
   return true;
 }
 
-bool Session::waits() const { return drag_.subject != nullptr && now_->results_wait(); }
+bool Session::waits() const { return drag_.subject != nullptr && now_->frames() != nullptr; }
 
 const std::vector<Rival>& Session::rivals() const {
   if (!rivals_) rivals_ = now_->rivals(*lesson_, view());
@@ -162,7 +166,7 @@ Grade Session::grade(std::size_t task) const {
   if (now.done && !drag_.subject && !done_[task]) done_[task] = word_of(*now_);  // not what a hand only passes through
   // The grade comes from the run's result, which would give away the steps that are asked about.
   if (!now.done && predicting() && is_own()) now.says = kTaskWaits;
-  else if (!now.done && !now_->moves_at(step_)) now.says += " " + std::string(now_->fixed_now());
+  else if (!now.done && !now_->moves_at(step_)) now.says += " " + std::string(now_->frames()->fixed_now());
   return now;
 }
 

@@ -166,7 +166,7 @@ class Session {
   [[nodiscard]] std::span<const std::string_view> pseudocode(int slot) const { return slots_[slot].pseudocode; }
   /// Every method that the lesson offers, with its result; computed when first needed after an edit.
   [[nodiscard]] const std::vector<Rival>& rivals() const;
-  [[nodiscard]] std::vector<Switch> switches() const { return now_->switches(view()); }
+  [[nodiscard]] std::vector<Switch> switches() const;
   /// Switches a part off from the current step on, or on again for all steps. Returns false if that is impossible.
   /// Grades ignore switches.
   bool turn(std::string_view name, bool on);

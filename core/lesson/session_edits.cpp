@@ -12,6 +12,13 @@
 namespace snug::lesson {
 namespace {
 
+Done fixed_number() {
+  return tl::unexpected(InputError{.what = "in this lesson nothing is added to the stage, and nothing removed"});
+}
+Done no_points() {
+  return tl::unexpected(InputError{.what = "this lesson takes no point file, and scatters no points"});
+}
+
 constexpr std::size_t kMostUndo = 200;  // for the bunny, 10 MB
 
 }  // namespace
@@ -154,24 +161,32 @@ Done Session::move(Index i, const Point3& to) {
 
 Done Session::add(const Point3& at) {
   return edit([&](Subject& next) -> Done {
-    if (Done added = next.add(at); !added) return added;
+    if (next.with_points() == nullptr) return fixed_number();
+    if (Done added = next.with_points()->add(at); !added) return added;
     if (!next.suits(*slots_[0].method)) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
     return {};
   });
 }
 
 Done Session::remove(Index i) {
-  return edit([&](Subject& next) { return next.remove(i); });
+  return edit([&](Subject& next) -> Done {
+    return next.with_points() != nullptr ? next.with_points()->remove(i) : fixed_number();
+  });
 }
 
 Done Session::load(const io::PointFile& file, std::string_view name) {
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
-  return edit_anew([&](Subject& next) { return next.load(file, name); });
+  return edit_anew([&](Subject& next) -> Done {
+    return next.with_points() != nullptr ? next.with_points()->load(file, name) : no_points();
+  });
 }
 
 Done Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
-  return edit_anew([&](Subject& next) { return next.set_generator(kind, count, dim, seed, own()); });
+  return edit_anew([&](Subject& next) -> Done {
+    HasPoints* const points = next.with_points();
+    return points != nullptr ? points->set_generator(kind, count, dim, seed, own()) : no_points();
+  });
 }
 
 Done Session::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
@@ -186,12 +201,14 @@ Done Session::set_float(bool in_float) {
   if (in_float == now_->in_float()) return {};
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   Snapshot next = snapshot();
+  HasScalar* const scalar = next.subject->scalar();
+  if (scalar == nullptr) return tl::unexpected(InputError{.what = "this lesson is computed in double alone"});
   if (next.slid.base != nullptr) {  // from which the sliders' next move begins
     auto base = next.slid.base->clone();
-    if (Done set = base->set_float(in_float); !set) return set;
+    if (Done set = base->scalar()->set_float(in_float); !set) return set;
     next.slid.base = std::move(base);
   }
-  if (Done set = next.subject->set_float(in_float); !set) return set;
+  if (Done set = scalar->set_float(in_float); !set) return set;
   const bool started = task_started_;
   Done done = become(std::move(next));
   keep_task(started);
@@ -199,7 +216,10 @@ Done Session::set_float(bool in_float) {
 }
 
 Done Session::call_for(std::string_view name, bool called) {
-  return edit([&](Subject& next) { return next.call_for(name, called); });
+  return edit([&](Subject& next) -> Done {
+    if (next.parts() != nullptr) return next.parts()->call_for(name, called);
+    return tl::unexpected(InputError{.what = "nothing here can call for " + std::string(name)});
+  });
 }
 
 bool Session::can_toggle(const Switch& part) const { return step() > 0 || !part.on || part.optional; }
@@ -211,7 +231,7 @@ bool Session::toggle(const Switch& part) {
 
 bool Session::push(Index i) {
   auto next = now_->clone();
-  if (i < 0 || i >= size() || !next->push(i, view())) return false;
+  if (i < 0 || i >= size() || next->frames() == nullptr || !next->frames()->push(i, view())) return false;
   const int step = step_;
   if (!become(std::move(next))) return false;
   step_ = std::min(step, steps());  // the run may have become longer
@@ -222,7 +242,10 @@ Done Session::set_file(std::string text) {
   if (const auto file = now_->file(); file && file->typed == text) return {};
   types_on_ = typing_;
   const AtOnce at_once(*this);
-  Done set = edit([&](Subject& next) { return next.set_file(std::move(text)); });
+  Done set = edit([&](Subject& next) -> Done {
+    if (next.text() != nullptr) return next.text()->set_file(std::move(text));
+    return tl::unexpected(InputError{.what = "nothing here is made from a text"});
+  });
   types_on_ = false;
   if (set) typing_ = true;
   return set;
@@ -256,7 +279,7 @@ void Session::start_task(std::size_t task) {
   task_started_ = true;
   forget_grades();
   // A student who builds an example looks at results, and was asked nothing yet. Bodies are placed at their start.
-  previewing_ = now_->task_begins_at_end();
+  previewing_ = now_->frames() == nullptr;
   step_ = previewing_ ? steps() : 0;
   ++revision_;
 }
@@ -304,7 +327,7 @@ Done Session::end_drag() {
   Snapshot before = std::move(drag_);
   if (before.subject && drag_moved_) {
     remember(std::move(before));
-    if (now_->results_wait()) forget_grades();
+    if (now_->frames() != nullptr) forget_grades();
     ++revision_;
   }
   drag_moved_ = false;

@@ -30,7 +30,8 @@ int last_mark(const std::vector<Asked>& questions, int steps, auto is_open) {
 
 /// Computes the gates and marks of a new run. at_end: whether the player was at the old run's end.
 void Session::run_changed(bool at_end) {
-  asked_ = asked_on(*lesson_, name_in(*lesson_, *method(0)), *now_, run(0), is_own() && !now_->has_switched_off());
+  const bool is_disturbed = now_->frames() != nullptr && now_->frames()->is_disturbed();
+  asked_ = asked_on(*lesson_, name_in(*lesson_, *method(0)), *now_, run(0), is_own() && !is_disturbed);
   marks_ = marks_of(run(0), asked_);
   step_ = at_end ? steps() : std::min(step_, steps());
   hash_.reset();

@@ -16,14 +16,6 @@ std::string drive_name(const NumberGroup& group, const NumberRow& row, std::size
   return name;
 }
 
-tl::unexpected<InputError> fixed_number() {
-  return tl::unexpected(InputError{.what = "in this lesson nothing is added to the stage, and nothing removed"});
-}
-
-tl::unexpected<InputError> no_points() {
-  return tl::unexpected(InputError{.what = "this lesson takes no point file, and scatters no points"});
-}
-
 }  // namespace
 
 bool Untold::hides(std::string_view figure) const {
@@ -49,9 +41,13 @@ std::string Subject::refusal(const Method& method) const {
   if (dim() == 3 && !method.space) return title + " is for points in the plane";
   return {};
 }
-Done Subject::set_float(bool in_float) {
-  if (!in_float) return {};
-  return tl::unexpected(InputError{.what = "this lesson is computed in double alone"});
+std::optional<StageFile> Subject::file() const {
+  if (const HasText* const own = text()) return own->file();
+  return std::nullopt;
+}
+const AnyPointSet* Subject::points() const {
+  const HasPoints* const own = with_points();
+  return own != nullptr ? &own->set_of_points() : nullptr;
 }
 std::vector<Drive> Subject::drives() const {
   std::vector<Drive> all;
@@ -78,13 +74,9 @@ Done Subject::drive(std::string_view name, double from, double to) {
     }
   return tl::unexpected(InputError{.what = "there is no " + std::string(name) + " to drive"});
 }
-Done Subject::add(const Point3&) { return fixed_number(); }
-Done Subject::remove(Index) { return fixed_number(); }
 Done Subject::set_numbers(std::size_t, std::size_t, std::span<const double>) {
   return tl::unexpected(InputError{.what = "there are no such numbers"});
 }
-Done Subject::load(const io::PointFile&, std::string_view) { return no_points(); }
-Done Subject::set_generator(std::string_view, int, int, std::uint64_t, const Subject&) { return no_points(); }
 std::vector<Rival> Subject::rivals(const Lesson&, const View&) const { return {}; }
 std::vector<Figure> Subject::figures_at_end(const Method& method, const View& view) const {
   for (const Slot& slot : view.slots)
@@ -95,20 +87,10 @@ std::vector<Figure> Subject::figures_at_end(const Method& method, const View& vi
 std::vector<Figure> Subject::results(const Method& method, const View& view) const {
   return figures_at_end(method, view);
 }
-std::vector<Figure> Subject::results_at(const Method&, int) const { return {}; }
 std::optional<double> Subject::result_size(const Method&, bool, const View&) const { return std::nullopt; }
 std::int64_t Subject::operations(const Method&) const { return 0; }
-bool Subject::reaches(std::string_view) const { return false; }
-std::string Subject::goal_says(std::string_view) const { return {}; }
 Grade Subject::grade(const Lesson& lesson, const Task& task, const View& view) const {
   return grade_by_requirements(lesson, task, *this, view);
 }
-std::vector<Switch> Subject::switches(const View&) const { return {}; }
-bool Subject::turn(std::string_view, bool, const View&) { return false; }
-Done Subject::call_for(std::string_view name, bool) {
-  return tl::unexpected(InputError{.what = "nothing here can call for " + std::string(name)});
-}
-bool Subject::push(Index, const View&) { return false; }
-Done Subject::set_file(std::string) { return tl::unexpected(InputError{.what = "nothing here is made from a text"}); }
 
 }  // namespace snug::lesson

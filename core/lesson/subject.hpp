@@ -10,17 +10,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tl/expected.hpp>
 #include <vector>
 
-#include "fit/any_step.hpp"
-#include "geometry/input_error.hpp"
-#include "geometry/point_set.hpp"
-#include "io/point_file.hpp"
-#include "lesson/figures.hpp"
+#include "lesson/abilities.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
-#include "lesson/stage_file.hpp"
 
 namespace snug::lesson {
 
@@ -28,11 +22,8 @@ struct Asked;
 struct Asking;
 struct SubjectRow;
 
-using Point3 = Vector<double, 3>;
 /// Nanoseconds since some moment; null for no clock.
 using Clock = double (*)();
-/// Nothing, or why it could not be done.
-using Done = tl::expected<void, InputError>;
 
 /// Something whose steps can be watched: an algorithm, a test, an update.
 struct Method {
@@ -86,9 +77,6 @@ struct Drive {
   bool whole = false;         // whether it takes whole numbers only
   bool by_hand = false;       // whether it moves nothing but what a method by hand starts from
 };
-
-/// The state of a subject as numbers: a row for each point, box or volume.
-using Rows = std::vector<std::vector<double>>;
 
 /// A mark on the timeline: a step that matters. step: the player's place that shows it, for go.
 struct Mark {
@@ -168,17 +156,6 @@ struct Rival {
   std::optional<double> excess;  // over the optimum, 0.1 for 10 per cent; none if that is unknown
 };
 
-/// A part of the subject that the student can switch off and on, and what it did so far.
-struct Switch {
-  std::string name;
-  bool on = true;
-  std::int64_t constructed = 0, run = 0, skipped = 0;
-  std::string microseconds;  // the time of a run; kept out of steps, figures and hashes, which are the same everywhere
-  bool called = true;        // whether the subject calls for it now, and not only may do so
-  bool optional = false;     // whether the student may add it to what the subject calls for, and take it out
-  std::string says = {};     // what it did in the current step, and why; empty where that is not told
-};
-
 class Subject {
  public:
   /// Where the subject came from.
@@ -200,6 +177,28 @@ class Subject {
   [[nodiscard]] virtual int dim() const = 0;
   /// The subject whose runs it shows: for a chart, its cloud.
   [[nodiscard]] virtual const Subject& shape() const { return *this; }
+  [[nodiscard]] bool in_float() const { return origin_.in_float; }
+
+  // ---- what only some can do: null for the others --------------------------------------------------------------
+  [[nodiscard]] HasPoints* with_points() { return abilities().points; }
+  [[nodiscard]] HasVolumes* with_volumes() { return abilities().volumes; }
+  [[nodiscard]] HasScalar* scalar() { return abilities().scalar; }
+  [[nodiscard]] HasParts* parts() { return abilities().parts; }
+  [[nodiscard]] HasFrames* frames() { return abilities().frames; }
+  [[nodiscard]] HasText* text() { return abilities().text; }
+  [[nodiscard]] HasGoals* goals() { return abilities().goals; }
+  [[nodiscard]] const HasPoints* with_points() const { return own_abilities().points; }
+  [[nodiscard]] const HasVolumes* with_volumes() const { return own_abilities().volumes; }
+  [[nodiscard]] const HasScalar* scalar() const { return own_abilities().scalar; }
+  [[nodiscard]] const HasParts* parts() const { return own_abilities().parts; }
+  [[nodiscard]] const HasFrames* frames() const { return own_abilities().frames; }
+  [[nodiscard]] const HasText* text() const { return own_abilities().text; }
+  [[nodiscard]] const HasGoals* goals() const { return own_abilities().goals; }
+  [[nodiscard]] std::optional<StageFile> file() const;
+  /// The points alone.
+  [[nodiscard]] const AnyPointSet* points() const;
+  /// Whether things can be moved at a step.
+  [[nodiscard]] bool moves_at(int step) const { return frames() == nullptr ? step >= 0 : step == 0; }
 
   // ---- handles: what can be dragged, rotated, tapped -----------------------------------------------------------
   [[nodiscard]] virtual Index size() const = 0;
@@ -209,17 +208,6 @@ class Subject {
   [[nodiscard]] virtual std::array<std::string_view, 2> handle_words() const { return {"point", "points"}; }
   /// The handles of each thing on the stage: its points or vertices.
   [[nodiscard]] virtual std::vector<std::vector<Index>> things() const;
-
-  /// The nearest points of the two volumes on it, A's first. Where they overlap, the points that would touch if B were
-  /// moved out of A, from centre to centre. None if there are not two volumes.
-  [[nodiscard]] virtual std::optional<std::array<Point3, 2>> gap() const { return std::nullopt; }
-
-  /// The volumes that its tests are given, in space: both of a pair, the body beside a frustum. None of points.
-  [[nodiscard]] virtual std::vector<fit::Volume3> volumes() const { return {}; }
-  /// The volumes that are drawn on paper.
-  [[nodiscard]] virtual std::vector<fit::Volume3> on_paper() const { return volumes(); }
-  /// The planes of a frustum on it, each a row: its normal, then d. None without one.
-  [[nodiscard]] virtual Rows planes() const { return {}; }
 
   /// What is on the stage, in words, for people who cannot see it.
   [[nodiscard]] virtual std::string_view stage_says() const = 0;
@@ -241,33 +229,10 @@ class Subject {
 
   // ---- edits: if one is refused, nothing changes ------------------------------------------------
   virtual Done move(Index i, const Point3& to) = 0;
-  virtual Done add(const Point3& at);
-  virtual Done remove(Index i);
-  virtual Done load(const io::PointFile& file, std::string_view name);
-  virtual Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own);
   /// own: the lesson's, as it opened.
   virtual void scatter(std::uint64_t seed, const Subject& own) = 0;
   /// Becomes what a task begins with.
   virtual void begin_task(const Lesson& lesson, const Task& task, const Subject& own) = 0;
-  /// Whether the player then stands at the end, because a student who builds an example looks at results.
-  [[nodiscard]] virtual bool task_begins_at_end() const { return true; }
-  /// Whether things can be moved at a step, and if not, why.
-  [[nodiscard]] virtual bool moves_at(int step) const { return step >= 0; }
-  [[nodiscard]] virtual std::string_view fixed_now() const { return {}; }
-
-  /// Whether its runs can be computed in float as well as in double.
-  [[nodiscard]] virtual bool takes_float() const { return false; }
-  [[nodiscard]] bool in_float() const { return origin_.in_float; }
-  /// Chooses the scalar of its runs. In float, points are rounded to float; double shows them as they were before.
-  /// Errors: it takes none but double; a coordinate that is too large for float.
-  virtual Done set_float(bool in_float);
-
-  /// The points, if the subject has points; null otherwise.
-  [[nodiscard]] virtual const AnyPointSet* points() const { return nullptr; }
-  /// The same before they were rounded to float.
-  [[nodiscard]] virtual const AnyPointSet* unrounded_points() const { return points(); }
-  /// The triangles of the mesh whose vertices the points are; empty otherwise.
-  [[nodiscard]] virtual std::span<const std::array<Index, 3>> triangles() const { return {}; }
 
   // ---- runs ---------------------------------------------------------------------------------------------------
   /// earlier: a run whose memory is reused, or null.
@@ -285,42 +250,27 @@ class Subject {
   [[nodiscard]] virtual std::vector<Rival> rivals(const Lesson& lesson, const View& view) const;
   /// The figures at the end of a method's run. A run that the view has is not repeated.
   [[nodiscard]] virtual std::vector<Figure> figures_at_end(const Method& method, const View& view) const;
-  /// Whether the ends of runs take too long to be worked out while something is dragged: a run records its steps no
-  /// farther than they are shown, and results and grades wait until the hand rests.
-  [[nodiscard]] virtual bool results_wait() const { return false; }
   /// The figures by which tasks and conditions are judged: those at the end, with every part switched on.
   [[nodiscard]] virtual std::vector<Figure> results(const Method& method, const View& view) const;
-  /// The same after one of a scene's frames, counted from 1; none where there is no such frame.
-  [[nodiscard]] virtual std::vector<Figure> results_at(const Method& method, int frame) const;
   /// The size of a method's final result: of a ball the radius, unless its area or volume is wanted. None if it has no
   /// volume.
   [[nodiscard]] virtual std::optional<double> result_size(const Method& method, bool by_measure,
                                                           const View& view) const;
   /// How many operations a method takes, all kinds together; 0 if they are not counted.
   [[nodiscard]] virtual std::int64_t operations(const Method& method) const;
-  /// Whether one of the row's goals is reached, and a sentence about it.
-  [[nodiscard]] virtual bool reaches(std::string_view goal) const;
-  [[nodiscard]] virtual std::string goal_says(std::string_view goal) const;
   [[nodiscard]] virtual Grade grade(const Lesson& lesson, const Task& task, const View& view) const;
-  [[nodiscard]] virtual std::vector<Switch> switches(const View& view) const;
-  /// Switches a part off after view.step steps, or on again for all. Returns false if that is impossible.
-  virtual bool turn(std::string_view name, bool on, const View& view);
-  /// Adds a part to what the subject calls for, or takes it out. Errors: there is no such part.
-  virtual Done call_for(std::string_view name, bool called);
-  /// Pushes what is at a handle, after view.step steps. Returns false if that is impossible.
-  virtual bool push(Index i, const View& view);
-  /// The text that it is made from; none if that is not shown.
-  [[nodiscard]] virtual std::optional<StageFile> file() const { return std::nullopt; }
-  /// Becomes what a text says. One with mistakes is only kept, with what is wrong. Errors: it is made from no text.
-  virtual Done set_file(std::string text);
-  /// Whether parts are switched off, or something was pushed: then what the lesson says about its own run is not true.
-  [[nodiscard]] virtual bool has_switched_off() const { return false; }
 
  protected:
   Subject() = default;
   Subject(const Subject&) = default;
   Subject& operator=(const Subject&) = default;
+  /// Those that it has, which it is itself.
+  [[nodiscard]] virtual Abilities abilities() { return {}; }
   Origin origin_;
+
+ private:
+  /// Whoever has only a const subject is given no more than const abilities.
+  [[nodiscard]] Abilities own_abilities() const { return const_cast<Subject*>(this)->abilities(); }
 };
 
 /// The subject as a Type, or null if it is another kind. Type: has kRow, its row.

@@ -29,8 +29,9 @@ Json named(const fit::Volume3& volume, int dim) {
 /// The command that takes a case.
 const char* command_of(const lesson::Subject& subject) {
   if (subject.points() != nullptr) return "fit";
-  if (!subject.planes().empty()) return "cull";
-  return subject.volumes().size() == 2 ? "overlap" : "render";
+  const lesson::HasVolumes* const own = subject.with_volumes();
+  if (own != nullptr && !own->planes().empty()) return "cull";
+  return own != nullptr && own->volumes().size() == 2 ? "overlap" : "render";
 }
 
 CommandResult run_cases() {
@@ -59,14 +60,15 @@ tl::expected<PointCase, InputError> point_case(const std::string& name) {
   const lesson::Lesson& own = session->lesson();
   const lesson::Method* const first = lesson::find_method(own, own.algorithms.front());
   if (points == nullptr || first == nullptr) return not_about(name, "points");
-  return PointCase{*points, lesson::all_points(*session->subject().unrounded_points()), std::string(first->volume),
-                   std::string(first->name)};
+  return PointCase{*points, lesson::all_points(session->subject().with_points()->unrounded_points()),
+                   std::string(first->volume), std::string(first->name)};
 }
 
 tl::expected<std::string, InputError> overlap_case(const std::string& name) {
   auto session = session_of(name);
   if (!session) return tl::unexpected(std::move(session.error()));
-  const auto volumes = session->subject().volumes();
+  const lesson::HasVolumes* const own = session->subject().with_volumes();
+  const auto volumes = own != nullptr ? own->volumes() : std::vector<fit::Volume3>();
   if (volumes.size() != 2) return not_about(name, "two volumes");
   return line_of({{"a", named(volumes[0], session->dim())}, {"b", named(volumes[1], session->dim())}});
 }
@@ -74,10 +76,9 @@ tl::expected<std::string, InputError> overlap_case(const std::string& name) {
 tl::expected<std::string, InputError> cull_case(const std::string& name) {
   auto session = session_of(name);
   if (!session) return tl::unexpected(std::move(session.error()));
-  const lesson::Rows planes = session->subject().planes();
-  if (planes.empty()) return not_about(name, "a frustum");
-  return line_of(
-      {{"frustum", {{"planes", planes}}}, {"volume", named(session->subject().volumes().front(), session->dim())}});
+  const lesson::HasVolumes* const own = session->subject().with_volumes();
+  if (own == nullptr || own->planes().empty()) return not_about(name, "a frustum");
+  return line_of({{"frustum", {{"planes", own->planes()}}}, {"volume", named(own->volumes().front(), session->dim())}});
 }
 
 void add_cases(Commands& commands) {

@@ -217,10 +217,12 @@ tl::expected<SheetFigure, InputError> figure_of(const lesson::Session& session) 
     if (figure.edges.empty() && !points)
       return tl::unexpected(InputError{.what = "what stands on its stage in space is not drawn on paper"});
   } else {
-    for (const fit::Volume3& volume : subject.on_paper()) figure.solid.push_back(outline_of(volume));
-    if (!subject.planes().empty()) {
-      figure.dashed.push_back(ring_of(subject, things.back()));
-      figure.sides = sides_of(subject.planes(), figure.dashed.back(), planes_asked(session));
+    if (const lesson::HasVolumes* const own = subject.with_volumes()) {
+      for (const fit::Volume3& volume : own->on_paper()) figure.solid.push_back(outline_of(volume));
+      if (const lesson::Rows planes = own->planes(); !planes.empty()) {
+        figure.dashed.push_back(ring_of(subject, things.back()));
+        figure.sides = sides_of(planes, figure.dashed.back(), planes_asked(session));
+      }
     }
     if (figure.solid.empty() && !points)
       for (const auto& handles : things)

@@ -246,7 +246,7 @@ std::optional<lesson::LeftOutside> left_outside_now(const lesson::Session& sessi
 std::optional<lesson::CertificateLines> certificate_now(const lesson::Session& session) {
   const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
   if (cloud == nullptr || !cloud->offers_naive() || !session.view().at_end()) return std::nullopt;
-  return lesson::certificate_lines(lesson::fit_run(session.run(0)), session.subject().unrounded_points());
+  return lesson::certificate_lines(lesson::fit_run(session.run(0)), &cloud->unrounded_points());
 }
 
 }  // namespace

@@ -22,18 +22,19 @@ constexpr float kUnderRuler = 320;  // the height that the boxes need below the 
 // room for the marks on the uppermost vertex.
 constexpr float kStageForBoth = 560, kUnderDifference = 178, kAroundDifference = 34;
 
-class PairView final : public SubjectView {
+class PairView final : public SubjectView, private LocalFrame {
  public:
   void refresh(const lesson::Session& session, bool) override { shown_ = pair_shown_at(session); }
   [[nodiscard]] const Shown& shown() const override { return shown_; }
   void draw(Brush& brush) const override { draw_pair(brush, lit_or_shown(brush), seen_from(brush.session), in_frame_); }
   /// Not in a lesson whose file says where to look.
-  [[nodiscard]] std::string_view frame_button(const lesson::Session& session) const override {
+  [[nodiscard]] LocalFrame* local_frame(const lesson::Session& session) override {
     const lesson::StageView& wish = session.lesson().view;
-    return wish.inset || wish.look_at ? "" : "A's frame";
+    return wish.inset || wish.look_at ? nullptr : this;
   }
-  [[nodiscard]] bool in_frame() const override { return in_frame_; }
-  void show_frame(bool on) override { in_frame_ = on; }
+  [[nodiscard]] std::string_view button() const override { return "A's frame"; }
+  [[nodiscard]] bool is_shown() const override { return in_frame_; }
+  void show(bool on) override { in_frame_ = on; }
   [[nodiscard]] Point3 place_shown(const lesson::Session& session, const Point3& at) const override {
     return seen_from(session).at(at);
   }

@@ -52,8 +52,6 @@ class SceneView final : public SubjectView {
       return std::array{middle - half, middle + half};
     });
   }
-  /// No: volumes jump with the bodies that they enclose.
-  [[nodiscard]] bool glides() const override { return false; }
   [[nodiscard]] int axis_in_use(const lesson::Session& session) const override {
     return frame_of(session)->swept_along;
   }
@@ -82,11 +80,6 @@ class SceneView final : public SubjectView {
   }
   /// The figures of the funnel.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override { return figure.unit == "pairs"; }
-  [[nodiscard]] std::string_view step_button() const override { return "Next"; }
-  /// The time that a frame simulates; longer while the way to an outcome is played, which would be too short to see.
-  [[nodiscard]] double seconds_of_step(const lesson::Session& session, double watched) const override {
-    return std::max(lesson::set_of(session).step, watched);
-  }
 
  private:
   /// What the view has to show of all frames.

@@ -180,7 +180,7 @@ TEST_CASE("the sentence about an axis shows the gap in its numbers, as the figur
 }
 
 TEST_CASE("the gap between two boxes is where they are nearest, and where they would touch") {
-  const auto gap = [](const std::string& centers) { return *boxes(centers).subject().gap(); };
+  const auto gap = [](const std::string& centers) { return *boxes(centers).subject().with_volumes()->gap(); };
   const auto apart = gap("[[-1, 0], [1.003, 0]]");
   CHECK(apart[0][0] == doctest::Approx(0));
   CHECK(apart[1][0] == doctest::Approx(0.003));

@@ -163,13 +163,13 @@ TEST_CASE("triangles stay while vertices move, go with a point, and come back wi
   REQUIRE(session.load(tetrahedron(), "tetrahedron.obj").has_value());
   CHECK(session.dim() == 3);
   CHECK(session.source() == "tetrahedron.obj");
-  CHECK(session.subject().triangles().size() == 4);
+  CHECK(session.subject().with_points()->triangles().size() == 4);
   REQUIRE(session.move(0, V(0, 0, -1)).has_value());
-  CHECK(session.subject().triangles().size() == 4);
+  CHECK(session.subject().with_points()->triangles().size() == 4);
   REQUIRE(session.remove(0).has_value());
-  CHECK(session.subject().triangles().empty());
+  CHECK(session.subject().with_points()->triangles().empty());
   session.undo();
-  CHECK(session.subject().triangles().size() == 4);
+  CHECK(session.subject().with_points()->triangles().size() == 4);
 }
 
 TEST_CASE("the last point cannot be deleted") {

@@ -22,7 +22,7 @@ struct Reference {
   bool by_measure = false;     // whether all sizes are areas or volumes, also those of spheres
 };
 
-class CloudSubject final : public PointSubject {
+class CloudSubject final : public PointSubject, public HasScalar, public HasGoals {
  public:
   static constexpr const SubjectRow& kRow = kCloudRow;
   CloudSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh);
@@ -58,7 +58,7 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] std::optional<double> result_size(const Method& method, bool by_measure,
                                                   const View& view) const override;
   [[nodiscard]] std::int64_t operations(const Method& method) const override;
-  [[nodiscard]] bool takes_float() const override { return true; }
+  Done set_float(bool in_float) override { return round_to_float(in_float); }
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
 
@@ -73,6 +73,7 @@ class CloudSubject final : public PointSubject {
   [[nodiscard]] const Method* compared_with() const;
 
  protected:
+  [[nodiscard]] Abilities abilities() override { return {.points = this, .scalar = this, .goals = this}; }
   void points_changed() override {
     worked_ = {};
     hand_.follow(*points());

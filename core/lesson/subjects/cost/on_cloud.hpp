@@ -8,7 +8,7 @@
 
 namespace snug::lesson {
 
-class OnCloud : public Subject {
+class OnCloud : public Subject, public HasPoints {
  public:
   [[nodiscard]] const Subject& shape() const override { return *cloud_; }
   void set_origin(Origin origin) override { cloud_->set_origin(origin), origin_ = std::move(origin); }
@@ -21,14 +21,16 @@ class OnCloud : public Subject {
   [[nodiscard]] Tools tools() const override { return cloud_->tools(); }
   [[nodiscard]] Rows rows() const override { return cloud_->rows(); }
   Done set_rows(const Rows& rows) override { return edited(cloud_->set_rows(rows)); }
-  [[nodiscard]] const AnyPointSet* points() const override { return cloud_->points(); }
-  [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override { return cloud_->triangles(); }
+  [[nodiscard]] const AnyPointSet& set_of_points() const override { return cloud_points().set_of_points(); }
+  [[nodiscard]] std::span<const std::array<Index, 3>> triangles() const override { return cloud_points().triangles(); }
   Done move(Index i, const Point3& to) override { return edited(cloud_->move(i, to)); }
-  Done add(const Point3& at) override { return edited(cloud_->add(at)); }
-  Done remove(Index i) override { return edited(cloud_->remove(i)); }
-  Done load(const io::PointFile& file, std::string_view name) override { return edited(cloud_->load(file, name)); }
+  Done add(const Point3& at) override { return edited(cloud_points().add(at)); }
+  Done remove(Index i) override { return edited(cloud_points().remove(i)); }
+  Done load(const io::PointFile& file, std::string_view name) override {
+    return edited(cloud_points().load(file, name));
+  }
   Done set_generator(std::string_view kind, int count, int dim, std::uint64_t seed, const Subject& own) override {
-    return edited(cloud_->set_generator(kind, count, dim, seed, own.shape()));
+    return edited(cloud_points().set_generator(kind, count, dim, seed, own.shape()));
   }
   void scatter(std::uint64_t seed, const Subject& own) override {
     cloud_->scatter(seed, own.shape());
@@ -42,6 +44,7 @@ class OnCloud : public Subject {
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override { return cloud_->proofs(view); }
 
  protected:
+  [[nodiscard]] Abilities abilities() override { return {.points = this}; }
   explicit OnCloud(std::unique_ptr<Subject> cloud) : cloud_(std::move(cloud)) { origin_ = cloud_->origin(); }
   OnCloud(const OnCloud& other) : Subject(other), cloud_(other.cloud_->clone()) {}
   OnCloud& operator=(const OnCloud&) = delete;
@@ -59,6 +62,9 @@ class OnCloud : public Subject {
   virtual void points_changed() = 0;
 
  private:
+  [[nodiscard]] HasPoints& cloud_points() { return *cloud_->with_points(); }
+  [[nodiscard]] const HasPoints& cloud_points() const { return *cloud().with_points(); }
+
   std::unique_ptr<Subject> cloud_;
 };
 

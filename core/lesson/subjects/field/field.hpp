@@ -9,7 +9,7 @@ namespace snug::lesson {
 
 extern const SubjectRow kFieldRow;
 
-class FieldSubject final : public Subject {
+class FieldSubject final : public Subject, public HasVolumes {
  public:
   static constexpr const SubjectRow& kRow = kFieldRow;
   /// clock: times the ways; null for none.
@@ -46,6 +46,9 @@ class FieldSubject final : public Subject {
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
+
+ protected:
+  [[nodiscard]] Abilities abilities() override { return {.volumes = this}; }
 
  private:
   Done become(const FieldStage& next);

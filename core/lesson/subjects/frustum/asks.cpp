@@ -146,7 +146,7 @@ double nearest_to(const query::PlaneTested<double, 3>& tested) {
 /// How far the p-vertex is ahead of its neighbour along the normal; the n-vertex lies as far behind.
 double vertex_margin(const Asked& asked, const Run& run) {
   const auto& tested = plane_of(asked, run);
-  const Rows planes = asked.subject->planes();
+  const Rows planes = asked.subject->with_volumes()->planes();
   const std::vector<double>& row = planes[tested.plane];
   Scores along;
   for (const Index handle : vertices_of(asked.dim, 0)) {
@@ -207,7 +207,7 @@ PlaneSet crossed(const Asked& asked, const Run& run) {
 
 const char* offer_planes_left(Asked& asked, const Run& run) {
   if (crossed(asked, run) == 0) return "\"planes_left\" can only be asked of a volume that crosses a plane";
-  for (int plane = 0; plane < std::ssize(asked.subject->planes()); ++plane)
+  for (int plane = 0; plane < std::ssize(asked.subject->with_volumes()->planes()); ++plane)
     asked.add_choice(plane_name(asked.dim, plane));
   asked.many = true;
   return nullptr;

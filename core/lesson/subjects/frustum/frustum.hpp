@@ -42,7 +42,7 @@ extern template class FactRun<FrustumRun, FrustumStep>;
 
 [[nodiscard]] inline const FrustumRun& frustum_run(const Run& run) { return static_cast<const FrustumRun&>(run); }
 
-class FrustumSubject final : public BoxSubject {
+class FrustumSubject final : public BoxSubject, public HasVolumes, public HasGoals {
  public:
   static constexpr const SubjectRow& kRow = kFrustumRow;
   /// clock: by which the survey keeps to its portions; null for none.
@@ -76,6 +76,7 @@ class FrustumSubject final : public BoxSubject {
   [[nodiscard]] const FrustumSurvey* survey() const;
 
  protected:
+  [[nodiscard]] Abilities abilities() override { return {.volumes = this, .scalar = this, .goals = this}; }
   [[nodiscard]] Done check(const BoxPair& pair) const override;
 
  private:

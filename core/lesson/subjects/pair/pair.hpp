@@ -69,7 +69,7 @@ extern template class FactRun<PairRun, PairStep>;
 
 [[nodiscard]] inline const PairRun& pair_run(const Run& run) { return static_cast<const PairRun&>(run); }
 
-class PairSubject final : public BoxSubject {
+class PairSubject final : public BoxSubject, public HasVolumes, public HasGoals {
  public:
   static constexpr const SubjectRow& kRow = kPairRow;
   /// random_pairs: over how many random pairs the axes are counted; 0 for none.
@@ -91,6 +91,9 @@ class PairSubject final : public BoxSubject {
   Done drive(std::string_view name, double from, double to) override;
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
+
+ protected:
+  [[nodiscard]] Abilities abilities() override { return {.volumes = this, .scalar = this, .goals = this}; }
 
  private:
   struct Counted {

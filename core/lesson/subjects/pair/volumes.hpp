@@ -83,7 +83,7 @@ struct AsCylinders {
 inline constexpr std::array<std::string_view, 5> kVolumeGoals{"only_last_axis", "touch_on_one_axis", "sum_of_squares",
                                                               "cylinders_apart", "overlap"};
 
-class VolumesSubject final : public Subject {
+class VolumesSubject final : public Subject, public HasVolumes, public HasScalar, public HasGoals {
  public:
   static constexpr const SubjectRow& kRow = kVolumesRow;
   VolumesSubject(VolumePair pair, std::uint64_t seed, Clock clock = nullptr);
@@ -120,7 +120,6 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] Rows rows() const override;
   Done set_rows(const Rows& rows) override;
   Done move(Index i, const Point3& to) override;
-  [[nodiscard]] bool takes_float() const override { return true; }
   Done set_float(bool in_float) override;
   void scatter(std::uint64_t seed, const Subject& own) override;
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
@@ -131,6 +130,9 @@ class VolumesSubject final : public Subject {
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
   [[nodiscard]] bool reaches(std::string_view goal) const override;
   [[nodiscard]] std::string goal_says(std::string_view goal) const override;
+
+ protected:
+  [[nodiscard]] Abilities abilities() override { return {.volumes = this, .scalar = this, .goals = this}; }
 
  private:
   struct Own {

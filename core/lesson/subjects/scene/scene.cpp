@@ -244,7 +244,7 @@ std::vector<Proof> SceneSubject::proofs(const View&) const { return {}; }
 /// Where nothing is switched off or pushed, the last frame alone is worked out: no frame before it is recorded.
 std::vector<Figure> SceneSubject::figures_at_end(const Method& method, const View& view) const {
   const auto is_shown = [&](const Slot& slot) { return slot.method == &method && slot.run != nullptr; };
-  if (has_switched_off() || std::any_of(view.slots.begin(), view.slots.end(), is_shown))
+  if (is_disturbed() || std::any_of(view.slots.begin(), view.slots.end(), is_shown))
     return PointSubject::figures_at_end(method, view);
   const auto last = last_frame(set(), method.name, *points(), origin_.seed);
   return last ? scene_figures(last->step, *points(), sorts(method)) : PointSubject::figures_at_end(method, view);
@@ -353,8 +353,7 @@ bool SceneSubject::is_switched() const {
   return set_ != own_set_ && set_->text == with_called(*own_set_, called_row(*set_))->text;
 }
 
-std::optional<StageFile> SceneSubject::file() const {
-  if (!set().graph || set().text.empty()) return std::nullopt;
+StageFile SceneSubject::file() const {
   StageFile file{is_switched() ? set().text : own_set_->text, set().text, typed_ ? typed_->text : set().text};
   if (typed_)
     for (const FileError& one : typed_->mistakes)
@@ -385,7 +384,6 @@ std::vector<FileError> SceneSubject::mistakes_of(const SceneSet& next) const {
 }
 
 Done SceneSubject::set_file(std::string text) {
-  if (!file()) return PointSubject::set_file(std::move(text));
   origin_.edited = true;
   SceneTyped read = read_typed(text);
   if (read.set) read.mistakes = mistakes_of(*read.set);
@@ -412,7 +410,7 @@ Done SceneSubject::set_rows(const Rows& rows) {
 
 Done SceneSubject::call_for(std::string_view name, bool called) {
   auto next = with_call(set(), name, called);
-  if (!next) return Subject::call_for(name, called);
+  if (!next) return tl::unexpected(InputError{.what = "nothing here can call for " + std::string(name)});
   const bool own = next->text == own_set_->text && called_row(*next) == called_row(*own_set_);
   set_ = own ? own_set_ : std::move(next);
   std::erase_if(off_, [&](const SwitchedOff& one) { return one.effect == name; });

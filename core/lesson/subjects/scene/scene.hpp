@@ -47,7 +47,7 @@ extern template class FactRun<SceneRun, FrameStep>;
 
 [[nodiscard]] inline const SceneRun& scene_run(const Run& run) { return static_cast<const SceneRun&>(run); }
 
-class SceneSubject final : public PointSubject {
+class SceneSubject final : public PointSubject, public HasParts, public HasFrames, public HasText {
  public:
   static constexpr const SubjectRow& kRow = kSceneRow;
   SceneSubject(const Lesson& lesson, AnyPointSet points, std::optional<io::PointFile> mesh, Clock clock);
@@ -63,27 +63,24 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] Tools tools() const override {
     return set().at_points() ? Tools{"Bodies", "Bodies", true} : PointSubject::tools();
   }
-  [[nodiscard]] bool task_begins_at_end() const override { return false; }
-  [[nodiscard]] bool moves_at(int step) const override { return step == 0; }
+  [[nodiscard]] double seconds_of_frame() const override { return set().step; }
   [[nodiscard]] std::string_view fixed_now() const override;
   [[nodiscard]] std::unique_ptr<Run> run(const Method& method, std::unique_ptr<Run> earlier) const override;
   [[nodiscard]] std::string opening(const Method& method) const override;
   [[nodiscard]] std::vector<Figure> figures(const View& view) const override;
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
   [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const override;
-  [[nodiscard]] bool results_wait() const override { return true; }
   [[nodiscard]] std::vector<Figure> results(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Figure> results_at(const Method& method, int frame) const override;
   [[nodiscard]] std::vector<Switch> switches(const View& view) const override;
   bool turn(std::string_view name, bool on, const View& view) override;
-  [[nodiscard]] bool has_switched_off() const override { return !off_.empty() || !pushed_.empty(); }
+  [[nodiscard]] bool is_disturbed() const override { return !off_.empty() || !pushed_.empty(); }
   /// The declaration's effects, if the lesson is about them. They are part of rows(): where they differ from the
   /// lesson's own, the last row has a 1 for each that is called for, in the order of the file.
   Done call_for(std::string_view name, bool called) override;
   [[nodiscard]] Rows rows() const override;
   Done set_rows(const Rows& rows) override;
-  /// Where the effects are what the lesson is about, its scene is a text, which the student edits.
-  [[nodiscard]] std::optional<StageFile> file() const override;
+  [[nodiscard]] StageFile file() const override;
   Done set_file(std::string text) override;
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
   [[nodiscard]] Grade grade(const Lesson& lesson, const Task& task, const View& view) const override;
@@ -99,6 +96,13 @@ class SceneSubject final : public PointSubject {
   [[nodiscard]] std::string refusal_now(std::string_view method) const;
   /// The step after which an effect was switched off; -1 if it is on, or was on in the given step.
   [[nodiscard]] int off_since(std::string_view effect, int step) const;
+
+ protected:
+  /// Where the effects are what the lesson is about, its scene is a text, which the student edits.
+  [[nodiscard]] Abilities abilities() override {
+    HasText* const text = set().graph && !set().text.empty() ? this : nullptr;
+    return {.points = this, .parts = this, .frames = this, .text = text};
+  }
 
  private:
   [[nodiscard]] std::string time_of(const scene::EffectTally& tally) const;

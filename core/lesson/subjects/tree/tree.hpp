@@ -8,7 +8,7 @@ namespace snug::lesson {
 
 extern const SubjectRow kTreeRow;
 
-class TreeSubject final : public Subject {
+class TreeSubject final : public Subject, public HasVolumes {
  public:
   static constexpr const SubjectRow& kRow = kTreeRow;
   /// clock: times the ways to build; null for none.
@@ -44,6 +44,9 @@ class TreeSubject final : public Subject {
   [[nodiscard]] std::vector<Rival> rivals(const Lesson& lesson, const View& view) const override;
   [[nodiscard]] std::optional<double> result_size(const Method& method, bool by_measure,
                                                   const View& view) const override;
+
+ protected:
+  [[nodiscard]] Abilities abilities() override { return {.volumes = this}; }
 
  private:
   Done become(TreeStage next);

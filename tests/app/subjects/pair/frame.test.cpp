@@ -26,19 +26,20 @@ TEST_CASE("in A's frame A is axis-aligned around the origin, and the run is the 
     const std::string caption = session.caption();
     const auto view = pair_view();
     view->refresh(session, false);
-    CHECK_FALSE(view->frame_button(session).empty());
-    view->show_frame(true);
+    LocalFrame* const frame = view->local_frame(session);
+    REQUIRE(frame != nullptr);
+    frame->show(true);
     view->refresh(session, false);
-    REQUIRE(view->in_frame());
+    REQUIRE(frame->is_shown());
     const Obb<double, 3>& a = boxes_on(session).boxes[0];
     for (int bits = 0; bits < 1 << session.dim(); ++bits) {
-      const Point3 shown = view->place_shown(session, lesson::corner_of(a, bits));
+      const Point3 shown = frame->place_shown(session, lesson::corner_of(a, bits));
       for (int axis = 0; axis < session.dim(); ++axis)
         CHECK(shown[axis] == doctest::Approx((bits >> axis & 1) != 0 ? a.half_extents[axis] : -a.half_extents[axis]));
     }
     CHECK(session.trace_hash() == trace);
     CHECK(session.caption() == caption);
-    view->show_frame(false);
+    frame->show(false);
     for (Index i = 0; i < session.size(); ++i) CHECK(view->place_of(session, i) == session.point(i));
   }
 }
@@ -47,7 +48,9 @@ TEST_CASE("what is dragged in A's frame lands where the hand is") {
   lesson::Session session = lesson_session("obb-axes", false);
   session.scatter(5);
   const auto view = pair_view();
-  view->show_frame(true);
+  LocalFrame* const frame = view->local_frame(session);
+  REQUIRE(frame != nullptr);
+  frame->show(true);
   view->refresh(session, false);
   const std::vector<Point3> of_a = places_of(*view, session, 0);
   Index center = kNoIndex;
@@ -58,8 +61,8 @@ TEST_CASE("what is dragged in A's frame lands where the hand is") {
   }
   REQUIRE(center != kNoIndex);
   const Point3 hand = view->place_of(session, center) + Point3(0.3, -0.2, 0.1);
-  CHECK((view->place_shown(session, view->place_meant(session, hand)) - hand).norm() < 1e-12);
-  REQUIRE(session.move(center, view->place_meant(session, hand)).has_value());
+  CHECK((frame->place_shown(session, frame->place_meant(session, hand)) - hand).norm() < 1e-12);
+  REQUIRE(session.move(center, frame->place_meant(session, hand)).has_value());
   view->refresh(session, false);
   CHECK((view->place_of(session, center) - hand).norm() < 1e-12);
   const std::vector<Point3> now = places_of(*view, session, 0);

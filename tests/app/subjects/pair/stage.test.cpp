@@ -26,9 +26,9 @@ TEST_CASE("the points on the stage follow A's frame, there and back") {
     };
     const auto of_world = points();
     REQUIRE_FALSE(of_world.empty());
-    view->show_frame(true);
+    view->local_frame(session)->show(true);
     CHECK(points() != of_world);
-    view->show_frame(false);
+    view->local_frame(session)->show(false);
     CHECK(points() == of_world);
   }
 }

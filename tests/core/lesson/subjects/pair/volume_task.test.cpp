@@ -36,7 +36,7 @@ constexpr const char* kBoxes =
 
 TEST_CASE("boxes that only the last axis separates are apart along it by any gap, and along no other") {
   Session session = task_session("min_max", kBoxes);
-  CHECK_FALSE(session.subject().reaches("only_last_axis"));
+  CHECK_FALSE(session.subject().goals()->reaches("only_last_axis"));
   CHECK(put(session, 0.5, std::nextafter(1.0, 2.0), 2, 2).reaches("only_last_axis"));
   CHECK_FALSE(put(session, 0.5, 1, 2, 2).reaches("only_last_axis"));    // they touch
   CHECK_FALSE(put(session, 1.5, 1.5, 2, 2).reaches("only_last_axis"));  // along x as well
@@ -47,7 +47,7 @@ TEST_CASE("boxes that only the last axis separates are apart along it by any gap
 
 TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit") {
   Session session = task_session("min_max", kBoxes);
-  CHECK_FALSE(session.subject().reaches("touch_on_one_axis"));
+  CHECK_FALSE(session.subject().goals()->reaches("touch_on_one_axis"));
   CHECK(put(session, 1, 0.5, 2, 2).reaches("touch_on_one_axis"));
   CHECK(put(session, -1, -0.5, 0, 2).reaches("touch_on_one_axis"));
   CHECK_FALSE(put(session, std::nextafter(1.0, 2.0), 0.5, 2, 2).reaches("touch_on_one_axis"));
@@ -64,7 +64,7 @@ TEST_CASE("a slider lets two boxes touch to the last bit, however one was dragge
   for (const double by : {0.1, 0.3, -0.7}) {
     REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(by / 3, by, 0)).has_value());
     REQUIRE(session.slide(0, -0.5).has_value());
-    CHECK(session.subject().reaches("touch_on_one_axis"));
+    CHECK(session.subject().goals()->reaches("touch_on_one_axis"));
   }
 }
 
@@ -73,22 +73,22 @@ TEST_CASE("spheres mislead a test that adds the squares of their radii where the
                                             "b = { sphere = { center = [1, 0], radius = 1 } }\n");
   const auto at = [&](double x) {
     REQUIRE(session.set_rows({{0, 0, 1}, {x, 0, 1}}).has_value());
-    return session.subject().reaches("sum_of_squares");
+    return session.subject().goals()->reaches("sum_of_squares");
   };
   CHECK_FALSE(at(1.4));  // both say that they overlap
   CHECK(at(1.5));
   CHECK(at(2));  // they touch
   CHECK_FALSE(at(2.5));
-  CHECK_FALSE(session.subject().reaches("only_last_axis"));
+  CHECK_FALSE(session.subject().goals()->reaches("only_last_axis"));
 }
 
 TEST_CASE("two volumes overlap where the sum of their radii reaches from core to core") {
   Session session = task_session("swept_spheres", "a = { capsule = { a = [0, 0], b = [0, 1], radius = 0.5 } }\n"
                                                   "b = { capsule = { a = [1.5, 0], b = [1.5, 1], radius = 0.5 } }\n");
-  CHECK_FALSE(session.subject().reaches("overlap"));
+  CHECK_FALSE(session.subject().goals()->reaches("overlap"));
   CHECK(session.subject().goal_says("overlap") == "The volumes are apart by 0.500 units.");
   REQUIRE(session.set_rows({{0, 0, 0, 1, 1.0625}, {1.5, 0, 1.5, 1, 0.5}}).has_value());
-  CHECK(session.subject().reaches("overlap"));  // though the radii add up to less than 1.6
+  CHECK(session.subject().goals()->reaches("overlap"));  // though the radii add up to less than 1.6
   CHECK(session.subject().goal_says("overlap") == "The volumes overlap.");
 }
 

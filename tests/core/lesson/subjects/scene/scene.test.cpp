@@ -395,7 +395,7 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
                                   effect_called("shadow") + effect_called("trail") + effect_called("projection_rays"));
   REQUIRE(session.has_value());
   CHECK(recorded_scene(*session, 0)->frames.size() == 121);
-  CHECK(session->subject().triangles().size() == 4);
+  CHECK(session->subject().with_points()->triangles().size() == 4);
   CHECK(lesson::members_of(*session)[0].shape.corners.size() == 4);
   session->jump(30);
   CHECK(frame(*session).slack > 0);
