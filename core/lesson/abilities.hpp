@@ -14,13 +14,11 @@
 #include "geometry/input_error.hpp"
 #include "geometry/point_set.hpp"
 #include "io/point_file.hpp"
-#include "lesson/figures.hpp"
 #include "lesson/stage_file.hpp"
 
 namespace snug::lesson {
 
 class Subject;
-struct Method;
 struct View;
 
 using Point3 = Vector<double, 3>;
@@ -109,8 +107,6 @@ class HasFrames {
   [[nodiscard]] virtual double seconds_of_frame() const = 0;
   /// Why nothing can be moved after the first.
   [[nodiscard]] virtual std::string_view fixed_now() const = 0;
-  /// The figures by which conditions are judged after one of them, counted from 1; none where there is no such frame.
-  [[nodiscard]] virtual std::vector<Figure> results_at(const Method& method, int frame) const = 0;
   /// Pushes what is at a handle, after view.step steps. Returns false if that is impossible.
   virtual bool push(Index i, const View& view) = 0;
   /// Whether parts are switched off, or something was pushed: then what the lesson says about its own run is not true.

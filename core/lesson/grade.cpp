@@ -45,13 +45,6 @@ std::optional<Figure> excess_over(const Requirement& due, const Method& method, 
   return Figure{"Excess over " + title_in(lesson, other), "excess", percent_text(*excess), 100 * *excess, "%"};
 }
 
-/// The figures that a requirement can be about.
-std::vector<Figure> results_for(const Requirement& due, const Method& method, const Subject& subject,
-                                const View& view) {
-  if (due.at_frame == 0) return subject.results(method, view);
-  return subject.frames() != nullptr ? subject.frames()->results_at(method, due.at_frame) : std::vector<Figure>();
-}
-
 std::optional<Figure> figure_of(const Requirement& due, const Method& method, const Lesson& lesson,
                                 const Subject& subject, const View& view) {
   if (!due.over.empty()) return excess_over(due, method, lesson, subject, view);
@@ -59,18 +52,14 @@ std::optional<Figure> figure_of(const Requirement& due, const Method& method, co
     const auto count = static_cast<double>(fit::count_of(*subject.points()));
     return Figure{"Points", std::string(kPointsFigure), bound_text(count, "points"), count, "points"};
   }
-  for (Figure& figure : results_for(due, method, subject, view)) {
-    if (figure.key != due.figure) continue;
-    if (due.at_frame > 0) figure.name += " in frame " + std::to_string(due.at_frame);
-    return std::move(figure);
-  }
+  for (Figure& figure : subject.results(method, view))
+    if (figure.key == due.figure) return std::move(figure);
   return std::nullopt;
 }
 
 std::string no_figure_text(const Requirement& due, const Method& method, const Subject& subject, const View& view) {
   std::vector<std::string> keys;
-  for (const Figure& figure : results_for(due, method, subject, view)) keys.push_back(figure.key);
-  if (keys.empty() && due.at_frame > 0) return "there is no frame " + std::to_string(due.at_frame);
+  for (const Figure& figure : subject.results(method, view)) keys.push_back(figure.key);
   return "\"figure\" " + (keys.empty() ? "is not there: it has none" : none_of_text(due.figure, keys));
 }
 
@@ -103,7 +92,7 @@ Requirement read_requirement(const toml::table& toml, const Lesson& lesson, Comp
   requirement.place = table.place_of(table.has("goal") ? "goal" : "figure");
   const auto goals = lesson.subject->goals;
   if (table.has("goal")) {
-    for (const std::string_view key : {"figure", "algorithm", "over", "at_frame", "at_least", "at_most", "equals"}) {
+    for (const std::string_view key : {"figure", "algorithm", "over", "at_least", "at_most", "equals"}) {
       if (table.has(key)) table.wrong("goal", "stands alone, and here stands \"" + std::string(key) + "\" as well");
       table.allow(key);
     }
@@ -115,9 +104,6 @@ Requirement read_requirement(const toml::table& toml, const Lesson& lesson, Comp
     requirement.algorithm = read_method(table, "algorithm", lesson);
     requirement.over = read_method(table, "over", lesson);
     if (!requirement.over.empty() && requirement.figure != "excess") table.wrong("over", "is for the figure excess");
-    requirement.at_frame = static_cast<int>(table.integer_or("at_frame", 1, kMostFrames, 0));
-    if (requirement.at_frame > 0 && lesson.subject->step_word != "frame")
-      table.wrong("at_frame", "is for scenes, whose steps are frames");
     read_bounds_of(table, requirement);
   }
   table.refuse_others();

@@ -112,7 +112,6 @@ struct Requirement {
   std::string figure;     // its key; empty for a goal
   std::string algorithm;  // whose figure; empty: that of the task or the question
   std::string over;       // for "excess": over this algorithm's size instead of the reference's
-  int at_frame = 0;       // of a scene: whose figure; 0: that of the last
   double at_least = -std::numeric_limits<double>::infinity(), at_most = std::numeric_limits<double>::infinity();
   std::string goal;
   FilePlace place;  // in the file, for errors

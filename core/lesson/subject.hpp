@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lesson/abilities.hpp"
+#include "lesson/figures.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/lesson.hpp"
 

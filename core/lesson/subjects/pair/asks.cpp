@@ -20,40 +20,28 @@ void offer_axes(Asked& asked) {
   asked.on_axes = true;
 }
 
-/// The entries of R as choices, row by row, of which those are right that a radius takes along the axis.
-const char* offer_entries(Asked& asked, std::uint16_t RowEntries::*radius, const Run& run) {
+}  // namespace
+
+/// The entries of R, row by row.
+const char* offer_entries_b(Asked& asked, const Run& run) {
   const int place = axis_index(asked.dim, axis_of(pair_run(run).trace(), asked.fact)->axis);
-  if (row_entries(asked.dim, place).*radius == 0) return "along a normal of its own face, a radius is a half extent";
+  if (row_entries(asked.dim, place).rotation_b == 0) return "along a normal of its own face, a radius is a half extent";
   for (int i = 0; i < asked.dim; ++i)
     for (int j = 0; j < asked.dim; ++j) asked.add_choice("R" + std::to_string(i + 1) + std::to_string(j + 1));
   asked.many = true;
   return nullptr;
 }
 
-Truth entries_truth(const Asked& asked, std::uint16_t RowEntries::*radius, std::string RowFormulas::*formula,
-                    const Run& run) {
+Truth entries_b_truth(const Asked& asked, const Run& run) {
   const int place = axis_index(asked.dim, axis_of(pair_run(run).trace(), asked.fact)->axis);
-  const std::uint16_t entries = row_entries(asked.dim, place).*radius;
+  const std::uint16_t entries = row_entries(asked.dim, place).rotation_b;
   Truth truth;
   for (int i = 0; i < asked.dim; ++i)
-    for (int j = 0; j < asked.dim; ++j) {
+    for (int j = 0; j < asked.dim; ++j)
       if ((entries >> (3 * i + j) & 1) != 0) truth.choices.push_back(asked.dim * i + j);
-    }
   truth.happened = choice_words(asked, truth.choices);
-  truth.sentence = std::string(radius == &RowEntries::rotation_a ? "r_A = " : "r_B = ") +
-                   plain_formula(row_formulas(asked.dim, place).*formula).value_or(std::string()) + ".";
+  truth.sentence = "r_B = " + plain_formula(row_formulas(asked.dim, place).radius_b).value_or(std::string()) + ".";
   return truth;
-}
-
-}  // namespace
-
-const char* offer_entries_a(Asked& asked, const Run& run) { return offer_entries(asked, &RowEntries::rotation_a, run); }
-const char* offer_entries_b(Asked& asked, const Run& run) { return offer_entries(asked, &RowEntries::rotation_b, run); }
-Truth entries_a_truth(const Asked& asked, const Run& run) {
-  return entries_truth(asked, &RowEntries::rotation_a, &RowFormulas::radius_a, run);
-}
-Truth entries_b_truth(const Asked& asked, const Run& run) {
-  return entries_truth(asked, &RowEntries::rotation_b, &RowFormulas::radius_b, run);
 }
 
 const char* offer_of_axis(Asked& asked, const Run& run) {

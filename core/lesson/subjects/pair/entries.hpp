@@ -25,8 +25,7 @@ struct Entry<query::FramesRelated<double, 3>> : EntryDefaults {
   }
 };
 
-/// "separates": whether the boxes are apart along it. "entries_a", "entries_b": which entries of R the projected radius
-/// of A, or of B, takes.
+/// "separates": whether the boxes are apart along it. "entries_b": which entries of R the projected radius of B takes.
 const char* offer_of_axis(Asked& asked, const Run& run);
 Truth separates_truth(const Asked& asked, const Run& run);
 double separates_margin(const Asked& asked, const Run& run);
@@ -40,9 +39,7 @@ void read_tolerance(TomlTable& table, Question& question);
 std::optional<Answer> sum_of_half_extents(const Asked& asked, const Run& run);
 std::optional<Answer> whole_width(const Asked& asked, const Run& run);
 inline constexpr std::array kRadiusRules{WrongRule{"sum", &sum_of_half_extents}, WrongRule{"width", &whole_width}};
-const char* offer_entries_a(Asked& asked, const Run& run);
 const char* offer_entries_b(Asked& asked, const Run& run);
-Truth entries_a_truth(const Asked& asked, const Run& run);
 Truth entries_b_truth(const Asked& asked, const Run& run);
 
 template <>
@@ -60,7 +57,6 @@ struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
                                               .read = &read_tolerance,
                                               .margin = &no_tie,
                                               .rules = kRadiusRules},
-                                       Asking{"entries_a", &offer_entries_a, &entries_a_truth},
                                        Asking{"entries_b", &offer_entries_b, &entries_b_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string axis = name_of_axis(fact.axis, where);

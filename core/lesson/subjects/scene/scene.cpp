@@ -252,15 +252,8 @@ std::vector<Figure> SceneSubject::figures_at_end(const Method& method, const Vie
 
 /// Those of the last frame, with every effect on and nothing pushed. If the scene cannot run, none is known.
 std::vector<Figure> SceneSubject::results(const Method& method, const View&) const {
-  return results_at(method, set().frames);
-}
-
-std::vector<Figure> SceneSubject::results_at(const Method& method, int frame) const {
-  if (frame > set().frames) return {};
-  SceneSet until = set();
-  until.frames = frame;
-  const auto last = last_frame(until, method.name, *points(), origin_.seed);
-  std::vector<Figure> figures = picture_figures(until, last ? last->pictured : Pictured());
+  const auto last = last_frame(set(), method.name, *points(), origin_.seed);
+  std::vector<Figure> figures = picture_figures(set(), last ? last->pictured : Pictured());
   const auto add = [&](std::string_view key) {
     figures.push_back(scene_figure(key, last ? value_of(last->step, key, *points()) : 0));
   };

@@ -71,7 +71,6 @@ class SceneSubject final : public PointSubject, public HasParts, public HasFrame
   [[nodiscard]] std::vector<Proof> proofs(const View& view) const override;
   [[nodiscard]] std::vector<Figure> figures_at_end(const Method& method, const View& view) const override;
   [[nodiscard]] std::vector<Figure> results(const Method& method, const View& view) const override;
-  [[nodiscard]] std::vector<Figure> results_at(const Method& method, int frame) const override;
   [[nodiscard]] std::vector<Switch> switches(const View& view) const override;
   bool turn(std::string_view name, bool on, const View& view) override;
   [[nodiscard]] bool is_disturbed() const override { return !off_.empty() || !pushed_.empty(); }

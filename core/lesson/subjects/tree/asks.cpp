@@ -161,14 +161,6 @@ Truth beside_truth(const Asked& asked, const Run& run) {
               number_text(fact.growth) + " in all."};
 }
 
-Truth rotates_truth(const Asked& asked, const Run& run) {
-  const TreeSteps steps = tree_run(run).trace();
-  const auto next = static_cast<std::size_t>(asked.fact) + 1;
-  if (next < steps.size() && std::holds_alternative<hierarchy::Rotated>(steps[next].step.fact))
-    return yes("Two nodes change places after this insertion.");
-  return no("No rotation makes a node smaller.");
-}
-
 Truth left_out_truth(const Asked& asked, const Run& run) {
   switch (tree_fact<hierarchy::NodeVisited>(asked, run).answer) {
     case hierarchy::Answer::kPrune: return yes("The query misses the node's box, and so everything in it.");
@@ -188,12 +180,6 @@ Truth loses_truth(const Asked& asked, const Run& run) {
   const double loss = merging_loss(tree_run(run), tree_fact<hierarchy::VolumeMade>(asked, run).node);
   if (loss > 0) return yes("The merged volume is " + loss_words(loss) + " larger.");
   return no("Both are equally large.");
-}
-
-Truth found_truth(const Asked& asked, const Run& run) {
-  const auto& fact = tree_fact<hierarchy::BodyTested>(asked, run);
-  const std::string box = "box " + box_name(fact.body) + ".";
-  return fact.answer == hierarchy::Answer::kPrune ? no("The query misses " + box) : yes("The query meets " + box);
 }
 
 Truth pair_apart_truth(const Asked& asked, const Run& run) {

@@ -31,9 +31,7 @@ std::optional<Answer> nearest_centers(const Asked& asked, const Run& run);
 inline constexpr std::array kPairRules{WrongRule{"centers", &nearest_centers}};
 const char* offer_places(Asked& asked, const Run& run);
 Truth beside_truth(const Asked& asked, const Run& run);
-Truth rotates_truth(const Asked& asked, const Run& run);
 Truth left_out_truth(const Asked& asked, const Run& run);
-Truth found_truth(const Asked& asked, const Run& run);
 Truth pair_apart_truth(const Asked& asked, const Run& run);
 Truth loses_truth(const Asked& asked, const Run& run);
 
@@ -135,8 +133,7 @@ struct Entry<hierarchy::NodesMerged> : EntryDefaults {
 template <>
 struct Entry<hierarchy::BodyInserted> : EntryDefaults {
   using Fact = hierarchy::BodyInserted;
-  static constexpr std::array kAskings{Asking{"beside", &offer_places, &beside_truth},
-                                       Asking{"rotates", &offer_yes_no, &rotates_truth}};
+  static constexpr std::array kAskings{Asking{"beside", &offer_places, &beside_truth}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const std::string box = box_name(fact.body);
     if (fact.made == kNoIndex) return box + " is the first box, and the root of the tree.";
@@ -244,7 +241,7 @@ struct Entry<hierarchy::NodeVisited> : EntryDefaults {
 template <>
 struct Entry<hierarchy::BodyTested> : EntryDefaults {
   using Fact = hierarchy::BodyTested;
-  static constexpr std::array kAskings{Asking{"found", &offer_yes_no, &found_truth}, kNextNode};
+  static constexpr std::array kAskings{kNextNode};
   static std::string sentence(const Fact& fact, const TreeWhere&) {
     return "Box " + box_name(fact.body) + " is tested itself: the query " +
            (fact.answer == hierarchy::Answer::kPrune ? "misses it." : "meets it.");

@@ -55,7 +55,7 @@ TEST_CASE("a question about a split shows the node, and neither the border nor t
 }
 
 TEST_CASE("a question about an insertion shows the box, and not where it goes") {
-  lesson::Session session = tree_session(lesson::kTreeBuild, "insertion", "body_inserted", "rotates");
+  lesson::Session session = tree_session(lesson::kTreeBuild, "insertion", "body_inserted", "beside");
   REQUIRE(session.asked() != nullptr);
   CHECK(tree_shown_at(session).incoming == 0);
   CHECK(tree_shown_at(session).branch == kNoIndex);

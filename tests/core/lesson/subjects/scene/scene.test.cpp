@@ -426,31 +426,6 @@ TEST_CASE("of a scene on a mesh no mistake hides another") {
   for (const InputError& fault : faults) CHECK(fault.position > 0);
 }
 
-TEST_CASE("a requirement may be about a frame before the last one") {
-  const lesson::Session session = opened_lesson("scene-broad");
-  const lesson::Method& method = *session.method(0);
-  const auto in_frame = [&](int frame) {
-    const auto figures = session.subject().results_at(method, frame);
-    const auto found =
-        std::find_if(figures.begin(), figures.end(), [](const auto& one) { return one.key == "after_broad"; });
-    return found == figures.end() ? -1.0 : found->value;
-  };
-  for (const int frame : {1, 30, session.steps()}) {
-    const auto shown = session.subject().figures({session.view().slots, 0, frame});
-    const auto found =
-        std::find_if(shown.begin(), shown.end(), [](const auto& one) { return one.key == "after_broad"; });
-    REQUIRE(found != shown.end());
-    CHECK(in_frame(frame) == found->value);
-    lesson::Requirement due{
-        .figure = "after_broad", .at_frame = frame, .at_least = found->value, .at_most = found->value};
-    const auto judged = lesson::judge_requirement(due, session.lesson(), session.lesson().algorithms.front(),
-                                                  session.subject(), session.view());
-    CHECK(judged.met);
-    CHECK(judged.says.find(" in frame " + std::to_string(frame) + ": ") != std::string::npos);
-  }
-  CHECK(in_frame(session.steps() + 1) == -1);
-}
-
 TEST_CASE("a task on a scene is graded by its last frame") {
   lesson::Session session = opened_lesson("scene-broad");
   session.start_task(1);
