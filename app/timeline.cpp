@@ -181,8 +181,8 @@ float speed_menu(const Look& look, const Rect& anchor, float current) {
 
 constexpr float kButtonSize = 14, kButtonEdges = 8;
 
-void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const SubjectView& view,
-                  const std::array<Rect, 5>& rects, const PlayerView& player, PlayerWish& wish) {
+void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const std::array<Rect, 5>& rects,
+                  const PlayerView& player, PlayerWish& wish) {
   const bool gate = session.asked() != nullptr;
   const bool chosen = session.picked() != nullptr && answers(*session.asked(), *session.picked());
   const bool told = session.outcome() != nullptr;
@@ -248,7 +248,7 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Subje
     const float legend = buttons.speed_among_words ? at.x - 8 : map.left + map.width;
     draw_legend(list, look, session, view.mark_words(session), legend, buttons.words, legend - map.left - said - 12);
   }
-  draw_buttons(list, look, session, view, buttons.player, player, wish);
+  draw_buttons(list, look, session, buttons.player, player, wish);
   const std::string speed = speed_text(player.speed);
   if (button(list, look, {.id = "speed", .rect = at, .words = speed, .kind = ButtonKind::kQuiet}))
     ImGui::OpenPopup("speeds");

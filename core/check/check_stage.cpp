@@ -26,7 +26,8 @@ bool check_ends(const Slider& slider, const Lesson& lesson, const Subject& subje
 
 void check_place(TomlTable& table, std::string_view key, const StagePlace& place, const Subject& own) {
   if (place.is_gap()) {
-    if (!own.gap()) table.wrong(key, "is the gap between two volumes, and there are none");
+    if (own.with_volumes() == nullptr || !own.with_volumes()->gap())
+      table.wrong(key, "is the gap between two volumes, and there are none");
     return;
   }
   if (place.handle.empty()) {

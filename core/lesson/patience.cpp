@@ -35,7 +35,7 @@ std::unique_ptr<Subject> sample_of(const Subject& subject, const std::vector<Poi
   io::PointFile some{subject.dim(), {}, {}};
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) some.points.push_back(all[i * all.size() / count]);
   auto sample = subject.clone();
-  return sample->load(some, "sample") ? std::move(sample) : nullptr;
+  return sample->with_points()->load(some, "sample") ? std::move(sample) : nullptr;
 }
 
 /// "0.8 s", "34 s", "12 min", "3 hours"

@@ -288,13 +288,13 @@ TEST_CASE("a naive test is broken in float alone where it is wrong in float, and
       const BoxPair pair = boxes_of(*subject);
       for (const std::string test : {"no_epsilon", "epsilon_on_r", "absolute_epsilon", "relative_epsilon"}) {
         const bool in_float = wrong(test + "_float", pair), in_double = wrong(test, pair);
-        CHECK(subject->reaches(test + "_in_float_alone") == (in_float && !in_double));
+        CHECK(subject->goals()->reaches(test + "_in_float_alone") == (in_float && !in_double));
         reached += in_float && !in_double ? 1 : 0;
       }
       // Switching the stage to float changes no verdict about it.
-      const bool before = subject->reaches("no_epsilon_in_float_alone");
-      REQUIRE(subject->set_float(true));
-      CHECK(subject->reaches("no_epsilon_in_float_alone") == before);
+      const bool before = subject->goals()->reaches("no_epsilon_in_float_alone");
+      REQUIRE(subject->scalar()->set_float(true));
+      CHECK(subject->goals()->reaches("no_epsilon_in_float_alone") == before);
     }
   }
   CHECK(reached > 3);

@@ -37,23 +37,23 @@ constexpr const char* kBoxes =
 TEST_CASE("boxes that only the last axis separates are apart along it by any gap, and along no other") {
   Session session = task_session("min_max", kBoxes);
   CHECK_FALSE(session.subject().goals()->reaches("only_last_axis"));
-  CHECK(put(session, 0.5, std::nextafter(1.0, 2.0), 2, 2).reaches("only_last_axis"));
-  CHECK_FALSE(put(session, 0.5, 1, 2, 2).reaches("only_last_axis"));    // they touch
-  CHECK_FALSE(put(session, 1.5, 1.5, 2, 2).reaches("only_last_axis"));  // along x as well
-  CHECK_FALSE(put(session, 1.5, 0.5, 2, 2).reaches("only_last_axis"));  // along x alone
-  CHECK(session.subject().goal_says("only_last_axis") ==
+  CHECK(put(session, 0.5, std::nextafter(1.0, 2.0), 2, 2).goals()->reaches("only_last_axis"));
+  CHECK_FALSE(put(session, 0.5, 1, 2, 2).goals()->reaches("only_last_axis"));    // they touch
+  CHECK_FALSE(put(session, 1.5, 1.5, 2, 2).goals()->reaches("only_last_axis"));  // along x as well
+  CHECK_FALSE(put(session, 1.5, 0.5, 2, 2).goals()->reaches("only_last_axis"));  // along x alone
+  CHECK(session.subject().goals()->goal_says("only_last_axis") ==
         "Along x the intervals are apart; along y the intervals overlap.");
 }
 
 TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit") {
   Session session = task_session("min_max", kBoxes);
   CHECK_FALSE(session.subject().goals()->reaches("touch_on_one_axis"));
-  CHECK(put(session, 1, 0.5, 2, 2).reaches("touch_on_one_axis"));
-  CHECK(put(session, -1, -0.5, 0, 2).reaches("touch_on_one_axis"));
-  CHECK_FALSE(put(session, std::nextafter(1.0, 2.0), 0.5, 2, 2).reaches("touch_on_one_axis"));
-  CHECK_FALSE(put(session, std::nextafter(1.0, 0.0), 0.5, 2, 2).reaches("touch_on_one_axis"));
-  CHECK_FALSE(put(session, 1, 1, 2, 2).reaches("touch_on_one_axis"));  // along both
-  CHECK_FALSE(put(session, 1, 3, 2, 4).reaches("touch_on_one_axis"));  // and apart along the other
+  CHECK(put(session, 1, 0.5, 2, 2).goals()->reaches("touch_on_one_axis"));
+  CHECK(put(session, -1, -0.5, 0, 2).goals()->reaches("touch_on_one_axis"));
+  CHECK_FALSE(put(session, std::nextafter(1.0, 2.0), 0.5, 2, 2).goals()->reaches("touch_on_one_axis"));
+  CHECK_FALSE(put(session, std::nextafter(1.0, 0.0), 0.5, 2, 2).goals()->reaches("touch_on_one_axis"));
+  CHECK_FALSE(put(session, 1, 1, 2, 2).goals()->reaches("touch_on_one_axis"));  // along both
+  CHECK_FALSE(put(session, 1, 3, 2, 4).goals()->reaches("touch_on_one_axis"));  // and apart along the other
 }
 
 TEST_CASE("a slider lets two boxes touch to the last bit, however one was dragged before") {
@@ -86,10 +86,10 @@ TEST_CASE("two volumes overlap where the sum of their radii reaches from core to
   Session session = task_session("swept_spheres", "a = { capsule = { a = [0, 0], b = [0, 1], radius = 0.5 } }\n"
                                                   "b = { capsule = { a = [1.5, 0], b = [1.5, 1], radius = 0.5 } }\n");
   CHECK_FALSE(session.subject().goals()->reaches("overlap"));
-  CHECK(session.subject().goal_says("overlap") == "The volumes are apart by 0.500 units.");
+  CHECK(session.subject().goals()->goal_says("overlap") == "The volumes are apart by 0.500 units.");
   REQUIRE(session.set_rows({{0, 0, 0, 1, 1.0625}, {1.5, 0, 1.5, 1, 0.5}}).has_value());
   CHECK(session.subject().goals()->reaches("overlap"));  // though the radii add up to less than 1.6
-  CHECK(session.subject().goal_says("overlap") == "The volumes overlap.");
+  CHECK(session.subject().goals()->goal_says("overlap") == "The volumes overlap.");
 }
 
 TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no other test") {

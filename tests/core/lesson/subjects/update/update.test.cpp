@@ -138,7 +138,7 @@ TEST_CASE("the body is rotated by its knob, and moved by its pivot; its local fr
   CHECK(figure(session, "measure") == doctest::Approx(8));
   REQUIRE(session.move(0, {3, 4, 0}));  // a point in the world
   CHECK((fit::point_of(*session.subject().points(), 0) - Point3(3, 0, 0)).norm() < 1e-12);
-  CHECK_FALSE(session.subject().clone()->remove(turn).has_value());
+  CHECK_FALSE(session.subject().clone()->with_points()->remove(turn).has_value());
 }
 
 TEST_CASE("rows keep the points and the pose, to the last bit") {
