@@ -30,7 +30,7 @@ void DemoPlay::show(Shell& shell, std::size_t at, std::size_t revealed) {
   shell.app().forget_answers();  // what was answered in an earlier state is asked again
   shell.notice.clear();
   if (!shell.open(state.lesson)) return;
-  if (const auto taken = lesson::take_state(state, shell.session(), mesh_named); !taken)
+  if (const auto taken = lesson::go_to(state, shell.session(), mesh_named); !taken)
     shell.notice = at_key(*file_, state, taken.error().key, taken.error().error).message();
   if (!state.camera.empty()) shell.app().look_from(state.camera);
   if (app::Cover* const cover = shell.app().cover(); cover != nullptr && state.step != 0) cover->show(false);

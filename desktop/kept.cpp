@@ -13,7 +13,8 @@
 #include "desktop/cli/result_file.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/progress.hpp"
-#include "lesson/subjects.hpp"
+#include "lesson/text_change.hpp"
+#include "number/fnv.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -49,21 +50,37 @@ int count(const Json& object, const char* key) {
   return static_cast<int>(std::min<std::uint64_t>(number, 1'000'000'000));
 }
 
+std::uint64_t hash_of(std::string_view text) {
+  Fnv1a hash;
+  for (const char c : text) hash.add_bits(static_cast<unsigned char>(c));
+  return hash.value();
+}
+
+/// The place as files of old have it, key by key.
+lesson::Place old_place(const Json& object) {
+  const auto text = [&](const char* key) { return member<std::string>(object, key, "", &Json::is_string); };
+  lesson::Place place{.situation = text("situation"), .algorithm = text("algorithm")};
+  if (const std::string beside = text("beside"); !beside.empty()) place.beside = beside == "none" ? "" : beside;
+  place.seed = member<std::uint64_t>(object, "seed", 0, &Json::is_number_unsigned);
+  place.file = lesson::change_of(text("file_own"), text("file_runs"));
+  place.draft = lesson::change_of(text("file_runs"), text("file_typed"));
+  place.step = count(object, "step");
+  return place;
+}
+
 KeptLesson lesson_of(const Json& object) {
   KeptLesson lesson;
   lesson.hash = member<std::uint64_t>(object, "hash", 0, &Json::is_number_unsigned);
-  lesson.seed = member<std::uint64_t>(object, "seed", 0, &Json::is_number_unsigned);
+  const std::string place = member<std::string>(object, "place", "", &Json::is_string);
+  lesson.place = place.empty() ? old_place(object) : lesson::read_place(place).place;
+  lesson.text = member<std::uint64_t>(object, "text", 0, &Json::is_number_unsigned);
+  if (const auto own = object.find("file_own"); own != object.end() && own->is_string())
+    lesson.text = hash_of(own->get<std::string>());
   lesson.step = count(object, "step"), lesson.steps = count(object, "steps");
-  lesson.situation = member<std::string>(object, "situation", "", &Json::is_string);
-  lesson.algorithm = member<std::string>(object, "algorithm", "", &Json::is_string);
-  lesson.beside = member<std::string>(object, "beside", "", &Json::is_string);
   lesson.answered = count(object, "answered");
   lesson.done = member(object, "done", false, &Json::is_boolean);
   lesson.task = member(object, "task", false, &Json::is_boolean);
   lesson.answers = member<std::string>(object, "answers", "", &Json::is_string);
-  lesson.file.own = member<std::string>(object, "file_own", "", &Json::is_string);
-  lesson.file.runs = member<std::string>(object, "file_runs", "", &Json::is_string);
-  lesson.file.typed = member<std::string>(object, "file_typed", "", &Json::is_string);
   return lesson;
 }
 
@@ -112,6 +129,11 @@ class Lock {
 fs::path beside(fs::path path, const char* ending) { return path += ending; }
 
 }  // namespace
+
+std::uint64_t text_of_stage(const lesson::Session& session) {
+  const auto file = session.own().file();
+  return file ? hash_of(file->own) : 0;
+}
 
 Kept::Kept(const std::string& folder) : path_(path_of_state()) {
   std::error_code error;
@@ -191,27 +213,22 @@ const KeptLesson* Kept::lesson(const std::string& id, std::uint64_t hash) const 
   return found != lessons_.end() && found->second.hash == hash ? &found->second : nullptr;
 }
 
-void Kept::keep(const lesson::Session& session, std::uint64_t hash) {
+void Kept::keep(const lesson::Session& session, std::uint64_t hash, std::vector<double> camera) {
   const std::string& id = session.lesson().id;
   const lesson::Progress progress = lesson::progress_of(session);
   const KeptLesson* before = lesson(id, hash);
   if (!progress.begun && before == nullptr) return;
   KeptLesson now;
   now.hash = hash;
-  now.seed = session.seed();
-  now.step = session.step(), now.steps = session.steps();
-  if (session.situation() != lesson::kOwnSituation) now.situation = session.situation();
-  now.algorithm = lesson::name_in(session.lesson(), *session.method(0));
-  now.beside =
-      session.method(1) != nullptr ? lesson::name_in(session.lesson(), *session.method(1)) : std::string(kNone);
+  now.place = lesson::NamedStages().place_of(session);
+  now.place.camera = std::move(camera);
+  now.place.step = now.step = session.step(), now.steps = session.steps();
   now.answered = progress.answered;
   // A lesson once done stays done, even if it is opened again.
   now.done = progress.done || (before != nullptr && before->done);
   now.task = progress.task || (before != nullptr && before->task);
   now.answers = lesson::kept_text(lesson::answers_of(session));
-  const auto file = session.subject().file(), own = session.own().file();
-  if (file && own && (file->runs != own->runs || file->typed != file->runs))
-    now.file = {own->runs, file->runs, file->typed};
+  now.text = text_of_stage(session);
   lessons_[key(id)] = std::move(now);
   changed_.insert(key(id));
   if (folder_.empty()) last_ = id;
@@ -260,15 +277,15 @@ std::string Kept::text() const {
     if (!work.written.empty() || !work.measured.empty() || !work.built.empty())
       state["sheets"][id] = json_of(id, 0, work);
   for (const auto& [id, lesson] : lessons_) {
-    state["lessons"][id] = {{"seed", lesson.seed},         {"situation", lesson.situation}, {"step", lesson.step},
-                            {"steps", lesson.steps},       {"algorithm", lesson.algorithm}, {"beside", lesson.beside},
-                            {"answered", lesson.answered}, {"done", lesson.done},           {"task", lesson.task},
+    state["lessons"][id] = {{"place", lesson::address_of(lesson.place)},
+                            {"step", lesson.step},
+                            {"steps", lesson.steps},
+                            {"answered", lesson.answered},
+                            {"done", lesson.done},
+                            {"task", lesson.task},
                             {"answers", lesson.answers}};
     if (lesson.hash != 0) state["lessons"][id]["hash"] = lesson.hash;
-    if (lesson.file.own.empty()) continue;
-    state["lessons"][id]["file_own"] = lesson.file.own;
-    state["lessons"][id]["file_runs"] = lesson.file.runs;
-    state["lessons"][id]["file_typed"] = lesson.file.typed;
+    if (lesson.text != 0) state["lessons"][id]["text"] = lesson.text;
   }
   return state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -15,24 +15,22 @@
 #include "desktop/cli/sheet_files.hpp"
 #include "lesson/exercise/attempt.hpp"
 #include "lesson/invitations.hpp"
-#include "lesson/session.hpp"
+#include "lesson/place.hpp"
 
 namespace snug::desktop {
 
-/// In the place of an algorithm's name: none stands beside.
-inline constexpr std::string_view kNone = "none";
-
 struct KeptLesson {
   std::uint64_t hash = 0;  // of the file, for a lesson of one's own: once it says something else, it starts anew
-  std::uint64_t seed = 0;
+  lesson::Place place;
+  std::uint64_t text = 0;  // of the stage as the lesson has it: what the place changes of it holds for no other
   int step = 0, steps = 0;
-  std::string situation;          // empty: the lesson's own
-  std::string algorithm, beside;  // empty: the lesson's own choice; beside: "none" for none
   int answered = 0;
   bool done = false, task = false;
-  std::string answers;     // as lesson::kept_text writes them
-  lesson::StageFile file;  // the scene's file as the lesson has it, as it runs and as it was typed; empty: unchanged
+  std::string answers;  // as lesson::kept_text writes them
 };
+
+/// The hash of the text that the lesson's own stage is made from; 0 without one.
+[[nodiscard]] std::uint64_t text_of_stage(const lesson::Session& session);
 
 /// An exercise: how many attempts were finished, what the best of them earned, and one that is not finished.
 struct KeptExercise {
@@ -66,7 +64,7 @@ class Kept {
   /// A lesson's state; null if it was not begun, or if its file had another hash.
   [[nodiscard]] const KeptLesson* lesson(const std::string& id, std::uint64_t hash) const;
   /// Keeps a session's state, once something was done in it; in memory until write.
-  void keep(const lesson::Session& session, std::uint64_t hash);
+  void keep(const lesson::Session& session, std::uint64_t hash, std::vector<double> camera);
   /// An exercise's state; null if it was not begun.
   [[nodiscard]] const KeptExercise* exercise(const std::string& id) const;
   /// Keeps an attempt, once something was decided in it; in memory until write.

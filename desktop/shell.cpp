@@ -10,7 +10,7 @@
 #include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/page_address.hpp"
-#include "lesson/demo_now.hpp"
+#include "lesson/demo.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/playground.hpp"
@@ -73,16 +73,12 @@ void Shell::go_to_kept_place() {
   const KeptLesson* const kept = kept_lesson(session().lesson().id);
   if (kept == nullptr) return;
   const lesson::AtOnce at_once(session());  // each part is of what the last one left
-  // A situation that the lesson no longer has is left out, as is a method.
-  if (!kept->situation.empty()) static_cast<void>(session().show_situation(kept->situation));
-  if (kept->seed != session().seed()) session().scatter(kept->seed);
-  if (!kept->algorithm.empty()) static_cast<void>(session().choose(0, kept->algorithm));
-  if (!kept->beside.empty()) static_cast<void>(session().choose(1, kept->beside == kNone ? "" : kept->beside));
-  const auto own = session().own().file();
-  if (own && own->runs == kept->file.own)
-    for (const std::string& text : {kept->file.runs, kept->file.typed}) tell(session().set_file(text));
-  session().end_typing();
+  lesson::Place place = kept->place;
+  if (text_of_stage(session()) != kept->text) place.file.clear(), place.draft.clear();
+  // What the lesson no longer has is left out.
+  for (lesson::WayTo way(place, mesh_named); !way.done();) static_cast<void>(way.go_on(session()));
   session().jump(std::min(kept->step, session().steps()));
+  if (!place.camera.empty()) app_.look_from(place.camera);
 }
 
 void Shell::open_at_place(std::size_t lesson) {
@@ -180,7 +176,7 @@ void Shell::keep(bool dragging) {
   kept_revision_ = session().revision(), kept_changes_ = changes;
   if (sheet() != nullptr) see_built();
   if (app_.sitting() != nullptr) return keep_exercise();
-  kept_.keep(session(), hash_of(session().lesson().id));
+  kept_.keep(session(), hash_of(session().lesson().id), app_.hand_view());
   kept_.write();
 }
 
@@ -276,9 +272,9 @@ void Shell::save_stage(std::string_view format) {
 }
 
 void Shell::record() {
-  auto state = lesson::state_now(session(), mesh_named);
-  if (!tell(state)) return;
-  state->camera = app_.hand_view();
+  auto place = lesson::place_now(session(), mesh_named);
+  if (!tell(place)) return;
+  place->camera = app_.hand_view();
   if (recorded_.empty()) recorded_ = new_file("demo", ".toml");
   if (recorded_.empty()) return;
   const auto before = std::filesystem::exists(recorded_)
@@ -286,7 +282,7 @@ void Shell::record() {
                           : "version = 1\ntitle = \"My demo\"\nlecture = \"My lecture\"\n";
   if (!tell(before)) return;
   const std::string text =
-      *before + '\n' + lesson::state_text(*state, session().lesson().title, session().trace_hash());
+      *before + '\n' + lesson::state_text(*place, session().lesson().title, session().trace_hash());
   const std::size_t states = lesson::read_demo(text, recorded_).demo.states.size();
   if (tell(write_file(recorded_, text)))
     notice = "Saved in " + recorded_ + ", with " +

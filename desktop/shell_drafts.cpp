@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "desktop/shell.hpp"
-#include "lesson/place.hpp"
+#include "lesson/reopening.hpp"
 
 namespace snug::desktop {
 
@@ -45,7 +45,7 @@ void Shell::read_again() {
   if (app_.session() == nullptr) return;
   const DraftFile* const draft = drafts_->find(session().lesson().id);
   if (draft == nullptr || draft->version == opened_version_ || !draft->draws) return;
-  const lesson::Place place(session());
+  const lesson::Reopening place(session());
   const int hint = hint_of;
   if (!open(draft->file.lesson.id, true)) {
     if (!draft->says.empty()) notice.clear();  // the strip says it

@@ -650,7 +650,7 @@ int open_first(Shell& shell, const WindowOptions& options) {
     return opened ? 0 : stop(opened.error().message());
   }
   const bool picture = !options.screenshot.empty();
-  const bool bare = options.at.empty() && !options.seed && options.points_file.empty() && !picture;
+  const bool bare = options.at.is_bare() && !options.seed && options.points_file.empty() && !picture;
   const bool begins = begins_with_defaults(shell);
   const std::string id = first_lesson(shell, options);
   if (const KeptLesson* kept = shell.kept_lesson(id))
@@ -660,21 +660,23 @@ int open_first(Shell& shell, const WindowOptions& options) {
     return shell.writing() && !picture ? 0 : stop(opened.error().message());
   if (bare) shell.go_to_kept_place();
   shell.course_shown = bare && options.lesson.empty() && !begins;
-  const bool gave_way = shell.session().give_way(false);  // each part is of what the last one left
-  if (!options.at.situation.empty())
-    if (const auto shown = shell.session().show_situation(options.at.situation); !shown)
-      return stop(shown.error().message());
-  if (options.seed) shell.session().scatter(*options.seed);
-  shell.session().give_way(gave_way && options.at.empty());
-  if (options.points != nullptr) {
-    shell.use_points(*options.points, options.points_file);
-    if (!shell.notice.empty()) return stop(shell.notice);
-  }
-  shell.session().give_way(gave_way);
   // A window opens at the lesson's start; a picture shows the step before the first.
-  lesson::Standpoint at = options.at;
+  lesson::Place at = options.at;
+  if (options.seed) at.seed = options.seed;
   if (picture && !at.step && at.question.empty()) at.step = 0;
-  if (const auto stands = lesson::stand_at(shell.session(), at); !stands) return stop(stands.error().message());
+  if (options.points != nullptr) {
+    lesson::Place under{.situation = at.situation, .seed = at.seed};
+    if (const auto gone = lesson::go_to(under, shell.session(), mesh_named); !gone)
+      return stop(gone.error().error.message());
+    const bool gave_way = shell.session().give_way(options.at.is_bare());
+    shell.use_points(*options.points, options.points_file);
+    shell.session().give_way(gave_way);
+    if (!shell.notice.empty()) return stop(shell.notice);
+    if (const auto gone = lesson::go_in_run(at, shell.session()); !gone) return stop(gone.error().message());
+  } else if (const auto gone = lesson::go_to(at, shell.session(), mesh_named); !gone) {
+    return stop(gone.error().error.message());
+  }
+  if (!at.camera.empty()) shell.app().look_from(at.camera);
   if (app::Cover* const cover = shell.app().cover(); cover != nullptr && at.step && *at.step != 0)
     cover->show(false);  // a step is shown on the stage
   return 0;

@@ -9,7 +9,7 @@
 
 #include "io/point_file.hpp"
 #include "lesson/exercise/attempt.hpp"
-#include "lesson/stand.hpp"
+#include "lesson/place.hpp"
 
 namespace snug::desktop {
 
@@ -22,7 +22,7 @@ struct WindowOptions {
   std::optional<lesson::Attempt> attempt;  // to watch: what was decided in it; none to decide
   std::shared_ptr<const DemoFile> demo;    // to play instead of a lesson; null for none
   std::string pictures;                    // the folder or PDF to draw its states into; empty to play it
-  lesson::Standpoint at;                   // where in it; empty for where it was left, or for its start in a picture
+  lesson::Place at;                        // where in it; bare for where it was left, or for its start in a picture
   std::optional<std::uint64_t> seed;       // none: the lesson's own
   std::string points_file;                 // a file shown instead of the lesson's points; empty for none
   std::shared_ptr<const io::PointFile> points;  // what was read of it, for standard input can be read only once

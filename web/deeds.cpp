@@ -29,7 +29,7 @@ std::string sentence(const tl::expected<Value, InputError>& result) {
 /// Remembers how an address can describe the current state, once it is there.
 static void remember() {
   door().remembers_later = session()->preparing() != nullptr;
-  if (!door().remembers_later) door().shared.remember(*session());
+  if (!door().remembers_later) door().stages.remember(*session());
 }
 
 val preparing() {
@@ -117,10 +117,6 @@ std::string hold_slider(bool held) {
   return "";
 }
 std::string slide(int slider, int place) { return session() ? sentence(session()->slide_to_place(slider, place)) : ""; }
-std::string set_sliders(const val& values) {
-  return session() ? sentence(session()->set_sliders(emscripten::vecFromJSArray<double>(values))) : "";
-}
-
 static std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
 
 void scatter(double seed) {
@@ -176,7 +172,7 @@ std::string open_exercise(double seed, int level, bool practises) {
   const auto own = std::make_shared<const lesson::Exercise>(at_level(*door().exercise, level));
   const auto opened = door().app->open_exercise(own, whole(seed), practises);
   if (!opened) return opened.error().message();
-  door().shared.forget();
+  door().stages.forget();
   return "";
 }
 
@@ -220,21 +216,67 @@ std::string set_numbers(int group, int row, const val& values) {
   return session() ? take_numbers(*session(), group, row, values) : "";
 }
 
-std::string take_packed_rows(const std::string& packed) { return session() ? take_packed(*session(), packed) : ""; }
-std::string set_rows(const val& rows) { return session() ? take_rows(*session(), rows) : ""; }
 std::string set_file(const std::string& text) { return session() ? sentence(session()->set_file(text)) : ""; }
 void end_typing() {
   if (session()) session()->end_typing();
 }
-std::string change_rows(const val& moved) { return session() ? take_changes(*session(), moved) : ""; }
-val shared_rows() {
-  if (!session()) return val::object();
-  val object = door().shared.describe(*session());
-  if (const auto view = door().app->hand_view(); !view.empty()) object.set("camera", array_of(view, number));
+
+static lesson::Place place_now() {
+  lesson::Place place = door().stages.place_of(*session());
+  place.camera = door().app->hand_view();
+  return place;
+}
+
+val place(bool bare) {
+  if (!session()) return val::null();
+  lesson::Place now = place_now();
+  if (bare) now.rows.clear(), now.moved.clear(), now.file.clear(), now.draft.clear();
+  val object = val::object();
+  object.set("address", lesson::address_of(now));
+  object.set("whole", lesson::fits_address(now));
   return object;
 }
-void look_from(const val& view) {
-  if (session()) door().app->look_from(emscripten::vecFromJSArray<double>(view));
+
+std::string demo_state() {
+  if (!session()) return "";
+  return lesson::state_text(place_now(), session()->lesson().title, session()->trace_hash());
+}
+
+val read_place(const std::string& address) {
+  lesson::PlaceRead read = lesson::read_place(address);
+  const auto lent = [](const std::string&) -> tl::expected<io::PointFile, InputError> {
+    if (door().lent) return *door().lent;
+    return tl::unexpected(InputError{.what = "its mesh could not be loaded"});
+  };
+  door().lent.reset();
+  val object = val::object();
+  object.set("mistakes", array_of(read.problems, text));
+  object.set("bare", read.place.is_bare());
+  object.set("step", read.place.step ? val(*read.place.step) : val::null());
+  door().way.emplace(std::move(read.place), lent);
+  object.set("mesh", session() ? door().way->mesh_needed(session()->lesson()) : std::string());
+  return object;
+}
+
+std::string lend_mesh(const std::string& bytes) {
+  auto file = io::read_points(bytes, "mesh.ply");
+  if (!file) return file.error().message();
+  door().lent = *std::move(file);
+  return "";
+}
+
+val go_along() {
+  val object = val::object();
+  const bool done = !session() || !door().way || door().way->done();
+  object.set("done", done);
+  if (!done) {
+    const auto gone = door().way->go_on(*session());
+    if (gone && (*gone == "situation" || *gone == "seed" || *gone == "from")) remember();
+    object.set("refused", gone ? std::string() : gone.error().error.message());
+  } else if (session() && door().way && !door().way->place().camera.empty()) {
+    door().app->look_from(door().way->place().camera);
+  }
+  return object;
 }
 
 }  // namespace snug::web

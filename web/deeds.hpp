@@ -40,8 +40,6 @@ std::string show_situation(const std::string& name);
 std::string hold_slider(bool held);
 /// Moves a slider, by its number, to a place of its knob.
 std::string slide(int slider, int place);
-/// Moves all sliders to the values that shared_rows said.
-std::string set_sliders(const val& values);
 /// Scatters the same things again, from a seed.
 void scatter(double seed);
 /// An edit that takes long: {says, share}, from 0 to 1; null for none. go_on: goes on with it, and returns why it is
@@ -85,14 +83,20 @@ void start_task(int task);
 std::string solve_again(int task);
 /// Sets a row of view()'s numbers, by the indices of its group and row.
 std::string set_numbers(int group, int row, const val& values);
-std::string set_rows(const val& rows);
-/// The same, as an address has many.
-std::string take_packed_rows(const std::string& packed);
 /// Makes the stage from what was typed in its file; and says that the typing is over, for undo.
 std::string set_file(const std::string& text);
 void end_typing();
-std::string change_rows(const val& moved);
-val shared_rows();
-void look_from(const val& view);
+/// Where one stands: {address, whole}; whole: whether the address has room for all of it. bare: without what was
+/// edited.
+val place(bool bare);
+/// The same as a [[state]] of a demo's file.
+std::string demo_state();
+/// Reads an address, on the way to whose place go_along then goes: {mistakes, bare, step, mesh}. bare: whether it names
+/// no place; step: null for none; mesh: that is needed on the way, "" for none.
+val read_place(const std::string& address);
+/// Lends the mesh that is needed.
+std::string lend_mesh(const std::string& bytes);
+/// Goes the next part of the way: {done, refused}. A part may have to be prepared first (preparing).
+val go_along();
 
 }  // namespace snug::web

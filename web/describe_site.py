@@ -7,7 +7,6 @@ a level.
 cases.json: the same of the named cases, in the folder cases beside the course: the id, title and summary of each, and where a
 program failed on it.
 write/ID.json: an exercise in which a function is written.
-demo_keys.json: what a demo's file and an address call the parts of a place.
 demos/ID.json: a lecturer's demo: its states, each with the address of its place in a lesson, what is shown, and the notes.
 course.json: the chapters with their lessons, each with its id, title, summary, minutes, how many predictions it asks for,
 whether it has a task, and the words that a search finds it by; the exercises and their sets; and the program's version.
@@ -21,9 +20,8 @@ import json
 import pathlib
 import re
 import sys
-import urllib.parse
 
-from tables import ask, read_tables
+from tables import read_demos, read_tables
 from without_comments import served
 
 
@@ -71,19 +69,8 @@ def write_of(path: pathlib.Path, file: dict) -> dict:
     return {"id": path.stem} | shown | {"methods": [{"title": one["title"], "code": one["code"]} for one in file.get("method", [])]}
 
 
-def demo_state(state: dict, keys: list[list]) -> dict:
-    """What the page needs of it: its address as a lesson, and what is said and shown. keys: demo_keys.json."""
-    place = {"step": 0} | state
-    address = urllib.parse.urlencode({name: place[key] for key, name, _ in keys if key in place}, safe=",;:")
-    return {"address": "?" + address, "shows": state.get("shows", ["caption"]), "reveal": state.get("reveal", []), "slide": state["slide"], "notes": " ".join(state["notes"].split()), "hash": state.get("hash", "")}
-
-
-def demo_of(path: pathlib.Path, demo: dict, keys: list[list]) -> dict:
-    return {"id": path.stem, "title": demo["title"], "lecture": demo["lecture"], "states": [demo_state(state, keys) for state in demo["state"]]}
-
-
 def demos_in(demos: list[dict]) -> dict:
-    """What the course's page lists of them. demos: as demo_of makes them."""
+    """What the course's page lists of them. demos: as read_demos gives them."""
     return {"demos": [{"id": demo["id"], "title": demo["title"], "states": len(demo["states"])} for demo in demos]}
 
 
@@ -140,16 +127,15 @@ def with_modules(first_page: pathlib.Path, build: str) -> str:
 def main(program: pathlib.Path, version: str, first_page: pathlib.Path, site: pathlib.Path, course: pathlib.Path, lesson_files: list[pathlib.Path]) -> None:
     try:
         folders = {name: sorted((course.parent / name).glob("*.toml")) for name in ("cases", "exercises", "demos", "write")}
-        read = read_tables(program, [course, *lesson_files, *(path for paths in folders.values() for path in paths)])
+        others = [path for name, paths in folders.items() if name != "demos" for path in paths]
+        read = read_tables(program, [course, *lesson_files, *others])
         files_of = lambda name: {path: read[path] for path in folders[name]}
         cases = {path.stem: case_entry(path, file) for path, file in files_of("cases").items() if path.name != course.name}
         cases_file = course.parent / "cases" / course.name
         write(site / "cases.json", course_of(cases_file, read[cases_file], cases))
         slides = slides_in(read[course])
         lessons = {path.stem: lesson_entry(path, read[path], slides) for path in lesson_files}
-        keys = ask(program, "keys")
-        write(site / "demo_keys.json", keys)
-        demos = [demo_of(path, demo, keys) for path, demo in files_of("demos").items()]
+        demos = read_demos(program, folders["demos"])
         (site / "demos").mkdir(exist_ok=True)
         for demo in demos:
             write(site / "demos" / f"{demo['id']}.json", demo)

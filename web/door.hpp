@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/app.hpp"
-#include "web/shared_rows.hpp"
+#include "lesson/place.hpp"
 
 namespace snug::web {
 
@@ -20,10 +20,12 @@ struct Door {
   float width = 1, height = 1, scale = 1;
   double last_frame = 0;
   std::array<float, 3> ground{};
-  SharedRows shared;
+  lesson::NamedStages stages;
+  std::optional<lesson::WayTo> way;                  // to the place that an address names
+  std::optional<io::PointFile> lent;                 // the mesh that is needed on it
   std::shared_ptr<const lesson::Exercise> exercise;  // whose file was read last
   lesson::Draft draft;                               // the lesson file that was read last
-  bool remembers_later = false;                      // whether `shared` learns what the session is still preparing
+  bool remembers_later = false;                      // whether `stages` learn what the session is still preparing
   std::optional<io::PointFile> carried;              // the points that are on their way to the playground
 };
 

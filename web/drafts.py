@@ -1,13 +1,12 @@
 """The lessons of a folder while they are being written: what serve.py serves of them."""
 
-import functools
 import json
 import os
 import pathlib
 import subprocess
 
-from describe_site import course_of, demo_of, demos_in, slides_in, words_of
-from tables import ask, read_tables, tables_of
+from describe_site import course_of, demos_in, slides_in, words_of
+from tables import ask, read_demos, tables_of
 
 COURSE = "course.toml"
 TYPESET = pathlib.Path(__file__).resolve().parent.parent / "assets/formulas.mjs"
@@ -63,25 +62,19 @@ class Drafts:
             raise FileNotFoundError(name)
         return (self.folder / name).read_bytes()
 
-    @functools.cached_property
-    def keys(self) -> list[list]:
-        """demo_keys.json"""
-        return ask(self.program, "keys")
-
     def demo(self, name: str) -> bytes:
         path = self.folder / "demos" / f"{name}.toml"
         if path.parent != self.folder / "demos":
             raise FileNotFoundError(name)
         try:
-            return json.dumps(demo_of(path, read_tables(self.program, [path])[path], self.keys)).encode()
-        except (KeyError, ValueError) as error:  # `snug demo check` says more
+            return json.dumps(read_demos(self.program, [path])[0]).encode()
+        except ValueError as error:  # `snug demo check` says more
             raise FileNotFoundError(name) from error
 
     def demos(self) -> dict:
         try:
-            read = read_tables(self.program, sorted((self.folder / "demos").glob("*.toml")))
-            return demos_in([demo_of(path, demo, self.keys) for path, demo in read.items()])
-        except (KeyError, ValueError):
+            return demos_in(read_demos(self.program, sorted((self.folder / "demos").glob("*.toml"))))
+        except ValueError:
             return {}
 
     def course(self) -> dict:

@@ -16,7 +16,7 @@
 
 #include "app/app.hpp"
 #include "io/point_file.hpp"
-#include "lesson/place.hpp"
+#include "lesson/reopening.hpp"
 #include "snug_gl.h"
 #include "web/canvas.hpp"
 #include "web/cover.hpp"
@@ -154,12 +154,12 @@ std::string open_lesson(const std::string& mesh, bool anew) {
     if (!read) return read.error().message();
     file = std::move(*read);
   }
-  std::optional<lesson::Place> place;
+  std::optional<lesson::Reopening> place;
   if (anew && session()) place.emplace(*session());
   if (const auto opened = door().app->open(std::move(*lesson), std::move(file), place.has_value()); !opened)
     return opened.error().message();
-  door().shared.forget();
-  door().shared.remember(*session());
+  door().stages.forget();
+  door().stages.remember(*session());
   if (place) place->take(*session());
   return "";
 }
@@ -235,17 +235,16 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("select_point", &web::select_point);
   function("move_point", &web::move_point);
   function("set_numbers", &web::set_numbers);
-  function("set_rows", &web::set_rows);
-  function("take_packed", &web::take_packed_rows);
   function("set_file", &web::set_file);
   function("end_typing", &web::end_typing);
-  function("change_rows", &web::change_rows);
-  function("shared_rows", &web::shared_rows);
-  function("look_from", &web::look_from);
+  function("place", &web::place);
+  function("demo_state", &web::demo_state);
+  function("read_place", &web::read_place);
+  function("lend_mesh", &web::lend_mesh);
+  function("go_along", &web::go_along);
   function("show_situation", &web::show_situation);
   function("hold_slider", &web::hold_slider);
   function("slide", &web::slide);
-  function("set_sliders", &web::set_sliders);
   function("scatter", &web::scatter);
   function("preparing", &web::preparing);
   function("go_on", &web::go_on);

@@ -23,3 +23,13 @@ def read_tables(program: pathlib.Path, paths: list[pathlib.Path]) -> dict[pathli
     """ValueError: one of the files is no TOML; it says which and where."""
     told = ask(program, "read", *paths) if paths else {}
     return {path: tables_of(told[str(path)]) for path in paths}
+
+
+def read_demos(program: pathlib.Path, paths: list[pathlib.Path]) -> list[dict]:
+    """What the page needs of each: of a state its address as a lesson, what is shown, and the notes. ValueError: one of
+    the files has a mistake; it says which and where."""
+    told = ask(program, "demos", *paths) if paths else {}
+    for path in paths:
+        if "mistake" in told[str(path)]:
+            raise ValueError(told[str(path)]["mistake"])
+    return [told[str(path)] for path in paths]

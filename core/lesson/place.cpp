@@ -1,153 +1,240 @@
 #include "lesson/place.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <cmath>
+#include <limits>
 
-#include "geometry/generate.hpp"
-#include "lesson/names.hpp"
-#include "lesson/point_subject.hpp"
-#include "lesson/subjects.hpp"
+#include "io/text.hpp"
+#include "lesson/packed_rows.hpp"
 
 namespace snug::lesson {
 namespace {
 
-constexpr std::string_view kTaskSource = "task";
+constexpr std::size_t kMostPacked = 6000;  // numbers: what is packed has 66,000 letters then, more than Firefox shows
+constexpr std::int64_t kMostWhole = std::int64_t{1} << 53;
+constexpr std::string_view kEnd = "end", kNone = "none";
 
-/// The points on the stage as a file would have them; none if the subject has no points.
-std::optional<io::PointFile> file_of(const Subject& subject) {
-  if (subject.points() == nullptr) return std::nullopt;
-  io::PointFile file{subject.dim(), all_points(*subject.points()), {}};
-  const auto triangles = subject.with_points()->triangles();
-  file.triangles.assign(triangles.begin(), triangles.end());
-  return file;
+// ---- writing ---------------------------------------------------------------------------------------------------
+
+std::string row_words(const std::vector<double>& row) {
+  std::string text;
+  for (const double number : row) text += (text.empty() ? "" : ",") + io::shortest_text(number);
+  return text;
 }
 
-/// What is picked one after the other to choose an answer; none for a number, which is typed.
-std::vector<Answer> parts_of(const Asked& asked, const Answer& answer) {
-  using Kind = Answer::Kind;
-  if (answer.kind == Kind::kNumber) return {};
-  std::vector<Answer> parts;
-  for (const int one : answer.list) parts.push_back({answer.kind == Kind::kPoints ? Kind::kPoint : Kind::kChoice, one});
-  if (!answer.list.empty()) return parts;
-  if (!asked.many) return {answer};
-  for (int i = 0; i < static_cast<int>(asked.choices.size()); ++i)
-    if (is_picked(asked, answer, i)) parts.push_back({Kind::kChoice, i});
+std::string rows_words(const Rows& rows) {
+  std::string text;
+  for (const std::vector<double>& row : rows) text += (text.empty() ? "" : ";") + row_words(row);
+  return text;
+}
+
+/// Escapes a text as encodeURIComponent does, but keeps the characters that an address's rows are made of.
+std::string address_text(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string safe;
+  for (const char c : text) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (plain || std::string_view("-_.!~*'(),;:").find(c) != std::string_view::npos) safe += c;
+    else safe += {'%', kDigits[static_cast<unsigned char>(c) >> 4], kDigits[c & 15]};
+  }
+  return safe;
+}
+
+// ---- reading ---------------------------------------------------------------------------------------------------
+
+std::vector<std::string_view> parted(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(at);
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
   return parts;
 }
 
-std::string typed(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.15g", number);
-  return text.data();
+int digit_of(char c) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const std::size_t at = kDigits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
+  return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
 
-std::string name_of(const Session& session, int slot) {
-  return session.method(slot) != nullptr ? name_in(session.lesson(), *session.method(slot)) : std::string();
+std::string unescaped(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escaped =
+        text[i] == '%' && i + 2 < text.size() && digit_of(text[i + 1]) >= 0 && digit_of(text[i + 2]) >= 0;
+    if (!escaped) {
+      plain += text[i] == '+' ? ' ' : text[i];
+      continue;
+    }
+    plain += static_cast<char>(16 * digit_of(text[i + 1]) + digit_of(text[i + 2]));
+    i += 2;
+  }
+  return plain;
+}
+
+/// None if it holds anything but rows of numbers: "1,2;3,4".
+std::optional<Rows> rows_in(std::string_view text) {
+  Rows rows;
+  for (const std::string_view row : parted(text, ';')) {
+    std::vector<double>& numbers = rows.emplace_back();
+    for (const std::string_view word : parted(row, ',')) {
+      const auto number = io::parse_number(word);
+      if (!number || !std::isfinite(*number)) return std::nullopt;
+      numbers.push_back(*number);
+    }
+  }
+  return rows;
+}
+
+std::string read_rows(Rows& rows, const std::string& text) {
+  auto read = rows_in(text);
+  if (!read) return "must be rows of numbers: \"1,2;3,4\"";
+  rows = *std::move(read);
+  return {};
+}
+
+std::string read_row(std::vector<double>& row, const std::string& text) {
+  Rows rows;
+  if (!read_rows(rows, text).empty() || rows.size() != 1) return "must be numbers: \"0.5,2\"";
+  row = std::move(rows.front());
+  return {};
+}
+
+std::string read_camera(std::vector<double>& camera, const std::string& text) {
+  std::vector<double> read;
+  if (!read_row(read, text).empty() || (read.size() != 3 && read.size() != 6))
+    return "must be \"height,x,y\" in the plane, and \"yaw,pitch,height,x,y,z\" in space";
+  camera = std::move(read);
+  return {};
+}
+
+template <class Whole>
+std::string read_whole(std::optional<Whole>& number, const std::string& text, std::int64_t most) {
+  const auto read = io::parse_integer(text);
+  if (!read || *read < 0 || *read >= most || text.find_first_not_of("0123456789") != std::string::npos)
+    return "must be a whole number";
+  number = static_cast<Whole>(*read);
+  return {};
+}
+
+std::string read_step(std::optional<int>& step, const std::string& text) {
+  if (text != kEnd) return read_whole(step, text, std::numeric_limits<int>::max());
+  step = Place::kLastStep;
+  return {};
 }
 
 }  // namespace
 
-Place::Stand Place::stand_of(const Session::Visited& visited, const Lesson& lesson) {
-  const Subject &own = *visited.own.subject, &now = *visited.now.subject;
-  const Subject::Origin& origin = now.origin();
-  Stand stand{.dim = now.dim(),
-              .own = own.rows(),
-              .scattered = origin.seed != lesson.seed,
-              .recast = now.in_float() != own.in_float(),
-              .origin = origin,
-              .own_source = own.origin().source};
-  if (visited.now.slid.values != visited.own.slid.values) stand.sliders = visited.now.slid.values;
-  if (origin.edited) stand.rows = now.rows(), stand.text = now.file();
-  const bool generated = is_among(generator_kinds(), origin.source);
-  if (origin.source != stand.own_source && origin.source != kTaskSource && !generated) stand.file = file_of(now);
-  return stand;
+std::optional<SourceWords> source_in(std::string_view from) {
+  constexpr std::int64_t kMostNumber = 99'999;
+  const std::vector<std::string_view> parts = parted(from, ':');
+  const auto number = parts.size() == 2 ? io::parse_integer(parts[1]) : std::nullopt;
+  const bool is_name = parts.front().find_first_not_of("abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
+  if (!is_name || parts.front().empty() || parts.size() > 2) return std::nullopt;
+  if (parts.size() == 2 && (!number || *number < 1 || *number > kMostNumber)) return std::nullopt;
+  return SourceWords{parts.front(), number ? std::optional(static_cast<int>(*number)) : std::nullopt};
 }
 
-Place::Place(const Session& session)
-    : lesson_(session.lesson().id), task_(session.task()), algorithm_(name_of(session, 0)), step_(session.step()),
-      at_end_(session.step() > 0 && session.step() == session.steps()), previewing_(session.previewing()),
-      outcomes_(session.outcomes()) {
-  for (const Session::Visited& visited : session.visited()) stands_.push_back(stand_of(visited, session.lesson()));
-  if (std::string beside = name_of(session, 1); beside != session.lesson().compare) beside_ = std::move(beside);
-  if (const Outcome* told = session.outcome() != nullptr ? session.outcome() : session.deciding())
-    told_ = told->question;
-  if (const Answer* tried = session.tried()) tried_ = Try{session.asked()->question->id, *tried};
+bool Place::is_bare() const { return *this == Place{.lesson = lesson}; }
+
+std::vector<std::pair<const PlaceKey*, std::string>> texts_of(const Place& place) {
+  const bool plain = place.rows.size() <= kMostPlainRows;
+  const std::string step = !place.step                       ? ""
+                           : *place.step == Place::kLastStep ? kEnd.data()
+                                                             : std::to_string(*place.step);
+  const std::array<std::string, kPlaceKeys.size()> values{place.lesson,
+                                                          step,
+                                                          place.seed ? std::to_string(*place.seed) : std::string(),
+                                                          place.situation,
+                                                          place.algorithm,
+                                                          !place.beside           ? std::string()
+                                                          : place.beside->empty() ? std::string(kNone)
+                                                                                  : *place.beside,
+                                                          place.scalar,
+                                                          place.from,
+                                                          row_words(place.sliders),
+                                                          rows_words(place.moved),
+                                                          plain ? rows_words(place.rows) : std::string(),
+                                                          plain ? std::string() : packed_rows(place.rows),
+                                                          row_words(place.camera),
+                                                          place.file,
+                                                          place.draft,
+                                                          place.question,
+                                                          place.answered ? "1" : ""};
+  std::vector<std::pair<const PlaceKey*, std::string>> texts;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!values[i].empty()) texts.emplace_back(&kPlaceKeys[i], values[i]);
+  return texts;
 }
 
-void Place::take(Session& session) const {
-  if (session.lesson().id != lesson_) return;
-  const AtOnce at_once(session);  // each part is taken on what the last one left
-  take_stage(session);
-  take_methods(session);
-  take_answers(session);
-  take_step(session);
-  if (!told_.empty()) session.review(told_);
-  take_try(session);
-}
-
-/// What the stage was filled from, before it was edited by hand. What is refused is left out.
-void Place::take_source(Session& session, const Stand& stand) const {
-  const Subject::Origin& origin = stand.origin;
-  if (origin.source == kTaskSource) return session.start_task(task_);
-  if (stand.file) return static_cast<void>(session.load(*stand.file, origin.source));
-  if (origin.source != stand.own_source)
-    return static_cast<void>(session.set_generator(origin.source, origin.generated, stand.dim, origin.seed));
-  if (stand.scattered) session.scatter(origin.seed);
-}
-
-void Place::take_stand(Session& session, const Stand& stand) const {
-  const bool same = session.dim() == stand.dim && session.own().rows() == stand.own;
-  take_source(session, stand);
-  if (stand.recast) static_cast<void>(session.set_float(stand.origin.in_float));
-  if (!stand.sliders.empty()) static_cast<void>(session.set_sliders(stand.sliders));  // unless there are others now
-  if (same && !stand.rows.empty() && !stand.file) static_cast<void>(session.set_rows(stand.rows));
-  if (const auto text = session.subject().file(); text && stand.text && text->own == stand.text->own)
-    for (const std::string& typed : {stand.text->runs, stand.text->typed}) static_cast<void>(session.set_file(typed));
-}
-
-/// The situations that are away come first. One that is gone is left out, but what is on the stage is then the lesson's
-/// own.
-void Place::take_stage(Session& session) const {
-  for (const Stand& stand : stands_) {
-    const bool on_stage = &stand == &stands_.back();
-    if (!on_stage && !stand.changed()) continue;
-    if (session.show_situation(stand.origin.situation) || on_stage) take_stand(session, stand);
+std::string read_text(Place& place, std::string_view key, const std::string& text) {
+  const auto words = [&](std::string& to) { return to = text, std::string(); };
+  if (key == "lesson") return words(place.lesson);
+  if (key == "step") return read_step(place.step, text);
+  if (key == "seed") return read_whole(place.seed, text, kMostWhole);
+  if (key == "situation") return words(place.situation);
+  if (key == "algorithm") return words(place.algorithm);
+  if (key == "compare") return place.beside = text == kNone ? "" : text, std::string();
+  if (key == "sliders") return read_row(place.sliders, text);
+  if (key == "moved") return read_rows(place.moved, text);
+  if (key == "rows") return read_rows(place.rows, text);
+  if (key == "camera") return read_camera(place.camera, text);
+  if (key == "file") return words(place.file);
+  if (key == "draft") return words(place.draft);
+  if (key == "question") return words(place.question);
+  if (key == "answered") return place.answered = text == "1", std::string();
+  if (key == "scalar") {
+    if (text != "float" && text != "double") return "must be float or double";
+    return words(place.scalar);
   }
-}
-
-void Place::take_methods(Session& session) const {
-  const auto& offered = session.lesson().algorithms;
-  if (is_among(offered, algorithm_)) static_cast<void>(session.choose(0, algorithm_));
-  if (beside_ && (beside_->empty() || is_among(offered, *beside_))) static_cast<void>(session.choose(1, *beside_));
-}
-
-void Place::take_answers(Session& session) const {
-  std::vector<Outcome> outcomes;
-  for (const Outcome& outcome : outcomes_) {
-    const Asked* asked = session.question_of(outcome);
-    if (asked == nullptr) outcomes.push_back(outcome);  // it may be one of another algorithm
-    if (asked == nullptr || !answers(*asked, outcome.given)) continue;
-    Outcome& again = outcomes.emplace_back(judge(*asked, outcome.given, session.run(0)));
-    again.on = outcome.on, again.tries = outcome.tries, again.passed = outcome.passed;
+  if (key == "from") {
+    if (!source_in(text)) return "must be a name, or a name and a whole number: \"clusters:200\"";
+    return words(place.from);
   }
-  session.take_up_answers(std::move(outcomes));
+  auto rows = unpacked_rows(text);  // "packed"
+  if (!rows) return "is not as an address has it";
+  place.rows = *std::move(rows);
+  return {};
 }
 
-void Place::take_step(Session& session) const {
-  if (previewing_) return;  // it stays where the lesson begins
-  session.go(0);
-  session.jump(at_end_ ? session.steps() : step_);
+bool fits_address(const Place& place) {
+  std::size_t numbers = 0;
+  for (const std::vector<double>& row : place.rows) numbers += row.size();
+  return place.rows.size() <= kMostPlainRows || numbers <= kMostPacked;
 }
 
-void Place::take_try(Session& session) const {
-  if (tried_ && session.to_predict() != nullptr) session.ask_predictions();
-  const Asked* asked = session.asked();
-  if (!tried_ || asked == nullptr || asked->question->id != tried_->question) return;
-  if (!answers(*asked, tried_->answer)) return;
-  if (tried_->answer.kind == Answer::Kind::kNumber) session.pick(std::string_view(typed(tried_->answer.number)));
-  for (const Answer& part : parts_of(*asked, tried_->answer)) session.pick(part);
-  session.commit();
+std::string address_of(const Place& place) {
+  Place fitting = place;
+  if (!fits_address(place)) fitting.rows.clear();
+  std::string address, packed;
+  for (const auto& [key, text] : texts_of(fitting)) {
+    const std::string part = std::string(key->in_address) + '=' + address_text(text);
+    if (key->in_file == "packed") packed = '#' + part;
+    else address += (address.empty() ? '?' : '&') + part;
+  }
+  return address + packed;
+}
+
+PlaceRead read_place(std::string_view address) {
+  PlaceRead read;
+  while (!address.empty()) {
+    const std::size_t end = std::min(address.find_first_of("?&#"), address.size());
+    const std::string_view part = address.substr(0, end);
+    address.remove_prefix(std::min(end + 1, address.size()));
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string name = unescaped(part.substr(0, equals));
+    const std::string text = unescaped(part.substr(std::min(equals + 1, part.size())));
+    const std::string_view known =
+        name == "points" || name == "boxes" ? "rows" : std::string_view(name);  // links of old
+    for (const PlaceKey& key : kPlaceKeys) {
+      if (key.in_address != known || text.empty()) continue;
+      const std::string wrong = read_text(read.place, key.in_file, text);
+      if (!wrong.empty())
+        read.problems.push_back("The address has " + name + ' ' + io::quoted(text) + ", which " + wrong + '.');
+    }
+  }
+  return read;
 }
 
 }  // namespace snug::lesson

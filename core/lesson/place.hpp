@@ -1,64 +1,150 @@
-// Where one is in a lesson, kept while its file is read anew: a teacher who saves a lesson stays at the step in view.
+// Where somebody stands in a lesson, as one value with one text: the page's address. What is kept, a link, a demo's
+// state and a picture's source are that text.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "io/point_file.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::lesson {
 
-class Place {
- public:
-  explicit Place(const Session& session);
+struct Place {
+  static constexpr int kLastStep = -1;
+  std::string lesson;                 // its id
+  std::string situation;              // empty: the question's, or the lesson's own
+  std::string algorithm;              // empty: the question's, or the lesson's first
+  std::optional<std::string> beside;  // "" for none; no value: the lesson's own
+  std::string scalar;                 // "float" or "double"; empty: the situation's own
+  std::optional<std::uint64_t> seed;
+  std::string from;  // "bunny", "clusters:200", "task:2"; empty: the situation's own points
+  std::vector<double> sliders;
+  std::vector<double> camera;  // as app::App::hand_view has it; empty: as the lesson has it
+  Rows rows, moved;            // all rows, which many have packed (packed_rows.hpp); some, each after its index
+  std::string file, draft;     // how the stage's text differs from the lesson's, and what was typed from that
+                               // (text_change.hpp)
+  std::optional<int> step;     // or kLastStep; not together with a question, which has its own
+  std::string question;        // its id; empty for none
+  bool answered = false;       // whether its model answer is given and its outcome shown, or else it is open
 
-  /// Takes the place in a session that was just opened, as far as the lesson still has it. Edits are kept in every
-  /// situation, unless the file now has something else there; the algorithm if it is still offered; the step, or the
-  /// last one if there are fewer, and the end stays the end. Answers are judged by what the file says now; those to
-  /// questions that are gone, or that cannot be answered so any more, are dropped. Does nothing for another lesson.
-  void take(Session& session) const;
+  /// Whether it names no more than a lesson.
+  [[nodiscard]] bool is_bare() const;
+  bool operator==(const Place&) const = default;
+};
+
+/// The keys of a place: their names in a demo's file and in an address, in the order in which both write them, so that
+/// both make the same code of a state.
+struct PlaceKey {
+  std::string_view in_file, in_address;
+  bool is_number = false;
+};
+inline constexpr std::array<PlaceKey, 17> kPlaceKeys{{{"lesson", "lesson"},
+                                                      {"step", "step", true},
+                                                      {"seed", "seed", true},
+                                                      {"situation", "situation"},
+                                                      {"algorithm", "a"},
+                                                      {"compare", "b"},
+                                                      {"scalar", "scalar"},
+                                                      {"from", "from"},
+                                                      {"sliders", "slide"},
+                                                      {"moved", "moved"},
+                                                      {"rows", "rows"},
+                                                      {"packed", "packed"},
+                                                      {"camera", "camera"},
+                                                      {"file", "file"},
+                                                      {"draft", "draft"},
+                                                      {"question", "question"},
+                                                      {"answered", "answered"}}};
+
+/// The keys that have a value, each with that value as an address has it.
+[[nodiscard]] std::vector<std::pair<const PlaceKey*, std::string>> texts_of(const Place& place);
+/// Reads the value of a key. Returns what is wrong with it, as the end of a sentence that begins with the key's name;
+/// empty for nothing.
+[[nodiscard]] std::string read_text(Place& place, std::string_view key_in_file, const std::string& text);
+
+/// An address writes up to this many rows as decimals, and packs more. In full precision they take about 4000
+/// characters, which every browser and server accepts.
+inline constexpr std::size_t kMostPlainRows = 64;
+/// "?lesson=ID&step=3&seed=7". Packed rows stand after a #, because servers refuse long addresses and are not sent that
+/// part.
+[[nodiscard]] std::string address_of(const Place& place);
+/// Whether an address has room for all of it. One that has not leaves out the rows.
+[[nodiscard]] bool fits_address(const Place& place);
+/// What an address says, with a sentence for each mistake in it, which is left out. Keys of others are passed over.
+struct PlaceRead {
+  Place place;
+  std::vector<std::string> problems;
+};
+[[nodiscard]] PlaceRead read_place(std::string_view address);
+
+/// Why a place cannot be shown, and which of its keys, by its name in a file, is at fault.
+struct PlaceFault {
+  std::string key;
+  InputError error;
+};
+using MeshOf = std::function<tl::expected<io::PointFile, InputError>(const std::string&)>;
+
+/// Brings a session of the place's lesson, just opened, to it part by part. A part may need a preparation (Session::
+/// preparing), which has to be done before the next.
+class WayTo {
+ public:
+  WayTo(Place place, MeshOf mesh) : place_(std::move(place)), mesh_(std::move(mesh)) {}
+  /// The mesh that is needed on it; empty for none.
+  [[nodiscard]] std::string mesh_needed(const Lesson& lesson) const;
+  [[nodiscard]] const Place& place() const { return place_; }
+  [[nodiscard]] bool done() const;
+  /// Goes the next part, and returns its key.
+  tl::expected<std::string_view, PlaceFault> go_on(Session& session);
 
  private:
-  struct Try {
-    std::string question;  // its id
-    Answer answer;
-  };
-  /// A situation's stage.
-  struct Stand {
-    int dim = 2;
-    Rows own, rows;               // of the lesson's own stage, and as it was edited; the latter empty if it was not
-    bool scattered = false;       // by another seed than the lesson's
-    bool recast = false;          // whether it is in another scalar than the lesson's own
-    std::vector<double> sliders;  // their values, if any has moved
-    Subject::Origin origin;       // of what is on the stage, and
-    std::string own_source;       // of the lesson's own
-    std::optional<io::PointFile> file;  // the points, if they come from a mesh or a file
-    std::optional<StageFile> text;      // from which the stage is made
-    [[nodiscard]] bool changed() const {
-      return !rows.empty() || scattered || !sliders.empty() || origin.source != own_source || recast;
-    }
-  };
-  [[nodiscard]] static Stand stand_of(const Session::Visited& visited, const Lesson& lesson);
-  void take_source(Session& session, const Stand& stand) const;
-  void take_stand(Session& session, const Stand& stand) const;
-  void take_stage(Session& session) const;
-  void take_methods(Session& session) const;
-  void take_answers(Session& session) const;
-  void take_step(Session& session) const;
-  void take_try(Session& session) const;
-
-  std::string lesson_;
-  std::vector<Stand> stands_;  // of the situations that were shown; that of the stage is the last
-  std::size_t task_;           // the one in hand, if the stage is a task's
-  std::string algorithm_;
-  std::optional<std::string> beside_;  // if it is not the lesson's own choice; "" for none
-  int step_ = 0;
-  bool at_end_ = false, previewing_ = false;
-  std::vector<Outcome> outcomes_;
-  std::string told_;          // the question whose outcome is shown
-  std::optional<Try> tried_;  // a wrong first answer
+  Place place_;
+  MeshOf mesh_;
+  std::size_t next_ = 0;
 };
+/// The whole way at once, up to the first fault.
+[[nodiscard]] tl::expected<void, PlaceFault> go_to(const Place& place, Session& session, const MeshOf& mesh);
+/// From what stands on the stage to the place's situation, algorithm, and step or question. Errors: the lesson has no
+/// such situation, algorithm or question; the run has no such step; the question does not come on what is on the stage.
+[[nodiscard]] Done go_in_run(const Place& place, Session& session);
+
+/// "clusters:200" in its parts. None if it is neither a name nor a name and a whole number from 1.
+struct SourceWords {
+  std::string_view name;
+  std::optional<int> number;
+};
+[[nodiscard]] std::optional<SourceWords> source_in(std::string_view from);
+
+/// How an address names what the stage was filled from, apart from the seed: "" for the situation's own,
+/// "clusters:200", "bunny", "task"; none if it cannot, as for the points of a file.
+[[nodiscard]] std::optional<std::string> source_words(const Session& session);
+
+/// Stages that an address can name, as they were before they were edited: of the lesson, a generator, a mesh, or the
+/// start of a task. A place is told from the one that is nearest.
+class NamedStages {
+ public:
+  /// Remembers what stands on a session's stage, if it comes from such a source.
+  void remember(const Session& session);
+  void forget() { known_.clear(); }
+  /// Without any, all rows of a stage that was edited are told.
+  [[nodiscard]] Place place_of(const Session& session) const;
+
+ private:
+  struct Known {
+    std::string from;
+    std::uint64_t seed;
+    Snapshot stage;
+  };
+  [[nodiscard]] static Rows rows_from(const Known& known, const Session& session);
+  std::vector<Known> known_;
+};
+
+/// Where a session stands, told from the stage that its source gives. Errors: those of opening the lesson's points.
+[[nodiscard]] tl::expected<Place, InputError> place_now(const Session& session, const MeshOf& mesh);
 
 }  // namespace snug::lesson

@@ -50,7 +50,7 @@ tl::expected<std::uint64_t, InputError> played_hash(const DemoFile& file, const 
   }
   auto session = open_lesson(lessons.at(state.lesson));
   if (!session) return tl::unexpected(session.error());
-  if (const auto taken = lesson::take_state(state, *session, mesh_named); !taken)
+  if (const auto taken = lesson::go_to(state, *session, mesh_named); !taken)
     return tl::unexpected(at_key(file, state, taken.error().key, taken.error().error));
   if (lesson::is_among(state.reveal, lesson::kRevealAnswer) && session->asked() == nullptr)
     return tl::unexpected(at_key(file, state, "reveal", {.what = "no question stands open at this step"}));

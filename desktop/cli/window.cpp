@@ -17,13 +17,20 @@ namespace {
 tl::expected<void, InputError> check_place(const LessonFile& file, const WindowOptions& options) {
   auto session = open_lesson(file);
   if (!session) return tl::unexpected(session.error());
-  if (options.seed) session->scatter(*options.seed);
-  if (options.points != nullptr)
-    if (const auto loaded = session->load(*options.points, options.points_file); !loaded) return loaded;
-  return lesson::stand_at(*session, options.at).map_error([&](InputError&& error) {
+  const auto in_file = [&](InputError error) {
     error.file = file.path;
-    return std::move(error);
-  });
+    return tl::unexpected(std::move(error));
+  };
+  lesson::Place at = options.at;
+  if (options.seed) at.seed = options.seed;
+  if (options.points == nullptr) {
+    const auto gone = lesson::go_to(at, *session, mesh_named);
+    return gone ? tl::expected<void, InputError>() : in_file(gone.error().error);
+  }
+  if (options.seed) session->scatter(*options.seed);
+  if (const auto loaded = session->load(*options.points, options.points_file); !loaded) return loaded;
+  const auto gone = lesson::go_in_run(at, *session);
+  return gone ? tl::expected<void, InputError>() : in_file(gone.error());
 }
 
 /// Lessons of one's own are opened as far as they can be read.
@@ -38,9 +45,25 @@ tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
 /// The lesson that shows a point file that no lesson was named for: all volumes around it, side by side.
 constexpr const char* kPointsLesson = "which-volume";
 
+/// Where a lesson is named by the page's address of a place in it: takes the place from there. Errors: what is wrong
+/// with the address; options that it leaves nothing to.
+tl::expected<void, InputError> take_address(WindowOptions& options) {
+  if (options.lesson.find('?') == std::string::npos) return {};
+  if (!options.at.is_bare() || options.seed)
+    return tl::unexpected(
+        InputError{.what = "the address says which step, seed and algorithm: leave those options out"});
+  lesson::PlaceRead read = lesson::read_place(options.lesson.substr(options.lesson.find('?')));
+  if (!read.problems.empty()) return tl::unexpected(InputError{.what = read.problems.front()});
+  if (read.place.lesson.empty()) return tl::unexpected(InputError{.what = "the address names no lesson"});
+  options.lesson = read.place.lesson;
+  options.at = std::move(read.place);
+  return {};
+}
+
 /// Reports what can be found wrong before there is a window, and then opens it. A program that only becomes the
 /// window's leaves that to it.
 CommandResult open_on(WindowOptions options, OpenWindow open_window) {
+  if (const auto taken = take_address(options); !taken) return bad_input(taken.error());
   if (!open_window.checks_first) return Printed{"", open_window(options)};
   if (!options.points_file.empty()) {
     auto points = read_point_file(options.points_file);  // once, for it may be standard input
@@ -54,7 +77,7 @@ CommandResult open_on(WindowOptions options, OpenWindow open_window) {
     if (!file) return bad_input(file.error());
     WindowOptions place = options;
     if (options.steps) place.at.step = (*options.steps)[1];
-    if (!place.at.empty())
+    if (!place.at.is_bare())
       if (const auto checked = check_place(*file, place); !checked) return bad_input(checked.error());
   }
   return Printed{"", open_window(options)};
@@ -119,7 +142,7 @@ CLI::Option* add_step(CLI::App& command, WindowOptions& options) {
   return command.add_option_function<std::string>(
       "--step",
       [&options, step](std::string text) {
-        if (text == "end") return static_cast<void>(options.at.step = lesson::Standpoint::kLastStep);
+        if (text == "end") return static_cast<void>(options.at.step = lesson::Place::kLastStep);
         if (const std::string wrong = step(text); !wrong.empty()) throw CLI::ValidationError("--step", wrong);
         options.at.step = std::stoi(text);
       },
@@ -220,7 +243,10 @@ void add_render(Commands& commands) {
         if (auto wrong = wrong_steps(chosen)) return bad_input(std::move(*wrong));
         return open_on(chosen, open_window);
       });
-  command.add_option("LESSON", options->lesson, "The lesson's id, or its file, which ends in .toml")->required();
+  command
+      .add_option("LESSON", options->lesson,
+                  "The lesson's id, or its file, which ends in .toml; or the page's address of a place in it")
+      ->required();
   add_common(command, *options);
   command.add_flag("--stage", options->stage_alone, "The stage alone, without panels, buttons and sentence");
   CLI::Option* const transparent =

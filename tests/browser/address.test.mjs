@@ -108,7 +108,7 @@ test("an unknown lesson gets the list of those that there are", async (t) => {
 });
 
 const kWrong = [
-  ["step=abc", "step “abc”"],
+  ["step=abc", 'step "abc"'],
   ["step=99999", "step 99999"],
   ["points=1,2;3", "Part of the address"],
   ["a=nonsense", "Part of the address"],

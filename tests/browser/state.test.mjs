@@ -43,12 +43,12 @@ test("the state of every kind of lesson has the keys that its table lists, and n
     const now = await state(page);
     same(now, kState, id);
     assert.equal(Boolean(now.cover), covered.includes(id), id);
-    const [lesson, shared, words] = await page.evaluate(() => {
+    const [lesson, words] = await page.evaluate(() => {
       const { door } = window;
-      return [door.lesson(), door.shared_rows(), door.words()];
+      return [door.lesson(), door.words()];
     });
     given.push({ type: "PageState", value: now }, { type: "Lesson", value: lesson });
-    given.push({ type: "SharedRows", value: shared }, { type: "SharedWords", value: words });
+    given.push({ type: "SharedWords", value: words });
   }
   assert.equal(misfits(given), "");
 });

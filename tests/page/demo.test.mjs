@@ -1,34 +1,9 @@
-// A state as it is recorded on the page, what the notes say comes next, and a picture that is cut out. How the page
-// plays a demo is tested in tests/browser/demo.test.mjs.
+// What the notes say comes next, and a picture that is cut out. How the page plays a demo is tested in
+// tests/browser/demo.test.mjs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { next_text, state_text } from "../../web/page/demo_text.js";
+import { next_text } from "../../web/page/demo_text.js";
 import { cut_out } from "../../web/page/picture_bytes.js";
-
-// demo_keys.json
-/** @type {any} */
-const kKeys = [["lesson", "lesson", false], ["step", "step", true], ["seed", "seed", true],
-  ["situation", "situation", false], ["algorithm", "a", false], ["compare", "b", false], ["scalar", "scalar", false],
-  ["from", "from", false], ["sliders", "slide", false], ["moved", "moved", false], ["rows", "rows", false],
-  ["packed", "packed", false], ["camera", "camera", false]];
-
-test("what stands on the page is recorded in the words of a demo's file", () => {
-  const address = "?lesson=sphere-ritter&step=3&seed=7&a=aabb_center&b=none&from=clusters:200&slide=0.5,2&moved=0,1,-2";
-  assert.equal(state_text(kKeys, address, 'A "title"', "0123456789abcdef"), `[[state]]
-hash = "0123456789abcdef"
-slide = "A \\"title\\""
-lesson = "sphere-ritter"
-step = 3
-seed = 7
-algorithm = "aabb_center"
-compare = "none"
-from = "clusters:200"
-sliders = "0.5,2"
-moved = "0,1,-2"
-shows = ["caption", "numbers", "code"]
-notes = "What you say."
-`);
-});
 
 test("the notes say what is left to reveal, and what the next state is about", () => {
   /** @type {any} */

@@ -2,7 +2,8 @@
 // has no checks.
 // usage: read FILE.toml...                       prints the tables of each: {FILE: {tables} or {mistake}}
 //        check LESSON.toml MESHES LESSONS IDEAS  prints what is wrong with it: {heading, lines: [{text, warning}]}
-//        keys                                    prints [name in a demo's file, name in an address, is a number], ...
+//        demos FILE.toml...                      prints the demo of each: {FILE: {id, title, lecture, states} or
+//        {mistake}}
 // MESHES: a folder. LESSONS, IDEAS: the ids of those beside it, with commas between.
 #include <cstdio>
 #include <memory>
@@ -15,8 +16,9 @@
 #include "check/check_beside.hpp"
 #include "check/check_lesson.hpp"
 #include "check/draft_text.hpp"
-#include "lesson/demo_now.hpp"
+#include "lesson/demo.hpp"
 #include "lesson/toml_file.hpp"
+#include "number/fnv.hpp"
 
 namespace {
 
@@ -90,17 +92,33 @@ Json wrong_with(const std::string& path, const std::string& meshes, const check:
   return {{"heading", says.heading}, {"lines", std::move(lines)}};
 }
 
+Json demo_of(const std::string& path) {
+  const auto text = bytes_of(path);
+  if (!text) return {{"mistake", path + ": cannot be opened"}};
+  const lesson::DemoDraft draft = lesson::read_demo(*text, path);
+  if (!draft.mistakes.empty()) return {{"mistake", draft.mistakes.front().error().message()}};
+  Json states = Json::array();
+  for (const lesson::DemoState& state : draft.demo.states)
+    states.push_back({{"address", lesson::address_of(state)},
+                      {"shows", state.shows},
+                      {"reveal", state.reveal},
+                      {"slide", state.slide},
+                      {"notes", state.notes},
+                      {"hash", state.hash ? hex_of(*state.hash) : ""}});
+  return {{"id", draft.demo.id},
+          {"title", draft.demo.title},
+          {"lecture", draft.demo.lecture},
+          {"states", std::move(states)}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   Json answer = Json::object();
-  if (words.size() == 1 && words[0] == "keys") {
-    answer = Json::array();
-    for (const lesson::PlaceKey& key : lesson::kPlaceKeys)
-      answer.push_back(Json::array({std::string(key.in_file), std::string(key.in_address), key.is_number}));
-  } else if (words.size() > 1 && words[0] == "read")
-    for (std::size_t i = 1; i < words.size(); ++i) answer[words[i]] = tables_of(words[i]);
+  if (words.size() > 1 && (words[0] == "read" || words[0] == "demos"))
+    for (std::size_t i = 1; i < words.size(); ++i)
+      answer[words[i]] = words[0] == "read" ? tables_of(words[i]) : demo_of(words[i]);
   else if (words.size() == 5 && words[0] == "check")
     answer = wrong_with(words[1], words[2], {parts_of(words[3]), parts_of(words[4])});
   else return 2;

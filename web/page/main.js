@@ -1,5 +1,5 @@
 // The page: loads the program and a lesson, shows the lesson's state, and keeps the address up to date.
-import { exercise_link, has_all, here, read_address, write_address } from "./address.js";
+import { exercise_link, here, read_address, terms_of, with_pair } from "./address.js";
 import { Code } from "./code.js";
 import { by_id, element, followed_here, make_anew, save_file, set_text, when_changed } from "./dom.js";
 import { open_door, warm_up } from "./door.js";
@@ -31,7 +31,6 @@ import { SituationTools } from "./situations.js";
 import { Stage } from "./stage.js";
 import { Stored } from "./stored.js";
 import { Tabs } from "./tabs.js";
-import { changed } from "./text_change.js";
 import { Words } from "./words.js";
 /** @import { Demo } from "./demo.js"
  *  @import { Preview } from "./preview.js"
@@ -329,8 +328,9 @@ export class Page {
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#wanted = null;
     this.#show_lesson();
-    const back = kept && (is_bare(asked) || [kept.address, window.snug.opens].includes(here()));
-    const whole = await this.#restore(back ? { ...read_address(kept.address), problems: asked.problems } : asked, turn);
+    const bare = !asked.mark && this.#door.read_place(asked.place).bare;
+    const back = kept && (bare || [kept.address, window.snug.opens].includes(here()));
+    const whole = await this.#restore(back ? kept.address : asked.place, asked.problems, turn);
     if (turn !== this.#opens) return;
     if (back && whole) this.#resume(kept);
     this.#playground.arrived();
@@ -473,40 +473,25 @@ export class Page {
     );
   }
 
-  /** Restores what the address says, as far as possible. Returns whether nothing of it was cancelled.
-   *  @param {Address} asked @param {number} turn */
-  async #restore(asked, turn) {
+  /** Goes to the place that the address names, as far as possible. Returns whether nothing of it was cancelled.
+   *  @param {string} address @param {string[]} problems @param {number} turn */
+  async #restore(address, problems, turn) {
     const door = this.#door;
-    const { seed } = this.#lesson;
-    const parts = [
-      () => (asked.situation ? door.show_situation(asked.situation) : ""),
-      () => (asked.seed !== null && asked.seed !== seed ? (door.scatter(asked.seed), "") : ""),
-      () => (asked.from ? this.#restore_source(asked.from, asked.seed ?? seed) : ""),
-      () => (asked.scalar ? door.set_float(asked.scalar === "float") : ""),
-      () => (asked.slide ? door.set_sliders(asked.slide) : ""),
-      () => (asked.rows ? door.set_rows(asked.rows) : ""),
-      () => (asked.packed ? door.take_packed(asked.packed) : ""),
-      () => (asked.moved ? door.change_rows(asked.moved) : ""),
-      () => (asked.file ? this.#restore_file(asked.file, "own") : ""),
-      () => (asked.draft ? this.#restore_file(asked.draft, "runs") : ""),
-      () => (asked.a ? door.choose(0, asked.a) : ""),
-      () => (asked.b ? door.choose(1, asked.b === "none" ? "" : asked.b) : ""),
-    ];
-    for (const part of parts) {
-      const refused = (await part()) || (await this.#finish());
+    const { mistakes, step, mesh } = door.read_place(address);
+    problems.push(...mistakes);
+    // If it cannot be loaded, the way says so.
+    if (mesh) await this.#mesh(mesh).then((bytes) => door.lend_mesh(bytes), () => {});
+    for (;;) {
+      const { done, refused } = door.go_along();
+      if (done) break;
+      const why = refused || (await this.#finish());
       if (turn !== this.#opens) return false;
-      if (refused === kCancelled) return asked.problems.push("Cancelled: the lesson has its own points."), false;
-      if (refused) asked.problems.push(`Part of the address cannot be used: ${refused}.`);
+      if (why === kCancelled) return problems.push("Cancelled: the lesson has its own points."), false;
+      if (why) problems.push(`Part of the address cannot be used: ${why}.`);
     }
-    if (asked.step !== null) {
-      const { steps } = this.#now();
-      if (asked.step > steps && asked.step !== Infinity)
-        asked.problems.push(`The address asks for ${this.#lesson.stepWord} ${asked.step}; there are only ${steps}.`);
-      door.jump(Math.min(asked.step, steps));
-      const { cover } = this.#now();
-      if (asked.step > 0 && cover?.shown) door.command(cover.button.command); // a step is of the stage
-    }
-    if (asked.camera) door.look_from(asked.camera);
+    const { steps, cover } = this.#now();
+    if (step !== null && step > steps) door.jump(steps);
+    if (step && cover?.shown) door.command(cover.button.command); // a step is of the stage
     return true;
   }
 
@@ -519,37 +504,6 @@ export class Page {
     if (tried.handle === null) tried.choices.forEach((choice) => this.#door.pick_choice(choice));
     else this.#door.pick_name(tried.handle);
     this.#door.command("commit_answer");
-  }
-
-  /** of: which text of the file has changed.
-   *  @param {string} change @param {"own" | "runs"} of @returns {Refusal} */
-  #restore_file(change, of) {
-    const { file } = this.#now();
-    const text = file && changed(file[of], change);
-    if (text === null) return "it changes a file that this lesson does not have";
-    const error = this.#door.set_file(text);
-    if (!error) this.#door.end_typing();
-    return error;
-  }
-
-  /** number: counted from 1.
-   *  @param {number} number @returns {Refusal} */
-  #restore_task(number) {
-    if (number > this.#lesson.tasks.length) return `this lesson has no task ${number}`;
-    this.#door.start_task(number - 1);
-    return "";
-  }
-
-  /** @param {string} from @param {number} seed @returns {Promise<Refusal>} */
-  async #restore_source(from, seed) {
-    const [name, count] = from.split(":");
-    if (name === "task") return this.#restore_task(Number(count ?? 1));
-    if (count) return this.#door.set_generator(name, Number(count), seed);
-    if (!this.#lesson.meshes.includes(name)) return `this lesson has no points “${name}”`;
-    return this.#mesh(name).then(
-      (bytes) => this.#door.load_file(bytes, name),
-      () => `the mesh “${name}” could not be loaded`,
-    );
   }
 
   // ---- what is shown ------------------------------------------------------------------------------------------
@@ -596,7 +550,8 @@ export class Page {
 
   #address() {
     // The step of an exercise is where its decisions have led.
-    return this.#demo?.address ?? write_address(this.#view, this.#lesson, this.#door.shared_rows(), this.#embed);
+    const address = this.#demo?.address ?? this.#place();
+    return this.#embed && !this.#demo ? with_pair(address, "embed=1") : address;
   }
 
   #write_address() {
@@ -647,13 +602,13 @@ export class Page {
   async #record() {
     if (this.#opening || this.#view.exercise) return;
     const { record } = await import("./demo_record.js");
-    record(this.#view, this.#lesson, this.#door);
+    record(this.#door);
   }
 
   async #share() {
     this.#write_address();
     const { exercise } = this.#view;
-    const whole = exercise !== null || has_all(this.#door.shared_rows());
+    const whole = exercise !== null || this.#door.place(false).whole;
     const { framed, show_share } = await import("./share.js");
     show_share({
       title: this.#lesson.title,
@@ -668,17 +623,16 @@ export class Page {
   }
 
   /** The address of what stands here, which is no demo's. */
-  #place(/** @type {SharedRows} */ rows = this.#door.shared_rows()) {
-    return write_address(this.#view, this.#lesson, rows, false);
+  #place() {
+    const { exercise } = this.#view;
+    return exercise ? exercise_link(this.#lesson.id, terms_of(exercise)) : this.#door.place(false).address;
   }
 
   /** What stands here as a code to scan. */
   async #show_code() {
     if (this.#opening || !this.#view || this.#view.exercise) return;
     const { show_code } = await import("./qr.js");
-    const shared = this.#door.shared_rows();
-    const bare = { slide: shared.slide, how: shared.how, camera: shared.camera };
-    await show_code(this.#place(shared), this.#place(bare), this.#door.trace() ?? "");
+    await show_code(this.#place(), this.#door.place(true).address, this.#door.trace() ?? "");
   }
 
   async #pictures() {
@@ -753,10 +707,6 @@ export class Page {
     return this.#stage.times;
   }
 }
-
-/** Whether an address names a lesson but no place in it. */
-const is_bare = (/** @type {Address} */ { lesson, embed, problems, step, seed, ...place }) =>
-  step === null && seed === null && !Object.values(place).some(Boolean);
 
 /** Shows the course or, if the address names a lesson, the page with the program. */
 class Site {

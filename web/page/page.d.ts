@@ -179,8 +179,6 @@ interface DemoState {
   notes: string;
   hash: string;
 }
-/** demo_keys.json: in a file, in an address, whether it is a number. */
-type DemoKeys = [string, string, boolean][];
 type DemoEntry = { id: string; title: string; states: number };
 type DemoFile = { id: string; title: string; lecture: string; states: DemoState[] };
 

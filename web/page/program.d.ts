@@ -308,11 +308,6 @@ type SharedWords = Record<
   string
 >;
 
-// ---- web/shared_rows.cpp -------------------------------------------------------------------------------------
-
-type Rows = number[][];
-type SharedRows = { slide?: number[]; how?: string; moved?: Rows; rows?: Rows; packed?: string; camera?: number[] };
-
 // ---- web/main.cpp: what it binds, in its order; web/deeds.hpp and web/canvas.hpp say what each does ----------
 
 /** A sentence that says why something could not be done; "" if it was done. */
@@ -361,17 +356,16 @@ interface Door {
   select_point(point: number): void;
   move_point(point: number, x: number, y: number, z: number): Refusal;
   set_numbers(group: number, row: number, values: number[]): Refusal;
-  set_rows(rows: Rows): Refusal;
-  take_packed(packed: string): Refusal;
   set_file(text: string): Refusal;
   end_typing(): void;
-  change_rows(moved: Rows): Refusal;
-  shared_rows(): SharedRows;
-  look_from(view: number[]): void;
+  place(bare: boolean): { address: string; whole: boolean };
+  demo_state(): string;
+  read_place(address: string): { mistakes: string[]; bare: boolean; step: number | null; mesh: string };
+  lend_mesh(bytes: Bytes): Refusal;
+  go_along(): { done: boolean; refused: Refusal };
   show_situation(name: string): Refusal;
   hold_slider(held: boolean): Refusal;
   slide(slider: number, place: number): Refusal;
-  set_sliders(values: number[]): Refusal;
   scatter(seed: number): void;
   preparing(): Preparing | null;
   go_on(milliseconds: number): Refusal;

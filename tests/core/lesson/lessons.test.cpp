@@ -7,8 +7,8 @@
 #include "core/lesson/lesson_files.hpp"
 #include "core/lesson/small_lesson.hpp"
 #include "geometry/generate.hpp"
-#include "lesson/place.hpp"
 #include "lesson/prose.hpp"
+#include "lesson/reopening.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/cloud.hpp"
 
@@ -219,7 +219,7 @@ TEST_CASE("whatever the stage is about, a lesson that reads as before stands as 
     before.first();
     REQUIRE(before.move(1, before.point(1) + Point3(0.01, 0.02, before.dim() == 3 ? 0.03 : 0)));
     before.jump(before.steps() / 2);
-    const Place place(before);
+    const Reopening place(before);
     Session now = session_of(id);
     place.take(now);
     CHECK(now.subject().rows() == before.subject().rows());

@@ -1,195 +1,197 @@
+// Where somebody stands: as an address, and how a session is led there and back.
 #include "lesson/place.hpp"
 
-#include "check/check_lesson.hpp"
 #include "core/lesson/small_lesson.hpp"
-#include "lesson/prose.hpp"
+#include "lesson/demo.hpp"
+#include "lesson/packed_rows.hpp"
 #include "lesson/subjects.hpp"
+#include "lesson/text_change.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
-using snug::test::choice;
-using snug::test::kSmallLesson;
-using snug::test::open;
 using snug::test::open_small;
-using snug::test::point;
-using snug::test::small_lesson_with;
 
 namespace {
 
-/// The lesson as it reads now, at the place of an earlier session.
-Session reread(const std::string& text, const Session& before) {
-  const Place place(before);
-  Session now = open(text);
-  place.take(now);
-  return now;
+const MeshOf kNoMesh = [](const std::string& name) -> tl::expected<io::PointFile, InputError> {
+  return tl::unexpected(InputError{.what = "no mesh " + name});
+};
+
+/// Whether a session that the place's own address leads to stands where this one does, and one that a demo's file leads
+/// to as well.
+void check_leads_back(const Session& stands) {
+  const auto place = place_now(stands, kNoMesh);
+  REQUIRE(place);
+  const PlaceRead by_address = read_place(address_of(*place));
+  CHECK(by_address.problems.empty());
+  const DemoDraft draft =
+      read_demo("version = 1\ntitle = \"T\"\nlecture = \"L\"\n" + state_text(*place, "A title", 0x12), "d.toml");
+  REQUIRE(draft.mistakes.empty());
+  const Place& by_file = draft.demo.states.front();
+  for (const Place& led_by : {by_address.place, by_file}) {
+    CHECK(led_by == *place);
+    Session led = open_small();
+    REQUIRE(go_to(led_by, led, kNoMesh));
+    CHECK(led.trace_hash() == stands.trace_hash());
+    CHECK(led.step() == stands.step());
+    CHECK(led.subject().rows() == stands.subject().rows());
+  }
 }
 
-std::string algorithm_of(const Session& session) { return name_in(session.lesson(), *session.method(0)); }
+std::string refusal(const Place& at) {
+  Session session = open_small();
+  const auto gone = go_in_run(at, session);
+  return gone ? "" : gone.error().what;
+}
 
 }  // namespace
 
-TEST_CASE("a lesson that is read anew stays at its algorithm and step, and the end stays the end") {
-  const std::string other_words = small_lesson_with("Another paragraph.", "Other words.");
-  Session before = open_small();
-  REQUIRE(before.choose(0, "welzl"));
-  REQUIRE(before.choose(1, "ritter"));
-  before.jump(4);
-  const Session now = reread(other_words, before);
-  CHECK(now.step() == 4);
-  CHECK(algorithm_of(now) == "welzl");
-  CHECK(now.method(1) == find_method(now.lesson(), "ritter"));
-  CHECK(plain_text(*paragraphs_of(now.lesson().sections[0]).at(1)) == "Other words.");
-  before.jump(before.steps());
-  const std::string more = small_lesson_with("[0.5, 0.2]]", "[0.5, 0.2], [0.1, 0.1], [0.3, 0.2]]");
-  const Session longer = reread(more, before);
-  CHECK(longer.size() == 8);
-  CHECK(longer.step() == longer.steps());
+TEST_CASE("a step is one of the algorithm that is named") {
+  Session session = open_small();
+  REQUIRE(go_in_run({.algorithm = "welzl", .step = 3}, session));
+  CHECK(session.step() == 3);
+  CHECK(name_in(session.lesson(), *session.method(0)) == "welzl");
+  REQUIRE(go_in_run({.step = Place::kLastStep}, session));
+  CHECK(session.step() == session.steps());
+  CHECK(refusal({.algorithm = "wezl"}) ==
+        "the lesson's algorithm is none of ritter, welzl or brute_force: wezl; did you mean welzl?");
+  CHECK(refusal({.step = 12}) == "there is no step 12: ritter has 11");
 }
 
-TEST_CASE("an algorithm that the lesson no longer offers gives way to its first") {
-  Session before = open_small();
-  REQUIRE(before.choose(0, "welzl"));
-  const Session now = reread(small_lesson_with("\"welzl\", \"brute_force\"", "\"brute_force\""), before);
-  CHECK(algorithm_of(now) == "ritter");
+TEST_CASE("a question stands open where it is asked, or with the outcome of its model answer") {
+  for (const char* const id : {"pair", "growth", "again", "number"}) {
+    CAPTURE(id);
+    Session session = open_small();
+    REQUIRE(go_in_run({.question = id}, session));
+    REQUIRE(session.asked() != nullptr);
+    CHECK(session.asked()->question->id == id);
+    REQUIRE(go_in_run({.question = id, .answered = true}, session));
+    REQUIRE(session.outcome() != nullptr);
+    CHECK(session.outcome()->question == id);
+    CHECK(session.outcome()->right);
+  }
 }
 
-TEST_CASE("edits are kept, unless the file has something else on the stage") {
-  Session before = open_small();
-  REQUIRE(before.move(0, {-3, 0.5, 0}));
-  const Session kept = reread(small_lesson_with("title = \"Small\"", "title = \"Little\""), before);
-  CHECK(kept.lesson().title == "Little");
-  CHECK(kept.point(0).x() == -3);
-  CHECK(kept.edited());
-  const Session replaced = reread(small_lesson_with("[0, 2.5], [0.5", "[0, 3], [0.5"), before);
-  CHECK(replaced.point(0).x() == -2);
-  CHECK(replaced.point(4).y() == 3);
-  CHECK_FALSE(replaced.edited());
+TEST_CASE("a question that cannot stand is refused with the reason") {
+  CHECK(refusal({.question = "gowth"}) ==
+        "the question is none of pair, growth, again or number: gowth; did you mean growth?");
+  CHECK(refusal({.algorithm = "welzl", .question = "growth"}) ==
+        "the question growth is about ritter, not about welzl");
+  Session scattered = open_small();
+  scattered.scatter(6);
+  const auto gone = go_in_run({.question = "number"}, scattered);  // asked on the lesson's own points alone
+  REQUIRE_FALSE(gone);
+  CHECK(gone.error().what == "the question number does not come on what is on the stage");
 }
 
-TEST_CASE("what was moved in situations that are away is kept, and one that is gone is left out") {
-  const std::string square = R"(
-[[situation]]
-name = "square"
-title = "A square"
-[situation.points]
-list = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
-)";
-  const std::string text = std::string(kSmallLesson) + square;
-  const auto with = [&](std::string_view from, std::string_view to) {
-    std::string other = text;
-    return other.replace(other.find(from), from.size(), to);
-  };
-  Session before = open(text);
-  REQUIRE(before.move(0, {-3, 0.5, 0}));
-  REQUIRE(before.set_float(true));
-  REQUIRE(before.show_situation("square"));
-  REQUIRE(before.move(2, {2, 2, 0}));
-  Session now = reread(with("title = \"Small\"", "title = \"Little\""), before);
-  CHECK(now.lesson().title == "Little");
-  CHECK(now.situation() == "square");
-  CHECK(now.point(2).x() == 2);
-  REQUIRE(now.show_situation("own"));
-  CHECK(now.point(0).x() == -3);
-  CHECK(now.subject().in_float());
-  Session moved = reread(with("[0, 2.5], [0.5", "[0, 3], [0.5"), before);  // the file has other points in the first
-  CHECK(moved.point(2).x() == 2);
-  REQUIRE(moved.show_situation("own"));
-  CHECK(moved.point(0).x() == -2);
-  REQUIRE(before.show_situation("own"));
-  const Session alone = reread(std::string(kSmallLesson), before);
-  CHECK(alone.situation() == "own");
-  CHECK(alone.point(0).x() == -3);
+TEST_CASE("where a session stands is a place that leads back there: steps, methods, and whatever was edited") {
+  Session session = open_small();
+  check_leads_back(session);
+  session.jump(4);
+  REQUIRE(session.choose(0, "welzl"));
+  REQUIRE(session.choose(1, "ritter"));
+  check_leads_back(session);
+  REQUIRE(session.move(2, {0.1, 1.0 / 3, 0}));
+  check_leads_back(session);
+  CHECK(place_now(session, kNoMesh)->moved.size() == 1);
+  REQUIRE(session.add({1, 1, 0}));
+  check_leads_back(session);
+  CHECK(place_now(session, kNoMesh)->rows.size() == 7);
+  REQUIRE(session.set_generator("gaussian", 200, 2, 9));
+  check_leads_back(session);
+  REQUIRE(session.move(150, {3, 3, 0}));
+  check_leads_back(session);
 }
 
-TEST_CASE("points of another seed, of a generator and of a file are kept") {
-  const std::string other_words = small_lesson_with("Another paragraph.", "Other words.");
-  Session before = open_small();
-  before.scatter(17);
-  CHECK(reread(other_words, before).subject().rows() == before.subject().rows());
-  REQUIRE(before.set_generator("cube", 9, 2, 3));
-  const Session generated = reread(other_words, before);
-  CHECK(generated.source() == "cube");
-  CHECK(generated.subject().rows() == before.subject().rows());
-  REQUIRE(before.load({2, {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {}}, "mine.xyz"));
-  const Session loaded = reread(other_words, before);
-  CHECK(loaded.source() == "mine.xyz");
-  CHECK(loaded.subject().rows() == before.subject().rows());
-  before.start_task();
-  REQUIRE(before.move(1, {5, 0, 0}));
-  const Session task = reread(other_words, before);
-  CHECK(task.source() == "task");
-  CHECK(task.subject().rows() == before.subject().rows());
-  CHECK(task.grade()->done == before.grade()->done);
+TEST_CASE("800 points of one's own survive in an address, after a # that no server is told") {
+  Session session = open_small();
+  REQUIRE(session.set_generator("cube", 800, 2, 3));
+  Rows rows = session.subject().rows();
+  for (std::vector<double>& row : rows) row[0] *= 1.0 / 3;
+  REQUIRE(session.set_rows(rows));
+  check_leads_back(session);
+  const std::string address = address_of(*place_now(session, kNoMesh));
+  const std::size_t at = address.find("#packed=");
+  REQUIRE(at != std::string::npos);
+  CHECK(at < 200);
+  CHECK(address.size() < 20'000);
+  CHECK(unpacked_rows(std::string_view(address).substr(at + 8)) == rows);
 }
 
-TEST_CASE("answers are judged by what the file says now") {
-  Session before = open_small();
-  before.jump(10);
-  REQUIRE(before.asked() != nullptr);
-  REQUIRE(before.asked()->question->id == "number");
-  REQUIRE(before.answer(choice(0)));
-  REQUIRE_FALSE(before.outcome()->right);
-  const Session mended = reread(small_lesson_with("answer = \"three\"", "answer = \"one\""), before);
-  REQUIRE(mended.outcome() != nullptr);  // it is told on
-  CHECK(mended.outcome()->right);
-  const Session gone = reread(small_lesson_with("id = \"number\"", "id = \"count\""), before);
-  for (const Outcome& outcome : gone.outcomes()) CHECK(outcome.question != "number");
-  const Session other =
-      reread(small_lesson_with("asks = \"choice\"\nprompt = \"How many passes?\"\nchoices = [\"one\", "
-                               "\"three\"]\nanswer = \"three\"\nholds = \"here\"\nwrong = { one = \"That one finds the "
-                               "extremes.\" }",
-                               "asks = \"point\"\nprompt = \"Which?\""),
-             before);
-  for (const Outcome& outcome : other.outcomes()) CHECK((outcome.question != "number" || outcome.passed));
+TEST_CASE("a place names its situation, unless it is the lesson's own") {
+  const std::string text = test::small_lesson_with("seed = 5", "seed = 5\nsituation_title = \"Six points\"") +
+                           "[[situation]]\nname = \"three\"\ntitle = \"Three\"\n"
+                           "[situation.points]\ndim = 2\nlist = [[0, 0], [1, 0], [0, 1]]\n";
+  Session session = test::open(text);
+  CHECK(place_now(session, kNoMesh)->situation.empty());
+  REQUIRE(session.show_situation("three"));
+  const auto place = place_now(session, kNoMesh);
+  CHECK(place->situation == "three");
+  CHECK(place->rows.empty());
 }
 
-TEST_CASE("a question that waits for its second try still waits for it") {
-  Session before = open_small();
-  before.jump(2);
-  REQUIRE(before.asked() != nullptr);
-  REQUIRE(before.asked()->question->id == "growth");
-  REQUIRE(before.pick(point(5)));
-  REQUIRE(before.commit());
-  REQUIRE(before.tried() != nullptr);
-  const Session now = reread(std::string(kSmallLesson), before);
-  REQUIRE(now.tried() != nullptr);
-  CHECK(now.tried()->value == 5);
+TEST_CASE("of a wrong address the mistake is left out and told") {
+  const std::pair<const char*, const char*> wrong[] = {{"step=abc", "step \"abc\", which must be a whole number"},
+                                                       {"seed=-4", "seed \"-4\", which must be a whole number"},
+                                                       {"step=9007199254740993", "which must be a whole number"},
+                                                       {"rows=1,2;x,4", "which must be rows of numbers"},
+                                                       {"moved=1,,2", "which must be rows of numbers"},
+                                                       {"slide=1;2", "which must be numbers"},
+                                                       {"camera=1,2", "which must be \"height,x,y\" in the plane"},
+                                                       {"from=%3Cb%3E", "which must be a name"},
+                                                       {"from=cube:0", "which must be a name"},
+                                                       {"packed=?", "which is not as an address has it"},
+                                                       {"scalar=half", "which must be float or double"}};
+  for (const auto& [query, says] : wrong) {
+    CAPTURE(query);
+    const PlaceRead read = read_place("?lesson=a&" + std::string(query));
+    REQUIRE(read.problems.size() == 1);
+    CHECK(read.problems.front().find(says) != std::string::npos);
+    CHECK(read.place == Place{.lesson = "a"});
+  }
 }
 
-TEST_CASE("an answer of several points and a number wait for their second try as well") {
-  const auto with_own = [](std::string keys) {
-    keys = "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[task]]";
-    std::string text = small_lesson_with("[[task]]", keys);
-    const auto growth = text.find("[[question]]\nid = \"growth\"");
-    return text.erase(growth, text.find("[[question]]\nid = \"again\"") - growth);
-  };
-  const auto tried_again = [](const std::string& text, const char* algorithm, int step, const auto& give) {
-    Session before = open(text);
-    REQUIRE(before.choose(0, algorithm));
-    before.jump(step < 0 ? before.steps() - 1 : step);
-    REQUIRE(before.asked() != nullptr);
-    give(before);
-    REQUIRE(before.commit());
-    REQUIRE(before.tried() != nullptr);
-    const Session now = reread(text, before);
-    REQUIRE(now.tried() != nullptr);
-    CHECK(*now.tried() == *before.tried());
-  };
-  tried_again(with_own("algorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"points\"\n"), "welzl", -1,
-              [](Session& session) { REQUIRE((session.pick(point(1)) && session.pick(point(2)))); });
-  tried_again(with_own("algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = "
-                       "\"radius\"\ntolerance = 0.01\n"),
-              "ritter", 7, [](Session& session) { REQUIRE(session.pick("3.25")); });
+TEST_CASE("what is no place's is passed over, and links of old are read") {
+  CHECK(read_place("").place.is_bare());
+  CHECK(read_place("?lesson=a&embed=1&mark=ABCD").place.is_bare());
+  CHECK_FALSE(read_place("?lesson=a&step=0").place.is_bare());
+  for (const char* const name : {"rows", "points", "boxes"})
+    CHECK(read_place("?" + std::string(name) + "=0,0;4.125,-1e-3").place.rows == Rows{{0, 0}, {4.125, -0.001}});
+  CHECK(read_place("?lesson=a%20lesson&situation=b+c").place.situation == "b c");
+  CHECK(read_place("?step=end").place.step == Place::kLastStep);
+  CHECK(address_of({.lesson = "a", .step = Place::kLastStep}) == "?lesson=a&step=end");
 }
 
-TEST_CASE("another lesson begins where it begins") {
-  Session before = open_small();
-  before.jump(4);
-  const Place place(before);
-  auto other = check::checked_lesson(kSmallLesson, "other.toml");
-  REQUIRE(other.has_value());
-  auto now = Session::open(*std::move(other));
-  REQUIRE(now.has_value());
-  place.take(*now);
-  CHECK(now->step() == 0);
+TEST_CASE("texts of any letters survive in an address") {
+  const Place place{.lesson = "a&b", .situation = "drei Würfel + 1 #2", .file = "3-0-x = 1 & \"ö\"\n"};
+  CHECK(read_place(address_of(place)).place == place);
+}
+
+TEST_CASE("a part of the way that is refused is told by its key, and the others are gone") {
+  Session session = open_small();
+  WayTo way({.from = "bunny", .algorithm = "wezl", .step = 4}, kNoMesh);
+  std::vector<std::string> faults;
+  while (!way.done())
+    if (const auto gone = way.go_on(session); !gone) faults.push_back(gone.error().key);
+  CHECK(faults == std::vector<std::string>{"from", "algorithm"});
+  CHECK(session.step() == 4);
+}
+
+TEST_CASE("rows that no address has room for are left out, and that is known") {
+  Place place{.lesson = "a"};
+  place.rows.assign(6001, {0.5});
+  CHECK_FALSE(fits_address(place));
+  CHECK(address_of(place) == "?lesson=a");
+  place.rows.resize(6000);
+  CHECK(fits_address(place));
+}
+
+TEST_CASE("a change of a text leads from one to the other; of another text it is refused") {
+  const std::pair<const char*, const char*> texts[] = {
+      {"", "abc"}, {"abc", ""}, {"aaa", "aa"}, {"abcabc", "abcXabc"}, {"ä\nb", "ä\nc"}, {"aä", "aö"}, {"x😀y", "x😁y"}};
+  for (const auto& [from, to] : texts) CHECK(changed(from, change_of(from, to)) == to);
+  CHECK(change_of("same", "same").empty());
+  CHECK(change_of("ä😀x", "ä😀y") == "3-1-y");  // as scripts count letters
+  CHECK_FALSE(changed("short", "4-3-x"));
+  for (const char* const wrong : {"", "x", "1-2", "-1-2-x"}) CHECK_FALSE(changed("text", wrong));
 }

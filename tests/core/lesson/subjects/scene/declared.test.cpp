@@ -5,7 +5,7 @@
 
 #include "check/check_lesson.hpp"
 #include "lesson/lesson.hpp"
-#include "lesson/place.hpp"
+#include "lesson/reopening.hpp"
 #include "lesson/subjects/scene/declared_effects.hpp"
 #include "lesson/subjects/scene/effect_words.hpp"
 #include "lesson/subjects/scene/scene.hpp"
@@ -463,7 +463,7 @@ TEST_CASE("a lesson that is read anew keeps the scene that was typed") {
   REQUIRE(before.set_file(runs).has_value());
   REQUIRE(before.set_file(typed).has_value());
   lesson::Session now = piles();
-  lesson::Place(before).take(now);
+  lesson::Reopening(before).take(now);
   CHECK(now.steps() == 60);
   CHECK(scene_file_of(now).runs == runs);
   CHECK(scene_file_of(now).typed == typed);
