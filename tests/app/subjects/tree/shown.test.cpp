@@ -6,7 +6,8 @@
 namespace snug::app {
 namespace {
 
-lesson::Session tree_session(std::string_view volume, const std::string& method, const char* before, const char* asks) {
+lesson::Session tree_session(std::string_view volume, const std::string& method, const char* before, const char* asks,
+                             int nth = 1) {
   lesson::Lesson lesson;
   lesson.id = "test";
   lesson.volume = volume;
@@ -18,7 +19,7 @@ lesson::Session tree_session(std::string_view volume, const std::string& method,
   if (asks != nullptr) {
     lesson::Question& question = lesson.questions.emplace_back();
     question.id = "asked";
-    question.gate = {method, before, 1, ""};
+    question.gate = {method, before, nth, ""};
     question.asks = asks;
   }
   lesson::Session session = *lesson::Session::open(std::move(lesson));
@@ -55,9 +56,10 @@ TEST_CASE("a question about a split shows the node, and neither the border nor t
 }
 
 TEST_CASE("a question about an insertion shows the box, and not where it goes") {
-  lesson::Session session = tree_session(lesson::kTreeBuild, "insertion", "body_inserted", "beside");
+  lesson::Session session = tree_session(lesson::kTreeBuild, "insertion", "body_inserted", "beside", 3);
+  session.go(session.steps());
   REQUIRE(session.asked() != nullptr);
-  CHECK(tree_shown_at(session).incoming == 0);
+  CHECK(tree_shown_at(session).incoming == 2);
   CHECK(tree_shown_at(session).branch == kNoIndex);
 }
 
