@@ -218,8 +218,9 @@ std::string address_of(const Place& place) {
 
 PlaceRead read_place(std::string_view address) {
   PlaceRead read;
+  if (address.starts_with('?')) address.remove_prefix(1);
   while (!address.empty()) {
-    const std::size_t end = std::min(address.find_first_of("?&#"), address.size());
+    const std::size_t end = std::min(address.find_first_of("&#"), address.size());
     const std::string_view part = address.substr(0, end);
     address.remove_prefix(std::min(end + 1, address.size()));
     const std::size_t equals = std::min(part.find('='), part.size());
