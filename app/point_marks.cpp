@@ -52,6 +52,12 @@ void PointNames::plain(Index i) {
   name(i, brush.session.name_of(i), brush.p.support_text, Face::kSemiBold, 11 * brush.p.mark);
 }
 
+void PointNames::plain(const std::vector<Index>& all) {
+  constexpr std::size_t kMost = 30;
+  if (all.size() > kMost) return;
+  for (const Index i : all) plain(i);
+}
+
 void PointNames::on_plate(Index i) {
   if (i == kNoIndex || named_[i]) return;
   name(i, brush.session.name_of(i), brush.p.ink, Face::kSemiBold, 11 * brush.p.mark, 13);

@@ -29,6 +29,8 @@ class PointNames {
   void name(Index i, std::string words, Color color, Face face, float gap, float size = 14, bool optional = false);
   /// Names a handle that the step is about.
   void plain(Index i);
+  /// The same of several, unless they are so many that their names would hide what they name.
+  void plain(const std::vector<Index>& all);
   /// Names a handle that stands among many marks, which would show through a halo.
   void on_plate(Index i);
   /// Leaves out a handle that is named elsewhere.

@@ -162,7 +162,7 @@ void Stage::name_handles(Brush& brush) const {
     for (const Index i : lesson::marked_handles(session, lit_))
       if (view_->draws(session, i) && !view_->writes_name(session, i))
         names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
-  for (const Index i : view_->shown().spoken_of) names.plain(i);
+  names.plain(view_->shown().spoken_of);
   if (session.size() > kNameAll) return;
   const bool all = session.lesson().view.named;
   const bool asked = answered_on_stage(session), alone = asked && view_->names_answers_alone();

@@ -17,9 +17,7 @@ void SubjectView::draw_marks(Brush& brush) const {
   draw_examined(brush, shown(), among(shown().support, shown().examined));
 }
 
-void SubjectView::name_marks(PointNames& names) const {
-  for (const Index i : shown().support) names.plain(i);
-}
+void SubjectView::name_marks(PointNames& names) const { names.plain(shown().support); }
 
 Rect SubjectView::draw_inset(Brush&, ImVec2) const { return {}; }
 

@@ -96,6 +96,7 @@ void draw_cover_panel(Shell& shell, const app::Rect& rect) {
     column.gap(12);
     column.words(cover.status(session), Face::kRegular, 13, column.look()->muted);
     column.gap(8);
+    if (shell.tab == Shell::Tab::kSheet) return;  // which needs the room
     lesson::ProseFigures figures(session);
     if (session.asked() == nullptr && !cover.running() && cover.decided(session))
       for (const lesson::Asked& asked : session.questions())  // those of this situation: the score counts no others

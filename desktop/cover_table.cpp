@@ -16,7 +16,8 @@ constexpr float kTableRow = 20, kHeadSize = 12, kCellSize = 12.5f, kFirstShare =
 app::WordTable seen_table(Shell& shell) {
   if (shell.app().session() == nullptr || shell.app().cover() == nullptr) return {};
   app::WordTable table = shell.app().cover()->table(shell.session());
-  return table.sorts.empty() ? app::WordTable{} : table;
+  // A lab sheet asks for its figures, whether it can be sorted or not.
+  return table.sorts.empty() && shell.sheet() == nullptr ? app::WordTable{} : table;
 }
 
 /// Where a column ends, in which words stand flush right; the first column's words begin at its left.
@@ -40,9 +41,9 @@ std::string draw_heads(ImDrawList* list, const app::Look& look, const app::Rect&
                 left = i == 0 ? rect.x : end_of(rect, i - 1, table.head.size());
     const app::Rect cell{left, rect.y, right - left, look.px(kTableRow)};
     const std::string id = "head " + table.head[i];
-    const app::Touch touch = app::touch_area(id.c_str(), cell, "Sort by " + table.head[i]);
+    const bool sorts = !table.sorts.empty(), sorted = static_cast<int>(i) == table.sorted;
+    const app::Touch touch = sorts ? app::touch_area(id.c_str(), cell, "Sort by " + table.head[i]) : app::Touch{};
     if (touch.clicked) pressed = table.sorts[i];
-    const bool sorted = static_cast<int>(i) == table.sorted;
     const app::Color color = sorted || touch.hovered ? look->current_text : look->muted;
     const float y = app::middle_of(cell.y + cell.height / 2, look.px(kHeadSize));
     const float width = app::measure(look, Face::kSemiBold, kHeadSize, table.head[i]).x,
@@ -64,7 +65,7 @@ void draw_cells(ImDrawList* list, const app::Look& look, const app::Rect& row, c
   app::text(list, look, Face::kSemiBold, kCellSize, {row.x + (picked ? look.px(14) : 0), y},
             picked ? look->support_text : look->ink, table.rows[i][0]);
   for (std::size_t k = 1; k < table.rows[i].size(); ++k) {
-    const bool best = table.best[i][k];
+    const bool best = !table.best.empty() && table.best[i][k];
     app::text_right(list, look, best ? Face::kMonoBold : Face::kMono, kCellSize, {end_of(row, k, table.head.size()), y},
                     best ? look->optimum_text : look->ink, table.rows[i][k]);
   }
@@ -74,12 +75,12 @@ void draw_cells(ImDrawList* list, const app::Look& look, const app::Rect& row, c
 
 float cover_table_height(Shell& shell, const app::Look& look) {
   const app::WordTable table = seen_table(shell);
-  return table.sorts.empty() ? 0 : look.px(kTableRow) * static_cast<float>(table.rows.size() + 1) + 12;
+  return table.rows.empty() ? 0 : look.px(kTableRow) * static_cast<float>(table.rows.size() + 1) + 12;
 }
 
 void draw_cover_table(Shell& shell, const app::Rect& rect) {
   const app::WordTable table = seen_table(shell);
-  if (table.sorts.empty()) return;
+  if (table.rows.empty()) return;
   const app::Look& look = shell.app().look();
   ImDrawList* const list = ImGui::GetWindowDrawList();
   app::Rect row{rect.x + kTableMargin, rect.y + 6, rect.width - 2 * kTableMargin, look.px(kTableRow)};
@@ -88,7 +89,7 @@ void draw_cover_table(Shell& shell, const app::Rect& rect) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     row.y += row.height;
     const std::string id = "row " + table.rows[i][0];
-    if (app::touch_area(id.c_str(), row, table.rows[i][0]).clicked) pressed = table.picks[i];
+    if (!table.picks.empty() && app::touch_area(id.c_str(), row, table.rows[i][0]).clicked) pressed = table.picks[i];
     draw_cells(list, look, row, table, i);
   }
   if (!pressed.empty()) shell.app().command(pressed);

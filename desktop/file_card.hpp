@@ -19,7 +19,7 @@ struct PictureHow {
 };
 
 struct FileCard {
-  enum class What : std::uint8_t { kNone, kOpenPoints, kOpenLesson, kSavePoints, kSavePicture, kExportTable };
+  enum class What : std::uint8_t { kNone, kOpenPoints, kOpenLesson, kSavePoints, kSavePicture, kExportTable, kHandIn };
   What what = What::kNone;
   std::string path;
   bool replaces = false;  // whether the path is of a file that is there, and the next press replaces it

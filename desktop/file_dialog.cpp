@@ -47,6 +47,7 @@ const char* card_title(What what) {
     case What::kSavePoints: return "Save points";
     case What::kSavePicture: return "Save picture";
     case What::kExportTable: return "Export table";
+    case What::kHandIn: return "Hand in";
     case What::kNone: break;
   }
   return "";
@@ -59,6 +60,8 @@ const char* says_of(What what) {
     case What::kSavePoints: return "Rows of numbers: the name ends in .xyz or .csv.";
     case What::kSavePicture: return "Pixels, shapes with words as text, or steps as an animation.";
     case What::kExportTable: return "The name ends in .csv or .json.";
+    case What::kHandIn:
+      return "There it cannot be saved. Name a folder that is yours, or a stick: the name ends in .json.";
     case What::kNone: break;
   }
   return "";
@@ -71,6 +74,7 @@ std::vector<std::string> endings_of(What what) {
     case What::kSavePoints: return {"xyz", "csv"};
     case What::kSavePicture: return {"png", "svg", "gif"};
     case What::kExportTable: return {"csv", "json"};
+    case What::kHandIn: return {"json"};
     case What::kNone: break;
   }
   return {};
@@ -149,6 +153,7 @@ std::string done_with(Shell& shell, What what, const std::string& path) {
     case What::kSavePoints: shell.save_points(path); break;
     case What::kSavePicture: return take_picture(shell, path);
     case What::kExportTable: shell.export_table(path); break;
+    case What::kHandIn: return shell.hand_in_as(path) ? std::string() : std::exchange(shell.notice, {});
     case What::kNone: break;
   }
   return {};

@@ -85,6 +85,11 @@ struct GlfwHost::Callbacks {
   }
   static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     GlfwHost& self = host(window);
+    const bool is_tab = key == GLFW_KEY_TAB && action != GLFW_RELEASE;
+    if (is_tab || !self.held_back_.empty()) self.held_back_.push_back({key, scancode, action, mods});
+    else answer_key(self, window, key, scancode, action, mods);
+  }
+  static void answer_key(GlfwHost& self, GLFWwindow* window, int key, int scancode, int action, int mods) {
     const bool control = (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
     // A key that writes a letter would hold up the next one by a frame: ImGui needs the letter alone.
     const bool writes = key <= GLFW_KEY_WORLD_2 && !control && action != GLFW_RELEASE;
@@ -93,10 +98,7 @@ struct GlfwHost::Callbacks {
     if (self.repeats_ && self.on_held && self.on_held(key_name(key))) return;
     if (self.repeats_ && !may_repeat(key)) return;
     if (action == GLFW_RELEASE || !self.on_key) return;
-    if (ImGui::GetIO().WantTextInput) {
-      if (key == GLFW_KEY_TAB) self.tabs_.push_back(shift);
-      return;
-    }
+    if (ImGui::GetIO().WantTextInput && key != GLFW_KEY_TAB) return;
     std::string name = key_name(key);
     if (name.empty() && control)  // letters come as characters, except with Control
       if (const char* letter = glfwGetKeyName(key, scancode)) name = letter;
@@ -104,6 +106,10 @@ struct GlfwHost::Callbacks {
   }
   static void character(GLFWwindow* window, unsigned code) {
     GlfwHost& self = host(window);
+    if (!self.held_back_.empty()) self.held_back_.push_back({.letter = code});
+    else answer_letter(self, window, code);
+  }
+  static void answer_letter(GlfwHost& self, GLFWwindow* window, unsigned code) {
     ImGui_ImplGlfw_CharCallback(window, code);
     const bool held = self.repeats_ && (code == ' ' || std::isalnum(static_cast<int>(std::min(code, 127u))) != 0);
     if (held || !self.on_key || ImGui::GetIO().WantTextInput || utf8(code).empty()) return;
@@ -251,11 +257,27 @@ Extent GlfwHost::extent() const {
   return extent;
 }
 
-bool GlfwHost::wait(double seconds) {
-  if (!tabs_.empty() && ImGui::GetCurrentContext()->InputEventsQueue.empty()) {
-    for (const bool shift : std::exchange(tabs_, {})) on_key("Tab", shift, false);
-    dirty_ = true;
+/// Answers what was held back, up to the next Tab.
+void GlfwHost::catch_up() {
+  dirty_ = true;
+  if (settling_ > 0 && --settling_ > 0) return;
+  if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;
+  for (bool first = true; !held_back_.empty(); first = false) {
+    const Typed typed = held_back_.front();
+    const bool is_tab = typed.letter == 0 && typed.key == GLFW_KEY_TAB && typed.action != GLFW_RELEASE;
+    if (is_tab && !first) return;
+    held_back_.pop_front();
+    if (typed.letter != 0) Callbacks::answer_letter(*this, window_, typed.letter);
+    else Callbacks::answer_key(*this, window_, typed.key, typed.scancode, typed.action, typed.mods);
+    if (!is_tab) continue;
+    constexpr int kSettles = 4;  // the ring moves, the field is asked to take letters, it does, and says so
+    settling_ = held_back_.empty() ? 0 : kSettles;
+    return;
   }
+}
+
+bool GlfwHost::wait(double seconds) {
+  if (!held_back_.empty()) catch_up();
   if (dirty_ || seconds == 0) glfwPollEvents();
   else if (seconds < 0) glfwWaitEvents();
   else glfwWaitEventsTimeout(seconds);

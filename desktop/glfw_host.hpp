@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -75,9 +76,17 @@ class GlfwHost {
   float enlarged_ = 1;
   std::optional<Extent> drawn_as_;
   bool imgui_ = false;
-  bool dirty_ = true;       // whether there was input since the last frame
-  bool repeats_ = false;    // whether the last key is being held
-  std::vector<bool> tabs_;  // pressed in a text field: they wait for the letters before them; true: with Shift
+  bool dirty_ = true;     // whether there was input since the last frame
+  bool repeats_ = false;  // whether the last key is being held
+  /// A key, or a letter, as GLFW reports it.
+  struct Typed {
+    int key = 0, scancode = 0, action = 0, mods = 0;
+    unsigned letter = 0;  // 0: a key
+  };
+  /// A Tab waits for the letters before it, and what is typed behind it for the field that it leads to.
+  std::deque<Typed> held_back_;
+  int settling_ = 0;  // frames until that field takes letters
+  void catch_up();
   int windowed_[4] = {0, 0, 1280, 800};
 };
 

@@ -226,7 +226,8 @@ void draw_notice(Shell& shell, const app::Rect& stage) {
   const app::Pane pane("##notice", card, app::Pane::Kind::kOver);
   ImDrawList* list = pane.list();
   list->AddRectFilled({card.x, card.y}, {card.x + width, card.y + height}, look->panel, 8);
-  list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, look->wrong, 8, 0, 1.5f);
+  list->AddRect({card.x, card.y}, {card.x + width, card.y + height}, shell.is_said() ? look->muted : look->wrong, 8, 0,
+                1.5f);
   app::paragraph(list, look, Face::kRegular, 14, 21, {card.x + 16, card.y + 12}, inner, look->ink, shell.notice);
   app::draw_icon(list, app::Icon::kClose, {card.x + width - 22, card.y + 22}, look.px(13), look->muted);
   if (app::touch_area("notice away", card, lesson::kDismissWord).clicked) shell.notice.clear();

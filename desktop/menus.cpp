@@ -72,7 +72,7 @@ Items file_items(Shell& shell) {
                    [&] { ask_path(shell, What::kExportTable); }});
   const bool exercise = !shell.course_shown && shell.app().sitting() != nullptr;
   items.push_back({std::string(lesson::kHandInWord), "", exercise || (open && shell.sheet() != nullptr),
-                   [&shell, exercise] { exercise ? shell.hand_in() : shell.hand_in_sheet(); }, true});
+                   [&shell] { shell.hand_in(); }, true});
   items.push_back({"Quit", "Ctrl q", true, [&] { shell.wish = "quit"; }, true});
   return items;
 }

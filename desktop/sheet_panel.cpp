@@ -1,4 +1,6 @@
 // What is handed in of a lab sheet: what was measured and built, and the answers, which are written here.
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "app/marks.hpp"
@@ -6,6 +8,7 @@
 #include "desktop/column.hpp"
 #include "desktop/prose_panel.hpp"
 #include "desktop/typing.hpp"
+#include "io/text.hpp"
 #include "lesson/say.hpp"
 
 namespace snug::desktop {
@@ -60,11 +63,35 @@ std::string measured_says(const SheetWork& work, const std::string& id) {
          found->second.date;
 }
 
-std::string built_says(const SheetWork& work, std::size_t task) {
-  const auto found = work.built.find(task);
-  if (found == work.built.end()) return "None yet: it is kept as soon as it stands on the stage";
-  return "The smallest so far has " + std::to_string(found->second.size()) +
-         (found->second.size() == 1 ? " point" : " points");
+/// What is kept, and what is to be said of what stands on the stage.
+std::string built_says(Shell& shell, std::size_t task) {
+  const auto found = shell.sheet_work().built.find(task);
+  const lesson::Grade now = shell.session().grade(task);
+  if (found == shell.sheet_work().built.end())
+    return "None yet: it is kept as soon as it stands on the stage. " + now.says;
+  const auto size = [](const lesson::Rows& rows) {
+    return io::counted(std::ssize(rows), "point") + ", written in " +
+           io::counted(static_cast<std::int64_t>(lesson::letters_of(rows)), "letter");
+  };
+  std::string says = "The smallest so far has " + size(found->second) + ".";
+  const lesson::Rows rows = shell.session().subject().rows();
+  if (!now.done) says += " On the stage: " + now.says;
+  else if (rows != found->second) says += " On the stage is another, of " + size(rows) + ".";
+  return says;
+}
+
+/// What is wider than its field, below it: a field shows no more than a part of a line.
+void draw_whole(Column& column, const std::string& text) {
+  const app::Look& look = column.look();
+  float widest = 0;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    widest = std::max(widest, app::measure(look, Face::kRegular, 14, text.substr(begin, end - begin)).x);
+    begin = end + 1;
+  }
+  if (widest <= column.width() - 16) return;
+  column.words(text, Face::kRegular, 13, look->muted);
+  column.gap(12);
 }
 
 }  // namespace
@@ -79,7 +106,7 @@ void draw_sheet(Shell& shell, Column& column) {
   for (const lesson::Measured& one : sheet.measured)
     draw_part(column, one.prompt, work.measured.count(one.id) > 0, measured_says(work, one.id));
   for (std::size_t i = 0; i < sheet.lesson.tasks.size(); ++i) {
-    draw_part(column, "An example of your own", work.built.count(i) > 0, built_says(work, i));
+    draw_part(column, "An example of your own", work.built.count(i) > 0, built_says(shell, i));
     if (work.built.count(i) > 0 && column.buttons("back to built", {"Show it"}) == 0)
       shell.tell(shell.session().set_rows(work.built[i]));
   }
@@ -90,7 +117,9 @@ void draw_sheet(Shell& shell, Column& column) {
     column.gap(4);
     const auto answer = work.written.find(one.id);
     std::string text = answer != work.written.end() ? answer->second : std::string();
-    if (!draw_field(column, one.id, "Answer " + std::to_string(i + 1), text, kLines)) continue;
+    const bool changed = draw_field(column, one.id, "Answer " + std::to_string(i + 1), text, kLines);
+    draw_whole(column, text);
+    if (!changed) continue;
     work.written[one.id] = text;
     typed = true;
   }
@@ -99,7 +128,7 @@ void draw_sheet(Shell& shell, Column& column) {
   typed |= draw_field(column, "student", "Your name", shell.student(), 1);
   if (typed) shell.sheet_changed();
   column.gap(4);
-  if (column.buttons("hand in sheet", {std::string(lesson::kHandInWord)}) == 0) shell.hand_in_sheet();
+  if (column.buttons("hand in sheet", {std::string(lesson::kHandInWord)}) == 0) shell.hand_in();
   const std::string lacks = shell.sheet_lacks();
   if (!lacks.empty()) column.words(lacks, Face::kRegular, 13, look->muted);
 }

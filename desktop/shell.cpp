@@ -137,7 +137,11 @@ void Shell::show_course() {
 void Shell::present(bool on) {
   if (on == presenting) return;
   presenting = on, text_shown = false;
-  if (!on) demo.reset(), hall.lift();
+  if (!on) {
+    demo.reset(), hall.lift();
+    while (hall.put_away()) {
+    }
+  }
   focus.leave();
   app::Settings& settings = app_.settings();
   if (!on) {
@@ -223,7 +227,7 @@ void Shell::use_dropped(const std::vector<std::string>& paths) {
   const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
   open_points(paths.front());
   if (notice.empty() && loading_ == nullptr && session().preparing() == nullptr)
-    notice = name_of(paths.front()) + " is open.";
+    say(name_of(paths.front()) + " is open.");
   if (paths.size() == 1) return;
   std::string others;
   for (std::size_t i = 1; i < paths.size(); ++i) others += (i > 1 ? ", " : "") + name_of(paths[i]);
@@ -264,7 +268,7 @@ void Shell::save_cover(std::string_view format) {
   if (path.empty()) return;
   if (picture) return static_cast<void>(picture_wanted = path);  // drawn after this frame
   const auto written = write_file(path, text);
-  if (tell(written)) notice = "Saved as " + path + ".";
+  if (tell(written)) say("Saved as " + path + ".");
 }
 
 void Shell::save_stage(std::string_view format) {
@@ -285,8 +289,8 @@ void Shell::record() {
       *before + '\n' + lesson::state_text(*place, session().lesson().title, session().trace_hash());
   const std::size_t states = lesson::read_demo(text, recorded_).demo.states.size();
   if (tell(write_file(recorded_, text)))
-    notice = "Saved in " + recorded_ + ", with " +
-             (states == 1 ? std::string("this state.") : std::to_string(states) + " states.");
+    say("Saved in " + recorded_ + ", with " +
+        (states == 1 ? std::string("this state.") : std::to_string(states) + " states."));
 }
 
 void Shell::show_code() { hall.taken = code_words(session(), app_.hand_view()); }

@@ -121,6 +121,8 @@ class Shell {
   void go_on_with_exercise(const std::string& id);
   /// Saves the attempt as a result file in the folder that the program was started in; the notice says which.
   void hand_in();
+  /// The same under a path. Returns whether it was saved; the notice says why not.
+  bool hand_in_as(const std::string& path);
   /// "Best 8 of 9 in 3 tries"; empty after one.
   [[nodiscard]] std::string best_says() const;
 
@@ -162,8 +164,6 @@ class Shell {
   [[nodiscard]] std::string& student() { return kept_.student; }
   /// "2 of 6 parts are missing."; empty if none is.
   [[nodiscard]] std::string sheet_lacks();
-  /// Saves all of it as one file; the notice says which.
-  void hand_in_sheet();
 
   // ---- lessons that are being written (shell_drafts.cpp) ------------------------------------
   [[nodiscard]] bool writing() const { return drafts_.has_value(); }
@@ -226,6 +226,9 @@ class Shell {
   float strip_height = 60;     // of what is wrong with the lesson's file, measured in the last frame
   bool measured_anew = false;  // whether a height differed from the expected one, so that another frame is due
 
+  /// Shows a notice of something that was done, which is no error.
+  void say(std::string done) { said_ = notice = std::move(done); }
+  [[nodiscard]] bool is_said() const { return notice == said_; }
   /// Shows an error as the notice; returns whether there was none.
   template <class T>
   bool tell(const tl::expected<T, InputError>& result) {
@@ -234,6 +237,7 @@ class Shell {
   }
 
  private:
+  std::string said_;
   /// The hash of the file of a lesson of one's own; 0 for the course's.
   [[nodiscard]] std::uint64_t hash_of(const std::string& id) const;
   std::string recorded_;  // the file of the demo that record() adds to; empty before the first state

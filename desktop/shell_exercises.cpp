@@ -78,12 +78,24 @@ std::string Shell::best_says() const {
 }
 
 void Shell::hand_in() {
-  const lesson::Sitting& sitting = *app_.sitting();
-  const std::string path = new_file(sitting.exercise().id + "-" + std::to_string(sitting.seed()), ".json");
-  if (path.empty()) return;
-  const Json attempt = json_of(sitting.attempt(session()), sitting.mark(session()), sitting.of());
-  if (tell(write_file(path, result_text(kept_.student, {attempt}))))
-    notice = "Saved as " + path + ". It is no signature: it proves that these decisions earn this mark.";
+  const std::string stem = app_.sitting() == nullptr
+                               ? sheet()->lesson.id
+                               : app_.sitting()->exercise().id + "-" + std::to_string(app_.sitting()->seed());
+  const std::string path = new_file(stem, ".json");
+  if (!path.empty() && hand_in_as(path)) return;
+  file_card = {.what = FileCard::What::kHandIn, .path = stem + ".json", .opened = true};  // another place has room
+}
+
+bool Shell::hand_in_as(const std::string& path) {
+  const lesson::Sitting* const sitting = app_.sitting();
+  const std::string text =
+      sitting == nullptr
+          ? result_text(student(), {}, {json_of(sheet()->lesson.id, sheet()->hash, sheet_work())})
+          : result_text(student(), {json_of(sitting->attempt(session()), sitting->mark(session()), sitting->of())});
+  if (!tell(write_file(path, text))) return false;
+  say("Saved as " + path + ". " +
+      (sitting == nullptr ? sheet_lacks() : "It is no signature: it proves that these decisions earn this mark."));
+  return true;
 }
 
 }  // namespace snug::desktop

@@ -47,17 +47,17 @@ void Shell::remember(const std::string& path) {
 
 void Shell::save_points(const std::string& path) {
   const std::string text = points_text(session(), ending_of(path) == "csv" ? ',' : ' ');
-  if (tell(write_file(path, text))) notice = "Saved as " + path + ".";
+  if (tell(write_file(path, text))) say("Saved as " + path + ".");
 }
 
 void Shell::export_table(const std::string& path) {
-  if (tell(write_file(path, app_.cover()->file(ending_of(path))))) notice = "Saved as " + path + ".";
+  if (tell(write_file(path, app_.cover()->file(ending_of(path))))) say("Saved as " + path + ".");
 }
 
 void Shell::copy_points() {
   const std::string text = points_text(session(), '\t');  // as spreadsheets take it
   ImGui::SetClipboardText(text.c_str());
-  notice = "Copied: " + std::to_string(std::count(text.begin(), text.end(), '\n')) + " points.";
+  say("Copied: " + std::to_string(std::count(text.begin(), text.end(), '\n')) + " points.");
 }
 
 void Shell::paste_points() {
@@ -66,7 +66,7 @@ void Shell::paste_points() {
   // A name that ends in .csv makes tabs separate columns.
   const auto read = io::read_points(text, "pasted.csv");
   if (!tell(read)) return;
-  if (tell(app_.load(*read, "pasted"))) notice = "Pasted: " + std::to_string(read->points.size()) + " points.";
+  if (tell(app_.load(*read, "pasted"))) say("Pasted: " + std::to_string(read->points.size()) + " points.");
 }
 
 void Shell::switch_course() {

@@ -60,12 +60,4 @@ std::string Shell::sheet_lacks() {
                             (all - there == 1 ? " parts is missing." : " parts are missing.");
 }
 
-void Shell::hand_in_sheet() {
-  const std::string lacks = sheet_lacks();
-  const std::string path = new_file(sheet()->lesson.id, ".json");
-  if (path.empty()) return;
-  const std::string text = result_text(student(), {}, {json_of(sheet()->lesson.id, sheet()->hash, sheet_work())});
-  if (tell(write_file(path, text))) notice = "Saved as " + path + "." + (lacks.empty() ? "" : " " + lacks);
-}
-
 }  // namespace snug::desktop

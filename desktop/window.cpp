@@ -511,7 +511,8 @@ bool write_picture(GlfwHost& host, Shell& shell, const std::string& path, const 
 void save_picture(GlfwHost& host, Shell& shell) {
   const std::string path = std::exchange(shell.picture_wanted, {});
   const bool saved = write_picture(host, shell, path, std::exchange(shell.picture_how, {}));
-  shell.notice = saved ? "Saved as " + path + "." : "Not saved: the picture could not be written.";
+  if (saved) shell.say("Saved as " + path + ".");
+  else shell.notice = "Not saved: the picture could not be written.";
   shell.measured_anew = true;  // the window is drawn again
 }
 

@@ -54,6 +54,18 @@ void read_place_keys(TomlTable& table, Place& place) {
   }
 }
 
+/// A file breaks its lines where it likes.
+std::string in_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool is_space = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+    if (!is_space) line += c;
+    else if (!line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  return line;
+}
+
 DemoState read_state(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "[[state]]", complaints);
   DemoState state;
@@ -63,7 +75,7 @@ DemoState read_state(const toml::table& toml, Complaints& complaints) {
   read_place_keys(table, state);
   read_shown(table, state);
   state.slide = table.text("slide");
-  state.notes = table.text("notes");
+  state.notes = in_one_line(table.text("notes"));
   read_hash(table, state);
   table.refuse_others();
   return state;

@@ -52,14 +52,6 @@ void read_sheet(toml::table& toml, std::string_view name, Sheet& sheet, Complain
   if (auto lesson = read_as_written(toml, name, complaints)) sheet.lesson = *std::move(lesson);
 }
 
-/// How long the numbers are, as they would be typed.
-std::size_t letters_of(const Rows& rows) {
-  std::size_t letters = 0;
-  for (const std::vector<double>& row : rows)
-    for (const double number : row) letters += io::shortest_text(number).size();
-  return letters;
-}
-
 }  // namespace
 
 bool is_sheet(std::string_view toml) {
@@ -83,6 +75,13 @@ const Measured* measurement_of(const Sheet& sheet, std::string_view table, std::
     if (one.points.empty()) any = &one;
   }
   return any;
+}
+
+std::size_t letters_of(const Rows& rows) {
+  std::size_t letters = 0;
+  for (const std::vector<double>& row : rows)
+    for (const double number : row) letters += io::shortest_text(number).size();
+  return letters;
 }
 
 bool is_smaller(const Rows& a, const Rows& b) {

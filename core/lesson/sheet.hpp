@@ -50,6 +50,8 @@ struct SheetDraft {
 /// Which of the sheet's measurements a table is, by its kind and by what it was measured on; null for none.
 [[nodiscard]] const Measured* measurement_of(const Sheet& sheet, std::string_view table, std::string_view points);
 
+/// How long the numbers are, as they would be typed.
+[[nodiscard]] std::size_t letters_of(const Rows& rows);
 /// Whether an example is smaller than another: fewer rows, or as many with shorter numbers.
 [[nodiscard]] bool is_smaller(const Rows& a, const Rows& b);
 

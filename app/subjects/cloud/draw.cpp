@@ -116,7 +116,7 @@ void name_cloud(PointNames& names, const CloudShown& shown) {
   name_left_outside(names, shown);
   name_slab(names, shown);
   const std::vector<Index> extremes = extremes_alone(names.brush, shown);
-  for (const Index i : extremes.empty() ? shown.support : extremes) names.plain(i);
+  names.plain(extremes.empty() ? shown.support : extremes);
   if (shown.pair)
     for (const Index i : {shown.pair->a, shown.pair->b}) names.plain(i);
 }
