@@ -79,6 +79,8 @@ void draw_pseudocode(Shell& shell, Column& column) {
     const auto parts = app::lines_of(look, on ? Face::kMonoBold : Face::kMono, kSize, line.substr(indent),
                                      column.width() - inset - advance * 2);
     const float height = look.px(kLeading) * static_cast<float>(parts.size());
+    if (on && shell.code_seen != lit)  // a column that is too low for all of it follows the step
+      ImGui::SetScrollFromPosY(column.y() + height / 2 - ImGui::GetWindowPos().y);
     if (on)
       column.list()->AddRectFilled({column.x() - 8, column.y()}, {column.x() + column.width() + 8, column.y() + height},
                                    look->lit, 4);
@@ -90,6 +92,7 @@ void draw_pseudocode(Shell& shell, Column& column) {
     }
     column.gap(height);
   }
+  shell.code_seen = lit;
 }
 
 }  // namespace

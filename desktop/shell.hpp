@@ -221,7 +221,8 @@ class Shell {
   float scroll_by = 0;    // how far a key scrolls the prose in the next frame
   float scroll_to = -1;   // where the prose is scrolling to; less than 0: nowhere
   // Heights measured in the last frame: of the lower parts of the left and the right column, and of the question.
-  bool low = false;  // whether a lecture is on a low screen: then all that is not the stage is
+  int code_seen = -1;  // the line of the pseudocode that was lit then
+  bool low = false;    // whether a lecture is on a low screen: then all that is not the stage is
   float pinned_height = 300, code_height = 300, question_height = 0;
   float strip_height = 60;     // of what is wrong with the lesson's file, measured in the last frame
   bool measured_anew = false;  // whether a height differed from the expected one, so that another frame is due

@@ -247,6 +247,9 @@ test("a class votes twice, and no number is on the page before the answer is rev
   assert.doesNotMatch((await vote.textContent()).replace(/P\d+/g, ""), /\d/, "nothing leaks");
   await notes.waitForFunction(() => // the last of the keys comes there last
     / 12, .* 31\. Second vote: .* 4, .* 39$/.test(document.querySelector(".vote").textContent));
+  await page.reload(); // which loses none of it
+  await opened(page, `3 of ${states.length}`, states[2].hash);
+  await page.waitForFunction(() => /counted$/.test(document.querySelector(".demo-vote")?.textContent ?? ""));
   await page.keyboard.press("PageDown"); // plays the steps that decide it
   await until(page, (now) => now.asked === null && now.outcome && now.step > 0);
   assert.match(await vote.textContent(), /12 \(28 %\), then 4 \(9 %\)/);

@@ -85,7 +85,10 @@ export class Demo {
     this.#settings.on_change(() => this.#settings.presenting || this.#leave());
     const { length } = this.#file.states;
     lecture().then((program) => {
-      if (!this.#over) this.#votes = new Votes(program, this.#page, by_id("work"));
+      if (this.#over) return;
+      this.#votes = new Votes(program, this.#page, by_id("work"), this.#file.id);
+      this.#show_votes();
+      this.#tell();
     }, console.warn); // without it there is no vote
     await this.#show(Math.min(Math.max(state, 1), length) - 1);
     if (state < 1 || state > length) notice(`The address asks for state ${state}; the demo has ${length}.`);

@@ -12,16 +12,23 @@ export class Votes {
   #dots = element("div", { class: "demo-dots", "aria-hidden": "true" });
   #shown = /** @type {Vote | null} */ (null); // whose dots follow their places
   #frame = 0;
+  #taken = /** @type {[number, string, string[], string[]][]} */ ([]);
+  #kept; // under this name in the tab, where a reload finds it
 
-  /** @param {Lecture} program @param {Page} page @param {HTMLElement} work */
-  constructor(program, page, work) {
+  /** @param {Lecture} program @param {Page} page @param {HTMLElement} work @param {string} demo */
+  constructor(program, page, work, demo) {
     this.#program = program;
     this.#page = page;
+    this.#kept = `snug-votes-${demo}`;
+    /** @type {[number, string, string[], string[]][]} */
+    const before = JSON.parse(sessionStorage.getItem(this.#kept) ?? "[]");
+    for (const taken of before) this.#take(...taken);
     work.append(this.#card);
     document.body.append(this.#dots);
   }
 
   end() {
+    sessionStorage.removeItem(this.#kept);
     cancelAnimationFrame(this.#frame);
     this.#card.remove();
     this.#dots.remove();
@@ -31,7 +38,14 @@ export class Votes {
    *  @param {number} state @param {string} key */
   take_key(state, key) {
     const asked = this.#page.door.view()?.asked;
-    return Boolean(asked) && this.#program.vote_key(state, key, asked?.choices ?? [], this.#page.door.targets());
+    if (!asked || !this.#take(state, key, asked.choices ?? [], this.#page.door.targets())) return false;
+    sessionStorage.setItem(this.#kept, JSON.stringify(this.#taken));
+    return true;
+  }
+
+  /** @param {[number, string, string[], string[]]} taken */
+  #take(...taken) {
+    return this.#program.vote_key(...taken) && Boolean(this.#taken.push(taken));
   }
 
   /** What the lecturer reads of it.
