@@ -135,9 +135,11 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float header = bar + strip;
   const float column = lecture && !shell.text_shown ? 0 : side_width(extent.width, 0.29f, 300, 380, 0.22f, 432, scale);
   const Beside beside = beside_of(shell);
+  constexpr float kLectureSide = 0.28f;  // its words grow with the window, and so does the column that has them
   const float inspector = lecture && !beside.any() ? 0
-                          : lecture                ? side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale)
-                                                   : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
+                          : lecture ? std::max(side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale),
+                                               std::floor(extent.width * kLectureSide))
+                                    : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
   constexpr float kLowScreen = 690, kLeastSide = 400;  // kLowScreen: for words of the size that they are made for
   shell.low = lecture && extent.height < kLowScreen * look.text_scale;
   const bool no_timeline = cover && shell.app().cover()->shown();  // it is the stage's
