@@ -154,16 +154,17 @@ void draw_menu(Shell& shell, const Menu& menu, ImVec2 at) {
                                   app::measure(look, Face::kRegular, 13, key_words(item.key)).x);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float width = std::min(std::max(look.px(200), widest + look.px(64)), window.x - 16);
-  const float row = std::min(look.px(32), (window.y - at.y - 16) / static_cast<float>(items.size()));
-  const app::Popup popup(
-      id.c_str(), {std::min(at.x, window.x - width - 8), at.y, width, row * static_cast<float>(items.size()) + 8});
+  const float room = window.y - at.y - 16, count = static_cast<float>(items.size());
+  const float row = std::clamp(room / count, look.px(22), look.px(32));  // a list that is still too high scrolls
+  const app::Popup popup(id.c_str(),
+                         {std::min(at.x, window.x - width - 8), at.y, width, std::min(row * count, room) + 8});
   if (!popup) return;
-  const float left = ImGui::GetWindowPos().x;
+  const float left = ImGui::GetWindowPos().x, top = at.y + 4 - ImGui::GetScrollY();
   ImDrawList* const list = ImGui::GetWindowDrawList();
   std::function<void()> chosen;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Item& item = items[i];
-    const app::Rect rect{left + 4, at.y + 4 + row * static_cast<float>(i), width - 8, row};
+    const app::Rect rect{left + 4, top + row * static_cast<float>(i), width - 8, row};
     if (item.begins_part) app::rule(list, rect.x + 6, rect.y, rect.width - 12, look->line);
     const auto touch = app::touch_area(("item " + std::to_string(i)).c_str(), rect, item.words, item.enabled, i == 0);
     if (touch.hovered && item.enabled)
