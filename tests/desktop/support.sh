@@ -11,14 +11,18 @@ fail() { printf '%s\n' "$*" >&2; exit 1; }
 # A value of the state file: node prints what the expression says of s.
 state() { node -e 's = JSON.parse(require("fs").readFileSync(process.env.SNUG_STATE)); console.log(eval(process.argv[1]))' "$1"; }
 
-# Waits until the expression is true of the state.
+# Waits until the expression is true of the state; machines that do other work as well may be very slow.
 until_state() { # expression
-    local i
-    for i in $(seq 600); do # machines that do other work as well may be very slow
-        [[ -s $SNUG_STATE && $(state "$1" 2>/dev/null) == true ]] && return
-        sleep 0.1
-    done
-    fail "never came true: $1, the state is $(cut -c1-600 "$SNUG_STATE")"
+    node -e '
+        const pause = new Int32Array(new SharedArrayBuffer(4)), end = Date.now() + 120_000;
+        for (; Date.now() < end; Atomics.wait(pause, 0, 0, 20)) {
+            try {
+                s = JSON.parse(require("fs").readFileSync(process.env.SNUG_STATE));
+                if (eval(process.argv[1]) === true) process.exit(0);
+            } catch {} // not written yet, or half of it
+        }
+        process.exit(1)' "$1" ||
+        fail "never came true: $1, the state is $(cut -c1-600 "$SNUG_STATE")"
 }
 
 # opened: what is true of the state once it is there, where that is not that something can be dragged.

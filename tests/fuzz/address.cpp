@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "fuzz/bytes.hpp"
-#include "lesson/session.hpp"
+#include "lesson/place.hpp"
 #include "lesson/subjects.hpp"
 
 namespace {
@@ -56,6 +56,30 @@ void edit(lesson::Session& session, fuzz::Bytes& bytes) {
   }
 }
 
+/// A few keys, each with a text of the letters that values are made of.
+std::string any_address(fuzz::Bytes& bytes) {
+  constexpr std::string_view kLetters = "0123456789,;:.-e%&#=?abcdeknort";
+  std::string address = "?";
+  for (unsigned keys = 1 + bytes.below(3); keys > 0; --keys) {
+    address += std::string(lesson::kPlaceKeys[bytes.below(lesson::kPlaceKeys.size())].in_address) + '=';
+    for (unsigned letters = bytes.below(16); letters > 0; --letters) address += kLetters[bytes.below(kLetters.size())];
+    address += '&';
+  }
+  return address;
+}
+
+/// What is read of any address is gone to or refused with a sentence; and the address of what stands leads back to it.
+void follow(lesson::Session& session, const std::string& address) {
+  const lesson::MeshOf none = [](const std::string&) -> tl::expected<io::PointFile, InputError> {
+    return tl::unexpected(InputError{.what = "no mesh"});
+  };
+  const lesson::PlaceRead read = lesson::read_place(address);
+  for (lesson::WayTo way(read.place, none); !way.done();)
+    if (const auto gone = way.go_on(session); !gone) require(!gone.error().error.message().empty());
+  const lesson::Place here = lesson::NamedStages().place_of(session);
+  if (lesson::fits_address(here)) require(lesson::read_place(lesson::address_of(here)).place == here);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
@@ -70,5 +94,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     require(session->step() >= 0 && session->step() <= session->steps());
     require(session->caption().find("nan") == std::string::npos);
   }
+  follow(*session, any_address(bytes));
   return 0;
 }
