@@ -5,6 +5,7 @@
 
 #include "app/cover.hpp"
 #include "io/point_file.hpp"
+#include "lesson/demo.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/playground.hpp"
