@@ -142,9 +142,10 @@ TEST_CASE("of a wrong address the mistake is left out and told") {
                                                        {"from=cube:0", "which must be a name"},
                                                        {"packed=?", "which is not as an address has it"},
                                                        {"scalar=half", "which must be float or double"}};
-  for (const auto& [query, says] : wrong) {
+  for (const auto& one : wrong) {
+    const std::string query = one.first, says = one.second;
     CAPTURE(query);
-    const PlaceRead read = read_place("?lesson=a&" + std::string(query));
+    const PlaceRead read = read_place("?lesson=a&" + query);
     REQUIRE(read.problems.size() == 1);
     CHECK(read.problems.front().find(says) != std::string::npos);
     CHECK(read.place == Place{.lesson = "a"});
