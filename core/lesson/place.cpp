@@ -136,7 +136,9 @@ std::optional<SourceWords> source_in(std::string_view from) {
   return SourceWords{parts.front(), number ? std::optional(static_cast<int>(*number)) : std::nullopt};
 }
 
-bool Place::is_bare() const { return *this == Place{.lesson = lesson}; }
+bool Place::is_bare() const { return texts_of(*this).size() == (lesson.empty() ? 0 : 1); }
+
+bool operator==(const Place& a, const Place& b) { return texts_of(a) == texts_of(b); }
 
 std::vector<std::pair<const PlaceKey*, std::string>> texts_of(const Place& place) {
   const bool plain = place.rows.size() <= kMostPlainRows;
@@ -205,12 +207,10 @@ bool fits_address(const Place& place) {
 }
 
 std::string address_of(const Place& place) {
-  Place fitting = place;
-  if (!fits_address(place)) fitting.rows.clear();
   std::string address, packed;
-  for (const auto& [key, text] : texts_of(fitting)) {
+  for (const auto& [key, text] : texts_of(place)) {
     const std::string part = std::string(key->in_address) + '=' + address_text(text);
-    if (key->in_file == "packed") packed = '#' + part;
+    if (key->in_file == "packed") packed = fits_address(place) ? '#' + part : "";
     else address += (address.empty() ? '?' : '&') + part;
   }
   return address + packed;

@@ -35,8 +35,9 @@ struct Place {
 
   /// Whether it names no more than a lesson.
   [[nodiscard]] bool is_bare() const;
-  bool operator==(const Place&) const = default;
 };
+/// Whether both have the same text.
+[[nodiscard]] bool operator==(const Place& a, const Place& b);
 
 /// The keys of a place: their names in a demo's file and in an address, in the order in which both write them, so that
 /// both make the same code of a state.
