@@ -8,8 +8,8 @@ import { fileURLToPath } from "node:url";
 const assets = fileURLToPath(new URL("../../build/release/assets/write/", import.meta.url));
 
 /** What becomes of code that is called with two cases. */
-function run(code, gives = "b") {
-  const asked = { code, name: "f", gives, lines: ['{"a":1}', '{"a":2}'] };
+function run(code, gives = "b", lines = ['{"a":1}', '{"a":2}']) {
+  const asked = { code, name: "f", gives, lines };
   const files = [`${assets}worker.js`, `${assets}quickjs.wasm`];
   const done = spawnSync("node", files, { input: JSON.stringify(asked), encoding: "utf8", timeout: 60_000 });
   assert.equal(done.status, 0, done.stderr);
@@ -73,6 +73,20 @@ test("what does not end is ended, after as many steps each time", () => {
   assert.equal(getter.answers.length, 1); // it is not asked for more
 });
 
+test("what runs long within the engine's own functions is ended as well, after the same work each time", () => {
+  const lines = Array.from({ length: 400 }, (_, i) => `{"a":${i}}`);
+  for (const work of ["'ab'.repeat(1e5).indexOf('bb')", "new Uint8Array(2e5).sort()", "'a'.repeat(4e6)"]) {
+    const code = `function f() { for (let i = 0; i < 20; ++i) ${work}; return true; }`;
+    const [first, second] = [run(code, "b", lines), run(code, "b", lines)];
+    assert.equal(first.error.what, "it took too many steps", work);
+    assert.equal(first.answers.at(-1), "!it took too many steps");
+    assert.ok(first.answers.length > 2 && first.answers.length < lines.length, `${work}: ${first.answers.length}`);
+    assert.deepEqual(second, first); // the answers before it are kept
+  }
+  const { answers, error } = run("for (;;) 'a'.repeat(4e6); function f() { return true; }");
+  assert.deepEqual([answers, error.what], [[], "it took too many steps"]); // it could not be called
+});
+
 test("recursion and what is huge are refused", () => {
   assert.match(run("function f() { return f(); }").answers[0], /stack overflow/);
   assert.match(run("function f() { let s = 'x'; for (;;) s += s; }").answers[0], /string too long|out of memory/);
@@ -94,7 +108,7 @@ test("chance is the same each time, and what breaks the engine itself is an answ
   const chance = () => run("function f() { return Math.random(); }", "n").answers;
   assert.deepEqual(chance(), chance());
   const deep = run("function f() { let a = []; for (let i = 0; i < 2e4; ++i) a = [a]; console.log(a); return true; }");
-  assert.match(deep.error.what, /^the engine gave up: RangeError/);
+  assert.equal(deep.error.what, "it nests too deeply");
 });
 
 test("what the code does to its own world does not change how it is called or read", () => {

@@ -11,7 +11,7 @@ import { cost_parts } from "./write_cost.js";
  *  @import { Saving } from "./saving.js" */
 
 const kPrefix = "write:"; // of its id among the exercises
-const kPatience = 20000; // milliseconds for code that the engine itself cannot stop
+const kPatience = 60000; // milliseconds; the engine ends long before, unless it has itself failed
 const kMostRounds = 40; // of the search for a shorter case
 const kTriesToSee = 3; // after so many the solution may be seen
 const kSeed = 1; // of the cases
@@ -291,7 +291,7 @@ class Write {
       element("h2", { class: "kicker" }, heading),
       element("dl", { class: "write-case" }, ...inputs.flatMap(([name, value]) => pair(name, text(value))),
         ...pair("right", right), ...pair("yours", yours || "something else")),
-      ...(lesson ? [this.#stage(lesson)] : []),
+      this.#stage(lesson),
     ];
   }
 

@@ -1,5 +1,6 @@
 // Runs a student's function in QuickJS, which has no network, no page and no clock: in a worker of the page, and under
-// Node for `snug grade`. Its limits are counted in the engine's own turns and bytes, the same on every machine.
+// Node for `snug grade`. Its limits are counted in the engine's own turns and bytes, the same on every machine. Within a
+// function of its own, such as sort, it cannot be asked: there its program's meter ends it (assets/metered.mjs).
 import variant from "@jitl/quickjs-wasmfile-release-sync";
 import { newQuickJSWASMModuleFromVariant, newVariant } from "quickjs-emscripten-core";
 import { kNote } from "./note_name.js";
@@ -13,6 +14,7 @@ const kMostNotes = 40; // variables
 const kMostNote = 200; // characters of a variable's value
 const kMostWhat = 300; // characters of an error
 const kMostList = 100000;
+const kTooMany = "it took too many steps", kTooDeep = "it nests too deeply";
 
 /** What would differ from run to run: the clock is taken away, and chance has a seed. */
 const kSame = `(() => {
@@ -82,11 +84,23 @@ export function run(engine, { code, name, gives, lines }) {
   const clock = { turns: 0, spins: false };
   runtime.setInterruptHandler(() => clock.spins || ++clock.turns > kTurns);
   const context = runtime.newContext();
+  const sandbox = new Sandbox(context, { code, name, gives, clock });
   try {
-    return new Sandbox(context, { code, name, gives, clock }).run(lines);
+    return sandbox.run(lines);
+  } catch (error) {
+    const what = what_ended(error), answers = sandbox.answers && [...sandbox.answers, `!${what}`];
+    return { answers: answers ?? [], output: "", notes: {}, error: { what, line: 0 }, turns: clock.turns, steps: null };
   } finally {
     close(context, runtime);
   }
+}
+
+/** Why the engine stopped: its meter or the stack that it runs on, which browsers name in their own ways.
+ *  @param {unknown} error */
+function what_ended(error) {
+  if (error instanceof WebAssembly.RuntimeError && /unreachable/i.test(error.message)) return kTooMany;
+  if (error instanceof Error && /call stack|recursion/i.test(error.message)) return kTooDeep;
+  throw error;
 }
 
 /** An engine that ran out of memory may fail to free all of it, and aborts. It is not used again. */
@@ -106,6 +120,7 @@ class Sandbox {
   #printed;
   #spin;
   #spun;
+  answers = /** @type {string[] | null} */ (null); // null until it is called
 
   /** @param {import("quickjs-emscripten-core").QuickJSContext} context
    *  @param {{ code: string, name: string, gives: string, clock: { turns: number, spins: boolean } }} asked */
@@ -145,7 +160,7 @@ class Sandbox {
       own.dispose();
       return this.#ran([], { what: `${this.#asked.name} is not a function`, line: 0 });
     }
-    const answers = [];
+    const answers = (this.answers = /** @type {string[]} */ ([]));
     let error = null;
     this.#to_turn();
     const before = this.#asked.clock.turns + 1 / kTurn; // the count that #to_turn asked for is a call
@@ -216,7 +231,7 @@ class Sandbox {
     };
     const over = this.#is_over();
     const plain = context.typeof(thrown) === "object" ? "" : String(context.dump(thrown));
-    const what = over ? "it took too many steps" : [of("name"), of("message") || plain].filter(Boolean).join(": ");
+    const what = over ? kTooMany : [of("name"), of("message") || plain].filter(Boolean).join(": ");
     const line = over ? 0 : Number(/code[.]js:(\d+)/.exec(of("stack"))?.[1] ?? 0); // it is not known where it was ended
     thrown.dispose();
     const ends = over || /out of memory/.test(what);
