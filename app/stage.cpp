@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/beside.hpp"
 #include "app/close_up.hpp"
 #include "app/mesh_normals.hpp"
 #include "app/numbers.hpp"
@@ -112,12 +113,18 @@ bool Stage::look_from(const lesson::Session& session, const std::vector<double>&
 /// What the view is framed by: everything, unless the lesson's file says otherwise.
 fit::Sphere3 Stage::aimed_at(const lesson::Session& session) const {
   const lesson::StageView& wish = session.lesson().view;
-  fit::Sphere3 ball = view_->extent(session);
-  if (const auto outline = view_->outline(session, camera_)) ball = camera_.framing(*outline);
+  fit::Sphere3 ball = ball_with_beside(session, view_->extent(session));
+  if (const auto outline = outline_of(session)) ball = camera_.framing(*outline);
   ball.radius /= wish.zoom;
   if (const auto ends = wish.look_at ? ends_of(*wish.look_at, *view_, session) : std::nullopt)
     ball.center = ((*ends)[0] + (*ends)[1]) / 2;
   return ball;
+}
+
+/// The outline of the view alone would leave out what stands beside.
+std::optional<Outline> Stage::outline_of(const lesson::Session& session) const {
+  if (has_beside(session)) return std::nullopt;
+  return view_->outline(session, camera_);
 }
 
 bool Stage::orbit_by(double yaw, double pitch) {
@@ -233,7 +240,7 @@ void Stage::keep_framed(const lesson::Session& session, bool anew) {
 void Stage::keep_outline_framed(const lesson::Session& session) {
   const std::array<double, 2> room = camera_.room();
   if (room == framed_room_ || hands_.dragging || !camera_.framed()) return;
-  const bool outlined = view_->outline(session, camera_).has_value(), was_outlined = is_outlined();
+  const bool outlined = outline_of(session).has_value(), was_outlined = is_outlined();
   if (!outlined && !was_outlined) return;
   framed_room_ = outlined ? room : std::array<double, 2>{};
   framed_ball_ = aimed_at(session);
@@ -369,6 +376,7 @@ void Stage::draw_outline(Brush& brush) {
 void Stage::draw_picture(Brush& brush) const {
   draw_outline(brush);
   view_->draw(brush);
+  draw_beside(brush);
   // The farthest first, so that nearer volumes are blended over farther ones.
   auto& volumes = brush.canvas.gl.volumes;
   sort_stably(volumes, [&](const GlVolume& a, const GlVolume& b) {

@@ -63,6 +63,7 @@ class Stage {
   void keep_framed(const lesson::Session& session, bool anew);
   void keep_outline_framed(const lesson::Session& session);
   [[nodiscard]] fit::Sphere3 aimed_at(const lesson::Session& session) const;
+  [[nodiscard]] std::optional<Outline> outline_of(const lesson::Session& session) const;
   struct Taken {
     float above = 0;        // as of SubjectView::room_of_inset
     float inset_right = 0;  // how far the second picture reaches into a low stage

@@ -22,6 +22,7 @@ struct PointFile;
 namespace snug::lesson {
 
 struct SubjectRow;
+struct Beside;
 
 /// The target of a link in the prose: an action, or a mark on the stage that lights up.
 struct Link {
@@ -233,6 +234,8 @@ struct Lesson {
   std::vector<Question> questions;
   std::vector<Task> tasks;
   std::vector<RunFigure> figures;  // those that its texts show, each once
+  std::shared_ptr<const std::vector<Beside>>
+      beside;  // what stands beside its own situation (beside.hpp); null: nothing
 };
 
 /// The greatest size of a lesson file, bytes: fifty times a long lesson. Nested tables, of which two bytes can open

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "geometry/generate.hpp"
+#include "lesson/beside.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose.hpp"
@@ -369,6 +370,7 @@ std::optional<Stages> read(const toml::table& toml, Lesson& lesson, Complaints& 
     lesson.sections.push_back(read_section(*section, lesson, complaints));
   if (lesson.sections.empty()) table.lack("section", "the lesson has no [[section]]");
   lesson.view = read_view(table, complaints);
+  lesson.beside = read_beside(table, lesson.points.dim, complaints);
   if (const toml::table* words = table.table("pseudocode")) read_pseudocode(*words, complaints, lesson);
   read_questions(table, lesson, complaints);
   if (table.has(lesson.subject->table)) read_tasks(table, lesson, complaints);

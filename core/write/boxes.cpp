@@ -213,14 +213,16 @@ bool are_kdops(const Numbers& input) {
 }
 
 constexpr std::array kFunctions{
-    Function{"overlap-min-max", "overlap", "{a:{min:3n,max:3n},b:{min:3n,max:3n}}", "b", kBoxKinds, make_boxes<min_max>,
-             boxes_overlap<ends_of_min_max>, nullptr, are_min_max},
-    Function{"overlap-min-widths", "overlap", "{a:{min:3n,widths:3n},b:{min:3n,widths:3n}}", "b", kBoxKinds,
-             make_boxes<min_widths>, boxes_overlap<ends_of_min_widths>, nullptr, are_sizes},
+    Function{"overlap-min-max", "overlap", "{a:{min:3n,max:3n},b:{min:3n,max:3n}}", "b", "volume_pair/min_max",
+             kBoxKinds, make_boxes<min_max>, boxes_overlap<ends_of_min_max>, nullptr, are_min_max},
+    Function{"overlap-min-widths", "overlap", "{a:{min:3n,widths:3n},b:{min:3n,widths:3n}}", "b",
+             "volume_pair/min_widths", kBoxKinds, make_boxes<min_widths>, boxes_overlap<ends_of_min_widths>, nullptr,
+             are_sizes},
     Function{"overlap-center-radius", "overlap", "{a:{center:3n,half_extents:3n},b:{center:3n,half_extents:3n}}", "b",
-             kBoxKinds, make_boxes<center_radius>, boxes_overlap<ends_of_center_radius>, nullptr, are_sizes},
-    Function{"overlap-kdop", "overlap", "{a:{min:7n,max:7n},b:{min:7n,max:7n}}", "b", kKdopKinds, make_kdops,
-             kdops_overlap, nullptr, are_kdops},
+             "volume_pair/center_radius", kBoxKinds, make_boxes<center_radius>, boxes_overlap<ends_of_center_radius>,
+             nullptr, are_sizes},
+    Function{"overlap-kdop", "overlap", "{a:{min:7n,max:7n},b:{min:7n,max:7n}}", "b", "volume_pair/slabs", kKdopKinds,
+             make_kdops, kdops_overlap, nullptr, are_kdops},
 };
 
 }  // namespace

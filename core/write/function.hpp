@@ -52,6 +52,7 @@ struct Function {
   std::string_view id;            // "overlap-min-max"
   std::string_view name;          // in the student's code: "overlap"
   std::string_view takes, gives;  // shapes
+  std::string_view stage;         // the method of a lesson whose stage shows a case: "sphere/welzl"
   std::span<const Kind> kinds;    // the random cases first
   void (*make)(Cases& cases);
   /// The right answer, from exact arithmetic or from the core's own algorithm. input: valid.

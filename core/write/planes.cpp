@@ -196,10 +196,10 @@ static_assert(static_cast<int>(query::Culling::kInside) == 0 && static_cast<int>
               static_cast<int>(query::Culling::kOutside) == 2);
 
 constexpr std::array kFunctions{
-    Function{"p-and-n-vertex", "vertices", "{box:{min:3n,max:3n},normal:3n}", "{p:3n,n:3n}", kVertexKinds,
-             make_vertices, vertices, are_vertices, is_vertex_input},
+    Function{"p-and-n-vertex", "vertices", "{box:{min:3n,max:3n},normal:3n}", "{p:3n,n:3n}", "frustum_box/p_n_vertex",
+             kVertexKinds, make_vertices, vertices, are_vertices, is_vertex_input},
     Function{"cull-box", "cull", "{planes:*{normal:3n,d:n},box:{min:3n,max:3n}}", "inside|intersecting|outside",
-             kCullKinds, make_culling, culled, nullptr, is_cull_input},
+             "frustum_box/p_n_vertex", kCullKinds, make_culling, culled, nullptr, is_cull_input},
 };
 
 }  // namespace

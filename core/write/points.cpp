@@ -222,12 +222,12 @@ bool is_smallest(const Numbers& input, const Numbers& answer) {
 }
 
 constexpr std::array kFunctions{
-    Function{"covariance", "covariance", "{points:*3n}", "33n", kCovarianceKinds, make_covariance, covariance,
-             is_covariance, has_points},
-    Function{"farthest-from-edge", "farthest", "{points:*2n,a:i,b:i}", "i", kEdgeKinds, make_edges, farthest,
-             is_farthest, is_edge_input},
-    Function{"smallest-sphere", "smallest", "{points:*3n}", "{center:3n,radius:n}", kSphereKinds, make_spheres,
-             smallest, is_smallest, has_points},
+    Function{"covariance", "covariance", "{points:*3n}", "33n", "obb/pca", kCovarianceKinds, make_covariance,
+             covariance, is_covariance, has_points},
+    Function{"farthest-from-edge", "farthest", "{points:*2n,a:i,b:i}", "i", "hull/quickhull", kEdgeKinds, make_edges,
+             farthest, is_farthest, is_edge_input},
+    Function{"smallest-sphere", "smallest", "{points:*3n}", "{center:3n,radius:n}", "sphere/welzl", kSphereKinds,
+             make_spheres, smallest, is_smallest, has_points},
 };
 
 }  // namespace

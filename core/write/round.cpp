@@ -264,14 +264,14 @@ Numbers capsules_overlap(const Numbers& input) { return {overlap(capsules_of(inp
 bool are_capsules(const Numbers& input) { return input[6] >= 0 && input[13] >= 0 && is_clear(capsules_of(input)); }
 
 constexpr std::array kFunctions{
-    Function{"overlap-spheres", "overlap", "{a:{center:3n,radius:n},b:{center:3n,radius:n}}", "b", kSphereKinds,
-             make_spheres, spheres_overlap, nullptr, have_radii},
-    Function{"grow-sphere", "grow", "{sphere:{center:3n,radius:n},point:3n}", "{center:3n,radius:n}", kGrowKinds,
-             make_growing, grown, is_grown, has_radius},
-    Function{"closest-on-segment", "closest", "{p:3n,a:3n,b:3n}", "3n", kSegmentKinds, make_segments, closest,
-             is_closest},
-    Function{"overlap-capsules", "overlap", "{a:{a:3n,b:3n,radius:n},b:{a:3n,b:3n,radius:n}}", "b", kCapsuleKinds,
-             make_capsules, capsules_overlap, nullptr, are_capsules},
+    Function{"overlap-spheres", "overlap", "{a:{center:3n,radius:n},b:{center:3n,radius:n}}", "b",
+             "volume_pair/spheres", kSphereKinds, make_spheres, spheres_overlap, nullptr, have_radii},
+    Function{"grow-sphere", "grow", "{sphere:{center:3n,radius:n},point:3n}", "{center:3n,radius:n}",
+             "volume_pair/spheres", kGrowKinds, make_growing, grown, is_grown, has_radius},
+    Function{"closest-on-segment", "closest", "{p:3n,a:3n,b:3n}", "3n", "volume_pair/swept_spheres", kSegmentKinds,
+             make_segments, closest, is_closest},
+    Function{"overlap-capsules", "overlap", "{a:{a:3n,b:3n,radius:n},b:{a:3n,b:3n,radius:n}}", "b",
+             "volume_pair/swept_spheres", kCapsuleKinds, make_capsules, capsules_overlap, nullptr, are_capsules},
 };
 
 }  // namespace

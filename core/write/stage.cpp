@@ -49,26 +49,26 @@ std::string aabb(Take& take) {
   const Vector3 first = take.vector(), second = take.vector();
   const Vector3 min = form == Form::kCenterRadius ? Vector3(first - second) : first;
   const Vector3 max = form == Form::kMinMax ? second : Vector3(first + second);
-  return "{ aabb = { min = " + list(min) + ", max = " + list(max) + " } }";
+  // An answer may be inside out.
+  return "{ aabb = { min = " + list(Vector3(min.cwiseMin(max))) + ", max = " + list(Vector3(min.cwiseMax(max))) +
+         " } }";
 }
-std::string sphere_at(const Vector3& center, double radius) {
+template <int Dim>
+std::string sphere_at(const Vector<double, Dim>& center, double radius = 0) {
   return "{ sphere = { center = " + list(center) + ", radius = " + number(radius) + " } }";
 }
 std::string sphere(Take& take) {
   const Vector3 center = take.vector();
-  return sphere_at(center, take.number());
+  return sphere_at<3>(center, take.number());
 }
-std::string point(Take& take) { return sphere_at(take.vector(), 0); }
-std::string capsule_at(const Vector3& a, const Vector3& b, double radius) {
+std::string point(Take& take) { return sphere_at<3>(take.vector()); }
+template <int Dim>
+std::string capsule_at(const Vector<double, Dim>& a, const Vector<double, Dim>& b, double radius = 0) {
   return "{ capsule = { a = " + list(a) + ", b = " + list(b) + ", radius = " + number(radius) + " } }";
 }
 std::string capsule(Take& take) {
   const Vector3 a = take.vector(), b = take.vector();
-  return capsule_at(a, b, take.number());
-}
-std::string segment(Take& take) {
-  const Vector3 a = take.vector();
-  return capsule_at(a, take.vector(), 0);
+  return capsule_at<3>(a, b, take.number());
 }
 std::string kdop(Take& take) {
   std::vector<double> min(7), max(7);
@@ -83,18 +83,80 @@ std::string obb(Take& take) {
          ", turn = " + list(degrees_of(axes)) + " } }";
 }
 
-using Written = std::string (*)(Take&);
-template <Written a, Written b>
-std::string pair(const Numbers& input) {
+/// The volumes that numbers may be, by their shapes.
+struct VolumeShape {
+  std::string_view shape;
+  std::string (*written)(Take&);
+};
+constexpr std::array kVolumes{
+    VolumeShape{"3n", point},
+    VolumeShape{"{center:3n,radius:n}", sphere},
+    VolumeShape{"{min:3n,max:3n}", aabb<Form::kMinMax>},
+    VolumeShape{"{min:3n,widths:3n}", aabb<Form::kMinWidths>},
+    VolumeShape{"{center:3n,half_extents:3n}", aabb<Form::kCenterRadius>},
+    VolumeShape{"{center:3n,axes:33n,half_extents:3n}", obb},
+    VolumeShape{"{a:3n,b:3n,radius:n}", capsule},
+    VolumeShape{"{min:7n,max:7n}", kdop},
+};
+/// Empty if they are none.
+std::string volume(std::string_view shape, Take& take) {
+  for (const VolumeShape& one : kVolumes)
+    if (one.shape == shape) return one.written(take);
+  return {};
+}
+
+struct Field {
+  std::string_view name, shape;
+};
+/// The fields of an object's shape; none of another.
+std::vector<Field> fields_of(std::string_view shape) {
+  std::vector<Field> fields;
+  int depth = 0;
+  std::size_t from = 1, colon = 0;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    depth += shape[i] == '{' ? 1 : shape[i] == '}' ? -1 : 0;
+    if (depth == 1 && shape[i] == ':') colon = i;
+    if (depth != (shape[i] == '}' ? 0 : 1) || (shape[i] != ',' && shape[i] != '}')) continue;
+    fields.push_back({shape.substr(from, colon - from), shape.substr(colon + 1, i - colon - 1)});
+    from = i + 1;
+  }
+  return fields;
+}
+
+std::string pair(const std::string& a, const std::string& b) {
+  return "[volumes]\ndim = 3\na = " + a + "\nb = " + b + '\n';
+}
+
+/// What stands beside. is: "right", "yours" or "given".
+std::string beside(std::string_view is, const std::string& name, const std::string& volume) {
+  return "[[beside]]\nis = \"" + std::string(is) + '"' + (name.empty() ? "" : "\nname = \"" + name + '"') +
+         "\nvolume = " + volume + '\n';
+}
+
+/// The first two of what a function takes, and along the axis between them that may follow a line.
+std::string volumes(const Function& function, const Numbers& input) {
+  const auto fields = fields_of(function.takes);
   Take take(input);
-  const std::string first = a(take);
-  return "[volumes]\ndim = 3\na = " + first + "\nb = " + b(take) + '\n';
+  const std::string first = volume(fields[0].shape, take);
+  const std::string text = pair(first, volume(fields[1].shape, take));
+  if (fields.size() < 3) return text;
+  const Vector3 axis = take.vector(), a(input.data()),
+                b(input.data() + (input.size() - 3) / 2);  // a volume's centre is first
+  const Vector3 middle = (a + b) / 2, half = axis * (b - a).norm();
+  return text + beside("given", "axis", capsule_at<3>(middle - half, middle + half));
+}
+
+std::string point_and_segment(const Function&, const Numbers& input) {
+  Take take(input);
+  const std::string p = point(take);
+  const Vector3 a = take.vector();
+  return pair(p, capsule_at<3>(a, take.vector()));
 }
 
 // ---- points ------------------------------------------------------------------------------------------------------
 
 template <int Dim>
-std::string points(const Numbers& input) {
+std::string points(const Function&, const Numbers& input) {
   Take take(input);
   std::string text = "[points]\ndim = " + std::to_string(Dim) + "\nlist = [";
   for (double left = take.number(); left > 0; --left) {
@@ -103,6 +165,19 @@ std::string points(const Numbers& input) {
     text += list(p) + (left > 1 ? ", " : "");
   }
   return text + "]\n";
+}
+
+Point2 point_at(const Numbers& input, double i) {
+  const double* at = input.data() + 1 + 2 * static_cast<std::size_t>(i);
+  return {at[0], at[1]};
+}
+std::string point_named(const Numbers& input, double i) { return sphere_at<2>(point_at(input, i)); }
+
+std::string points_and_edge(const Function& function, const Numbers& input) {
+  const double a = input[input.size() - 2], b = input.back();
+  return points<2>(function, input) + beside("given", "a", point_named(input, a)) +
+         beside("given", "b", point_named(input, b)) +
+         beside("given", "", capsule_at<2>(point_at(input, a), point_at(input, b)));
 }
 
 // ---- a box and a frustum -------------------------------------------------------------------------------------------
@@ -128,7 +203,7 @@ std::string box_and_frustum(const Aabb<double, 3>& box, const Camera& camera, do
          list(degrees_of(axes_along(camera.view))) + "]\n";
 }
 
-std::string culled(const Numbers& input) {
+std::string culled(const Function&, const Numbers& input) {
   const CullInput own = cull_input_of(input);
   const Camera camera = *camera_of(own.planes);
   return box_and_frustum(own.box, camera, camera.far);
@@ -136,7 +211,7 @@ std::string culled(const Numbers& input) {
 
 /// A camera that looks along the normal. Its far plane cuts the box, which is within the others: so this plane has the
 /// p-vertex outside and the n-vertex inside.
-std::string vertices(const Numbers& input) {
+std::string vertices(const Function&, const Numbers& input) {
   Take take(input);
   Aabb<double, 3> box;
   box.min = take.vector(), box.max = take.vector();
@@ -148,7 +223,7 @@ std::string vertices(const Numbers& input) {
 
 // ---- a body that has rotated ---------------------------------------------------------------------------------------
 
-std::string rotated(const Numbers& input) {
+std::string rotated(const Function&, const Numbers& input) {
   Take take(input);
   const Vector3 center = take.vector(), extents = take.vector();
   std::string vertices;
@@ -159,7 +234,7 @@ std::string rotated(const Numbers& input) {
 
 // ---- a tree and a ray ----------------------------------------------------------------------------------------------
 
-std::string tree_and_ray(const Numbers& input) {
+std::string tree_and_ray(const Function&, const Numbers& input) {
   const auto [nodes, ray] = ray_input_of(input);
   std::string centers, halves;
   for (const Node& node : nodes) {
@@ -188,33 +263,32 @@ std::string leaf_names(const Numbers& input) {
   return text + '.';
 }
 
-/// What shows a function's input: a lesson's volume, its algorithm, and the table with what stands on the stage.
+std::string leaf(const Numbers& input, double i) {
+  const auto box = ray_input_of(input).nodes[static_cast<std::size_t>(i)].box;
+  return "{ aabb = { min = " + list(box.min) + ", max = " + list(box.max) + " } }";
+}
+
+/// How inputs that are no two volumes are shown.
 struct Row {
-  std::string_view function, volume, algorithm;
-  std::string (*table)(const Numbers& input);
-  std::string (*names)(const Numbers& input) = nullptr;  // what the stage calls what the function was given
-  Written answer = nullptr;                              // what the function gives, beside two volumes
+  std::string_view takes;
+  std::string (*table)(const Function& function, const Numbers& input);
+  std::string (*element)(const Numbers& input, double i) = nullptr;  // the one that an index means
+  std::string (*names)(const Numbers& input) = nullptr;              // what the stage calls what the function was given
 };
 constexpr std::array kRows{
-    Row{"overlap-min-max", "volume_pair", "min_max", pair<aabb<Form::kMinMax>, aabb<Form::kMinMax>>},
-    Row{"overlap-min-widths", "volume_pair", "min_widths", pair<aabb<Form::kMinWidths>, aabb<Form::kMinWidths>>},
-    Row{"overlap-center-radius", "volume_pair", "center_radius",
-        pair<aabb<Form::kCenterRadius>, aabb<Form::kCenterRadius>>},
-    Row{"overlap-kdop", "volume_pair", "slabs", pair<kdop, kdop>},
-    Row{"overlap-spheres", "volume_pair", "spheres", pair<sphere, sphere>},
-    Row{"grow-sphere", "volume_pair", "spheres", pair<sphere, point>, nullptr, sphere},
-    Row{"closest-on-segment", "volume_pair", "swept_spheres", pair<point, segment>, nullptr, point},
-    Row{"overlap-capsules", "volume_pair", "swept_spheres", pair<capsule, capsule>},
-    Row{"sat", "volume_pair", "separating_axes", pair<obb, obb>},
-    Row{"sat-row", "volume_pair", "separating_axes", pair<obb, obb>},
-    Row{"p-and-n-vertex", "frustum_box", "p_n_vertex", vertices},
-    Row{"cull-box", "frustum_box", "p_n_vertex", culled},
-    Row{"rotated-aabb", "update", "rotated_box", rotated},
-    Row{"first-hit", "bvh_query", "ray_nearest", tree_and_ray, leaf_names},
-    Row{"covariance", "obb", "pca", points<3>},
-    Row{"farthest-from-edge", "hull", "quickhull", points<2>},
-    Row{"smallest-sphere", "sphere", "welzl", points<3>},
+    Row{"{p:3n,a:3n,b:3n}", point_and_segment},
+    Row{"{points:*3n}", points<3>},
+    Row{"{points:*2n,a:i,b:i}", points_and_edge, point_named},
+    Row{"{box:{center:3n,half_extents:3n},rotation:33n}", rotated},
+    Row{"{box:{min:3n,max:3n},normal:3n}", vertices},
+    Row{"{planes:*{normal:3n,d:n},box:{min:3n,max:3n}}", culled},
+    Row{"{nodes:*{min:2n,max:2n,parent:i,left:i,right:i},ray:{origin:2n,direction:2n}}", tree_and_ray, leaf,
+        leaf_names},
+    Row{"", volumes},
 };
+const Row& row_of(const Function& function) {
+  return *std::find_if(kRows.begin(), kRows.end() - 1, [&](const Row& row) { return row.takes == function.takes; });
+}
 
 /// Whether a lesson takes it: it is no farther off than any case, and a radius is not negative.
 bool can_stand(const Function& function, const Numbers& answer) {
@@ -224,15 +298,20 @@ bool can_stand(const Function& function, const Numbers& answer) {
          (!has_radius || (answer.back() >= 0 && answer.back() <= kLargest));
 }
 
-std::string answers(const Row& row, const Function& function, const Numbers& input, const Answered& answer) {
+/// What an answer is on the stage; empty if it is nothing there. is: "right" or "yours".
+std::string answer_beside(const std::string& is, const Function& function, const Row& row, const Numbers& input,
+                          const Numbers& answer) {
+  if (!can_stand(function, answer)) return {};
+  if (function.gives == "i") {
+    const bool is_one = row.element != nullptr && is_index(answer[0], static_cast<std::size_t>(input[0]));
+    return is_one ? beside(is, is, row.element(input, answer[0])) : "";
+  }
   std::string text;
-  const auto add = [&](std::string_view key, const Numbers& numbers) {
-    Take take(numbers);
-    if (can_stand(function, numbers)) text += std::string(key) + " = " + row.answer(take) + '\n';
-  };
-  if (row.answer == nullptr) return text;
-  add("right", function.right(input));
-  if (answer && fits(function.gives, *answer)) add("yours", *answer);
+  Take take(answer);
+  if (const std::string whole = volume(function.gives, take); !whole.empty()) return beside(is, is, whole);
+  for (const auto& [name, shape] : fields_of(function.gives))
+    if (const std::string part = volume(shape, take); !part.empty())
+      text += beside(is, is + ' ' + std::string(name), part);
   return text;
 }
 
@@ -250,15 +329,18 @@ std::string plain(std::string_view told) {
 }  // namespace stage
 
 std::string lesson_of(const Function& function, const Numbers& input, const Answered& answer, std::string_view told) {
-  for (const stage::Row& row : stage::kRows)
-    if (row.function == function.id)
-      return "version = 2\ntitle = \"A case on which your function differs\"\n"
-             "summary = \"What it was given, on the stage.\"\nminutes = 1\nvolume = \"" +
-             std::string(row.volume) + "\"\nalgorithms = [\"" + std::string(row.algorithm) + "\"]\n\n" +
-             row.table(input) + stage::answers(row, function, input, answer) +
-             "\n[[section]]\ntitle = \"What your function was given\"\ntext = \"\"\"\n" + stage::plain(told) +
-             (row.names != nullptr ? "\n\n" + row.names(input) : "") + "\n\"\"\"\n";
-  return {};
+  const stage::Row& row = stage::row_of(function);
+  const std::string right = stage::answer_beside("right", function, row, input, function.right(input));
+  const bool fits_it = answer && fits(function.gives, *answer);
+  const std::string yours = fits_it ? stage::answer_beside("yours", function, row, input, *answer) : "";
+  std::string text = stage::plain(told);
+  if (!yours.empty()) text += "\n\nOn the stage yours has dots or a cross.";
+  if (!right.empty()) text += "\n\nOn the stage what is right has dashes or a ring.";
+  if (row.names != nullptr) text += "\n\n" + row.names(input);
+  return "version = 2\ntitle = \"A case on which your function differs\"\n"
+         "summary = \"What it was given, on the stage.\"\nminutes = 1\nalgorithms = [\"" +
+         std::string(function.stage) + "\"]\n\n" + row.table(function, input) + right + yours +
+         "\n[[section]]\ntitle = \"What your function was given\"\ntext = \"\"\"\n" + text + "\n\"\"\"\n";
 }
 
 }  // namespace snug::write

@@ -9,8 +9,7 @@
 namespace snug::write {
 
 /// The file of a lesson with this input on its stage. told: a text below it, a line for each of its lines. answer: a
-/// wrong one, which stands on the stage of two volumes beside the right one if it is a place or a volume. Empty if no
-/// stage shows what the function is about.
+/// wrong one, which stands beside the right one if it is a place or a volume.
 [[nodiscard]] std::string lesson_of(const Function& function, const Numbers& input, const Answered& answer,
                                     std::string_view told);
 

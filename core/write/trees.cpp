@@ -163,7 +163,7 @@ bool is_ray_input(const Numbers& input) {
 
 constexpr std::array kFunctions{
     Function{"first-hit", "first_hit", "{nodes:*{min:2n,max:2n,parent:i,left:i,right:i},ray:{origin:2n,direction:2n}}",
-             "i", kRayKinds, make_rays, first_hit, is_first_hit, is_ray_input},
+             "i", "bvh_query/ray_nearest", kRayKinds, make_rays, first_hit, is_first_hit, is_ray_input},
 };
 
 }  // namespace

@@ -265,12 +265,12 @@ bool is_sat_input(const Numbers& input) {
 
 constexpr std::array kFunctions{
     Function{"rotated-aabb", "rotated", "{box:{center:3n,half_extents:3n},rotation:33n}", "{center:3n,half_extents:3n}",
-             kRotatedKinds, make_rotated, rotated, is_rotated, is_rotated_input},
-    Function{"sat-row", "row",
-             "{a:{center:3n,axes:33n,half_extents:3n},b:{center:3n,axes:33n,half_extents:3n},axis:3n}",
-             "{distance:n,r_a:n,r_b:n}", kRowKinds, make_rows, row, is_row, is_row_input},
+             "update/rotated_box", kRotatedKinds, make_rotated, rotated, is_rotated, is_rotated_input},
+    Function{
+        "sat-row", "row", "{a:{center:3n,axes:33n,half_extents:3n},b:{center:3n,axes:33n,half_extents:3n},axis:3n}",
+        "{distance:n,r_a:n,r_b:n}", "volume_pair/separating_axes", kRowKinds, make_rows, row, is_row, is_row_input},
     Function{"sat", "overlap", "{a:{center:3n,axes:33n,half_extents:3n},b:{center:3n,axes:33n,half_extents:3n}}", "b",
-             kSatKinds, make_sat, sat, nullptr, is_sat_input},
+             "volume_pair/separating_axes", kSatKinds, make_sat, sat, nullptr, is_sat_input},
 };
 
 }  // namespace

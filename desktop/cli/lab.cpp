@@ -118,7 +118,6 @@ CommandResult check(const LabOptions& options, const OpenWindow& open_window) {
   if (!options.show || !checked->first) return Printed{text, status};
   const CounterExample& shown = checked->shortest ? *checked->shortest : *checked->first;
   const std::string lesson = write::lesson_of(function, shown.input, shown.answer, told(function, shown, ""));
-  if (lesson.empty()) return Printed{text + "It cannot be drawn on a stage.\n", status};
   const std::string path = (fs::path(options.folder) / "counter-example.toml").string();
   if (const auto done = write_file(path, lesson); !done) return bad_input(done.error());
   std::fwrite(text.data(), 1, text.size(), stdout);

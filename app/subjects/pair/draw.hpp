@@ -49,9 +49,6 @@ void draw_untested(Brush& brush, lesson::PairSteps steps);
 
 /// Draws two volumes of any kind, and what the last of the steps is about.
 void draw_volumes(Brush& brush, lesson::PairSteps steps);
-/// The answers that stand beside two volumes, the right one first; null where there is none, and where the volumes were
-/// moved, for then they are answers to nothing.
-[[nodiscard]] std::array<const lesson::HeldVolume*, 2> answers_beside(const lesson::Session& session);
 
 /// Draws the difference A - B of both cores in the plane, the origin and the simplex, in a corner of the stage below a
 /// height. Returns the room that it takes; empty if there is not enough.

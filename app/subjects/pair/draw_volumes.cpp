@@ -8,7 +8,6 @@
 #include "app/polytope.hpp"
 #include "app/subjects/pair/draw.hpp"
 #include "lesson/subjects/pair/feature.hpp"
-#include "lesson/subjects/pair/read_volumes.hpp"
 #include "lesson/words.hpp"
 
 namespace snug::app {
@@ -208,30 +207,6 @@ struct Drawing {
   }
 };
 
-/// Where the name of an answer stands, seen from it: away from the other one, which may lie within a pixel of it.
-ImVec2 side_of(const Brush& brush, const HeldVolume& answer, const HeldVolume* other, bool right) {
-  const ImVec2 own = brush.at(lesson::at_handle(answer, {})),
-               from = other ? brush.at(lesson::at_handle(*other, {})) : own;
-  const float dx = own.x - from.x, dy = own.y - from.y, apart = std::hypot(dx, dy);
-  return apart > 2 ? ImVec2{dx / apart, dy / apart} : right ? ImVec2{1, -1} : ImVec2{-1, 1};
-}
-
-/// It has a line of its own kind, or a mark where it is a point, and its name.
-void draw_answer(Brush& brush, const HeldVolume& answer, const HeldVolume* other, bool right) {
-  constexpr float kMark = 9;  // of a point, pixels
-  const Camera& camera = brush.canvas.camera;
-  const Color color = right ? brush.p.optimum : brush.p.wrong;
-  const ImVec2 toward = side_of(brush, answer, other, right);
-  const Point3 way = (camera.right() * toward.x - camera.up() * toward.y).normalized();
-  const ImVec2 at = brush.at(farthest_in(answer.volume, way, answer.dim));
-  const auto* ball = std::get_if<fit::Sphere3>(&answer.volume);
-  if (ball == nullptr || ball->radius > 0)
-    draw_volume(brush.canvas, answer.volume, {right ? Stroke::kLongDashed : Stroke::kDotted, color, brush.stroke()});
-  else if (right) ring(brush.list, at, kMark * brush.p.mark, color, brush.stroke());
-  else cross(brush.list, at, kMark * brush.p.mark, color, brush.stroke());
-  brush.label(at, 2 * kMark, toward, right ? "right" : "yours", right ? brush.p.optimum_text : brush.p.wrong_text);
-}
-
 }  // namespace
 
 std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, double half) {
@@ -239,21 +214,11 @@ std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, dou
   return {middle + along + across, middle - along + across, middle - along - across, middle + along - across};
 }
 
-std::array<const HeldVolume*, 2> answers_beside(const lesson::Session& session) {
-  const auto* tables = static_cast<const lesson::VolumeTables*>(session.lesson().tables.get());
-  if (tables == nullptr || !session.is_own()) return {};
-  const auto one = [&](std::size_t i) { return tables->answers[i] ? &*tables->answers[i] : nullptr; };
-  return {one(0), one(1)};
-}
-
 void draw_volumes(Brush& brush, lesson::PairSteps steps) {
   const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair()};
   for (const int side : {0, 1}) drawing.volume(side);
   if (drawing.pair.cylinders)
     for (const int side : {0, 1}) drawing.cylinder(side);
-  const auto answers = answers_beside(brush.session);
-  for (const std::size_t which : {0, 1})
-    if (answers[which] != nullptr) draw_answer(brush, *answers[which], answers[1 - which], which == 0);
   if (steps.empty()) return;
   const auto is_box = [&](int side) { return std::holds_alternative<Aabb<double, 3>>(drawing.pair.held[side].volume); };
   if (is_box(0) && is_box(1))  // their intervals stay beside the axes

@@ -159,14 +159,8 @@ class VolumesView final : public SubjectView {
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const lesson::VolumePair& pair = pair_of(session);
-    fit::Sphere3 both =
+    const fit::Sphere3 both =
         ball_around(ball_around(pair.held[0].volume, pair.dim), ball_around(pair.held[1].volume, pair.dim));
-    constexpr double kMost = 3;  // an answer that is farther off would leave the volumes too small to see
-    const double most = kMost * both.radius;
-    for (const lesson::HeldVolume* answer : answers_beside(session))
-      if (answer != nullptr)
-        if (const fit::Sphere3 all = ball_around(both, ball_around(answer->volume, pair.dim)); all.radius <= most)
-          both = all;
     if (!pair.any || pair.dim == 3) return {both.center, kRoomForAxis * both.radius};
     // The difference is at the left.
     return {both.center - Point3(0.25 * both.radius, 0, 0), 1.25 * kRoomForAxis * both.radius};
@@ -176,7 +170,7 @@ class VolumesView final : public SubjectView {
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     const lesson::VolumePair& pair = pair_of(session);
     const std::string_view test = session.method(0)->name;
-    if (test == "separating_axes" || answers_beside(session)[0] != nullptr) return std::nullopt;
+    if (test == "separating_axes") return std::nullopt;
     const auto range = [&](const Point3& way) {
       const auto reach = [&](const Point3& along) {
         double most = std::max(lesson::reach_along(pair.held[0], along), lesson::reach_along(pair.held[1], along));

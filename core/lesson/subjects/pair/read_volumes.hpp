@@ -10,13 +10,10 @@ struct VolumeTables : Tables {
   VolumePair pair;
   bool in_float = false;         // whether the volumes are rounded to float, and tested in it
   std::array<bool, 2> stored{};  // whether the lesson shows how A and how B is stored (lesson/stored.hpp)
-  /// Answers to a question about the pair that stand beside it: the right one, and a wrong one.
-  std::array<std::optional<HeldVolume>, 2> answers;
-  int line = 1;  // that of the table
+  int line = 1;                  // that of the table
 };
 
-/// Reads a and b: each is a table with the kind of the volume, whose fields are named as in `snug overlap`. But an
-/// oriented box has "turn", in degrees, instead of its axes.
+/// Reads a and b (read_held_volume).
 void read_volumes(TomlTable& table, Lesson& lesson, Complaints& complaints);
 /// Reads a task's "model", a table with a and b of the lesson's kinds.
 [[nodiscard]] Rows read_volume_model(TomlTable& task, const Lesson& lesson, Complaints& complaints);

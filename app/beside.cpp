@@ -1,0 +1,80 @@
+#include "app/beside.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/polytope.hpp"
+#include "lesson/beside.hpp"
+
+namespace snug::app {
+namespace {
+
+using lesson::Beside;
+
+struct Style {
+  Stroke stroke;
+  Color color, text;
+};
+Style style_of(const Palette& p, Beside::Is is) {
+  if (is == Beside::Is::kRight) return {Stroke::kLongDashed, p.optimum, p.optimum_text};
+  if (is == Beside::Is::kYours) return {Stroke::kDotted, p.wrong, p.wrong_text};
+  return {Stroke::kSolid, p.support, p.support_text};
+}
+
+void mark_point(Brush& brush, ImVec2 at, Beside::Is is, Color color) {
+  const float size = 9 * brush.p.mark;
+  if (is == Beside::Is::kRight) return ring(brush.list, at, size, color, brush.stroke());
+  if (is == Beside::Is::kYours) return cross(brush.list, at, size, color, brush.stroke());
+  diamond(brush.list, at, size, color, brush.p.ground);
+}
+
+/// The answer that the other of the two gives in its place: the n-th of its kind; null for none.
+const Beside* opposite(std::span<const Beside> all, const Beside& one) {
+  if (one.is == Beside::Is::kGiven) return nullptr;
+  const auto nth = std::count_if(all.data(), &one, [&](const Beside& other) { return other.is == one.is; });
+  std::ptrdiff_t left = nth;
+  for (const Beside& other : all)
+    if (other.is != one.is && other.is != Beside::Is::kGiven && left-- == 0) return &other;
+  return nullptr;
+}
+
+/// Where its name stands, seen from it: away from the opposite, which may lie within a pixel of it.
+ImVec2 side_of(const Brush& brush, const Beside& one, const Beside* other) {
+  const ImVec2 own = brush.at(lesson::at_handle(one.volume, {})),
+               from = other ? brush.at(lesson::at_handle(other->volume, {})) : own;
+  const float dx = own.x - from.x, dy = own.y - from.y, apart = std::hypot(dx, dy);
+  return apart > 2 ? ImVec2{dx / apart, dy / apart} : one.is == Beside::Is::kYours ? ImVec2{-1, 1} : ImVec2{1, -1};
+}
+
+}  // namespace
+
+bool has_beside(const lesson::Session& session) { return session.lesson().beside != nullptr && session.is_own(); }
+
+fit::Sphere3 ball_with_beside(const lesson::Session& session, const fit::Sphere3& shown) {
+  constexpr double kMost = 3;  // what is farther off would leave the rest too small to see
+  fit::Sphere3 all = shown;
+  if (!has_beside(session)) return all;
+  for (const auto& [is, name, held] : *session.lesson().beside) {
+    const fit::Sphere3 both = ball_around(all, ball_around(held.volume, held.dim));
+    if (both.radius <= kMost * shown.radius) all = both;
+  }
+  return all;
+}
+
+void draw_beside(Brush& brush) {
+  if (!has_beside(brush.session)) return;
+  const Camera& camera = brush.canvas.camera;
+  const std::span<const Beside> all = *brush.session.lesson().beside;
+  for (const Beside& one : all) {
+    const auto [stroke, color, text] = style_of(brush.p, one.is);
+    const ImVec2 toward = side_of(brush, one, opposite(all, one));
+    const Point3 way = (camera.right() * toward.x - camera.up() * toward.y).normalized();
+    const ImVec2 at = brush.at(farthest_in(one.volume.volume, way, one.volume.dim));
+    const auto* ball = std::get_if<fit::Sphere3>(&one.volume.volume);
+    if (ball != nullptr && ball->radius == 0) mark_point(brush, at, one.is, color);
+    else draw_volume(brush.canvas, one.volume.volume, {stroke, color, brush.stroke()});
+    if (!one.name.empty()) brush.label(at, 18, toward, one.name, text);
+  }
+}
+
+}  // namespace snug::app
