@@ -62,10 +62,25 @@ const kMistakes = [
   ["overlap", "a.max[i] < b.min[i]", "a.max[i] < b.min[i] - 1e-9", "tiny"], // an epsilon at the wrong scale
   ["overlap", "a.max[i] < b.min[i]", "static_cast<float>(a.max[i]) < static_cast<float>(b.min[i])", "far"],
   ["ritter", "distance <= sphere.radius", "distance < sphere.radius", "zero"],
+  ["ritter", "distance <= sphere.radius", "distance <= sphere.radius + 1e-9", "tiny"],
+  ["ritter", "point - sphere.center", "(point.cast<float>() - sphere.center.cast<float>()).cast<double>()", "far"],
   ["sat", "std::abs(box.axes.col(i).dot(axis))", "box.axes.col(i).dot(axis)", "random"], // a forgotten absolute value
   ["sat", "axis.squaredNorm() > 1e-20 && separates", "!(axis.squaredNorm() > 1e-20) || separates", "parallel"],
+  ["sat", "> radius(a", ">= radius(a", "touching"],
+  ["sat", " || separates(a, b, b.axes.col(i))", "", "faces"],
+  ["sat", "j < 3", "j < 0", "edges"],
+  ["sat", "(b.center - a.center)", "(b.center.cast<float>() - a.center.cast<float>()).cast<double>()", "far"],
   ["pvertex", "normal[i] >= 0 ? box.max[i]", "normal[0] >= 0 ? box.max[i]", "random"],
+  ["pvertex", "normal[i] >= 0 ? box.max[i]", "normal[i] > -1e-9 ? box.max[i]", "tiny"],
+  ["pvertex", "? box.max[i]", "? static_cast<float>(box.max[i])", "far"],
   ["quickhull", "left > most", "left >= most", "none"],
+  ["quickhull", "best = static_cast<int>(i), most = left", "return static_cast<int>(i)", "random"],
+  ["quickhull", "double most = 0", "double most = 1e-9", "tiny"],
+  ["quickhull", "points[i] - from", "(points[i].cast<float>() - from.cast<float>()).cast<double>()", "far"],
+  ["welzl", "l < k", "l < 0", "random"], // four points are forgotten
+  ["welzl", "if (!(extent > 0)) return {origin, 0};", "", "one"],
+  ["welzl", "radius + 1e-10 * extent", "radius + 1e-10", "tiny"],
+  ["welzl", "p -= origin,", "p = p.cast<float>().cast<double>(), p -= origin,", "far"],
 ];
 for (const [lab, from, to, kind] of process.env.SNUG_EVERY_MISTAKE ? kMistakes : kMistakes.slice(0, 1))
   test(`${lab}: ${to} fails on ${kind}`, () => {
