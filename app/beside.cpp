@@ -70,9 +70,12 @@ void draw_beside(Brush& brush) {
     const ImVec2 toward = side_of(brush, one, opposite(all, one));
     const Point3 way = (camera.right() * toward.x - camera.up() * toward.y).normalized();
     const ImVec2 at = brush.at(farthest_in(one.volume.volume, way, one.volume.dim));
+    const VolumeStyle style{stroke, color, brush.stroke()};
     const auto* ball = std::get_if<fit::Sphere3>(&one.volume.volume);
+    const auto* capsule = std::get_if<Capsule<double, 3>>(&one.volume.volume);
     if (ball != nullptr && ball->radius == 0) mark_point(brush, at, one.is, color);
-    else draw_volume(brush.canvas, one.volume.volume, {stroke, color, brush.stroke()});
+    else if (capsule != nullptr && capsule->radius == 0) draw_line(brush.canvas, capsule->a, capsule->b, style);
+    else draw_volume(brush.canvas, one.volume.volume, style);
     if (!one.name.empty()) brush.label(at, 18, toward, one.name, text);
   }
 }

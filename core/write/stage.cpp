@@ -167,14 +167,11 @@ std::string points(const Function&, const Numbers& input) {
   return text + "]\n";
 }
 
-Point2 point_at(const Numbers& input, double i) {
-  const double* at = input.data() + 1 + 2 * static_cast<std::size_t>(i);
-  return {at[0], at[1]};
-}
-std::string point_named(const Numbers& input, double i) { return sphere_at<2>(point_at(input, i)); }
+Point2 point_at(const Numbers& input, std::size_t i) { return Point2(input.data() + 1 + 2 * i); }
+std::string point_named(const Numbers& input, std::size_t i) { return sphere_at<2>(point_at(input, i)); }
 
 std::string points_and_edge(const Function& function, const Numbers& input) {
-  const double a = input[input.size() - 2], b = input.back();
+  const auto a = static_cast<std::size_t>(input[input.size() - 2]), b = static_cast<std::size_t>(input.back());
   return points<2>(function, input) + beside("given", "a", point_named(input, a)) +
          beside("given", "b", point_named(input, b)) +
          beside("given", "", capsule_at<2>(point_at(input, a), point_at(input, b)));
@@ -217,8 +214,8 @@ std::string vertices(const Function&, const Numbers& input) {
   box.min = take.vector(), box.max = take.vector();
   const Vector3 view = take.vector().stableNormalized(), center = box.min + (box.max - box.min) / 2;
   const double radius = (box.max - box.min).norm() / 2, size = radius > 0 ? radius : 1;
-  const Camera camera{.apex = center - 6 * size * view, .view = view, .near = 3 * size, .far = 6 * size};
-  return box_and_frustum(box, camera, 2 * size);
+  const Camera camera{.apex = center - 3 * size * view, .view = view, .near = 2 * size, .far = 3 * size};
+  return box_and_frustum(box, camera, 1.5 * size);
 }
 
 // ---- a body that has rotated ---------------------------------------------------------------------------------------
@@ -263,8 +260,8 @@ std::string leaf_names(const Numbers& input) {
   return text + '.';
 }
 
-std::string leaf(const Numbers& input, double i) {
-  const auto box = ray_input_of(input).nodes[static_cast<std::size_t>(i)].box;
+std::string leaf(const Numbers& input, std::size_t i) {
+  const auto box = ray_input_of(input).nodes[i].box;
   return "{ aabb = { min = " + list(box.min) + ", max = " + list(box.max) + " } }";
 }
 
@@ -272,8 +269,8 @@ std::string leaf(const Numbers& input, double i) {
 struct Row {
   std::string_view takes;
   std::string (*table)(const Function& function, const Numbers& input);
-  std::string (*element)(const Numbers& input, double i) = nullptr;  // the one that an index means
-  std::string (*names)(const Numbers& input) = nullptr;              // what the stage calls what the function was given
+  std::string (*element)(const Numbers& input, std::size_t i) = nullptr;  // the one that an index means
+  std::string (*names)(const Numbers& input) = nullptr;  // what the stage calls what the function was given
 };
 constexpr std::array kRows{
     Row{"{p:3n,a:3n,b:3n}", point_and_segment},
@@ -299,15 +296,16 @@ bool can_stand(const Function& function, const Numbers& answer) {
 }
 
 /// What an answer is on the stage; empty if it is nothing there. is: "right" or "yours".
-std::string answer_beside(const std::string& is, const Function& function, const Row& row, const Numbers& input,
-                          const Numbers& answer) {
-  if (!can_stand(function, answer)) return {};
+std::string answers_beside(const Function& function, const Row& row, const Numbers& input, const Answered& answer,
+                           const std::string& is) {
+  if (!answer || !fits(function.gives, *answer) || !can_stand(function, *answer)) return {};
   if (function.gives == "i") {
-    const bool is_one = row.element != nullptr && is_index(answer[0], static_cast<std::size_t>(input[0]));
-    return is_one ? beside(is, is, row.element(input, answer[0])) : "";
+    const double i = answer->front();
+    const bool is_one = row.element != nullptr && is_index(i, static_cast<std::size_t>(input[0]));
+    return is_one ? beside(is, is, row.element(input, static_cast<std::size_t>(i))) : "";
   }
   std::string text;
-  Take take(answer);
+  Take take(*answer);
   if (const std::string whole = volume(function.gives, take); !whole.empty()) return beside(is, is, whole);
   for (const auto& [name, shape] : fields_of(function.gives))
     if (const std::string part = volume(shape, take); !part.empty())
@@ -328,19 +326,27 @@ std::string plain(std::string_view told) {
 }  // namespace
 }  // namespace stage
 
+std::string words_of(const Function& function, const Numbers& input, const Answered& answer) {
+  const stage::Row& row = stage::row_of(function);
+  const bool right = !stage::answers_beside(function, row, input, function.right(input), "right").empty();
+  const bool yours = !stage::answers_beside(function, row, input, answer, "yours").empty();
+  std::string text;
+  if (right || yours) text = "On the stage ";
+  if (right) text += "what is right has dashes or a ring; ";
+  if (yours) text += "yours has dots or a cross.";
+  else if (right) text += "yours cannot be drawn.";
+  return row.names != nullptr ? text + (text.empty() ? "" : " ") + row.names(input) : text;
+}
+
 std::string lesson_of(const Function& function, const Numbers& input, const Answered& answer, std::string_view told) {
   const stage::Row& row = stage::row_of(function);
-  const std::string right = stage::answer_beside("right", function, row, input, function.right(input));
-  const bool fits_it = answer && fits(function.gives, *answer);
-  const std::string yours = fits_it ? stage::answer_beside("yours", function, row, input, *answer) : "";
-  std::string text = stage::plain(told);
-  if (!yours.empty()) text += "\n\nOn the stage yours has dots or a cross.";
-  if (!right.empty()) text += "\n\nOn the stage what is right has dashes or a ring.";
-  if (row.names != nullptr) text += "\n\n" + row.names(input);
   return "version = 2\ntitle = \"A case on which your function differs\"\n"
          "summary = \"What it was given, on the stage.\"\nminutes = 1\nalgorithms = [\"" +
-         std::string(function.stage) + "\"]\n\n" + row.table(function, input) + right + yours +
-         "\n[[section]]\ntitle = \"What your function was given\"\ntext = \"\"\"\n" + text + "\n\"\"\"\n";
+         std::string(function.stage) + "\"]\n\n" + row.table(function, input) +
+         stage::answers_beside(function, row, input, function.right(input), "right") +
+         stage::answers_beside(function, row, input, answer, "yours") +
+         "\n[[section]]\ntitle = \"What your function was given\"\ntext = \"\"\"\n" + stage::plain(told) + "\n\n" +
+         words_of(function, input, answer) + "\n\"\"\"\n";
 }
 
 }  // namespace snug::write

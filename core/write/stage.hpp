@@ -13,4 +13,8 @@ namespace snug::write {
 [[nodiscard]] std::string lesson_of(const Function& function, const Numbers& input, const Answered& answer,
                                     std::string_view told);
 
+/// What its stage calls what the function was given, and how the answers are drawn, in sentences; empty for neither.
+/// The lesson's text has them.
+[[nodiscard]] std::string words_of(const Function& function, const Numbers& input, const Answered& answer);
+
 }  // namespace snug::write

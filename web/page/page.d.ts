@@ -196,7 +196,7 @@ interface Ran {
 /** A method on the chart of accuracy against cost. right: the share of cases; steps: a case. */
 type Costed = { title: string; kind: "yours" | "model" | "other"; right: number; steps: number };
 type AboutFunction = { name: string; gives: string; of: number; hash: string };
-type FoundCase = { kind: string; given: string; right: string; yours: string; lesson: string };
+type FoundCase = { kind: string; given: string; right: string; yours: string; lesson: string; words: string };
 interface JudgedRun {
   kinds: { name: string; passed: number; of: number }[];
   mark: number;

@@ -283,7 +283,7 @@ class Write {
   }
 
   /** @param {FoundCase} found @param {boolean} is_shorter */
-  #found_parts({ kind, given, right, yours, lesson }, is_shorter) {
+  #found_parts({ kind, given, right, yours, lesson, words }, is_shorter) {
     const inputs = Object.entries(JSON.parse(given.replaceAll(/-0(?![.\d])/g, '"-0"')));
     const text = (/** @type {any} */ value) => JSON.stringify(value).replaceAll('"-0"', "-0");
     const heading = `A case on which it differs (${kind}${is_shorter ? ", shortened" : ""})`;
@@ -292,6 +292,7 @@ class Write {
       element("dl", { class: "write-case" }, ...inputs.flatMap(([name, value]) => pair(name, text(value))),
         ...pair("right", right), ...pair("yours", yours || "something else")),
       this.#stage(lesson),
+      ...(words ? [element("p", { class: "label" }, words)] : []),
     ];
   }
 

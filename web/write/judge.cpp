@@ -93,6 +93,7 @@ class Trial {
     one.set("right", right);
     one.set("yours", yours);
     one.set("lesson", write::lesson_of(*function_, found_->input, answer, "Right: " + right + "\nYours: " + yours));
+    one.set("words", write::words_of(*function_, found_->input, answer));
     return one;
   }
 

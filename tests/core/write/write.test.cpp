@@ -148,6 +148,12 @@ TEST_CASE("what cannot be drawn of an answer is left out, and a box that is insi
   CHECK(text.find("is = \"right\"\nname = \"right\"\nvolume = { sphere = { center = [1, 2], radius = 0 } }") !=
         std::string::npos);
   CHECK(text.find("\"yours\"") == std::string::npos);  // there is no such point
+  const auto words = [&](const write::Answered& answer) {
+    return write::words_of(farthest, {3, 0, 0, 4, 0, 1, 2, 0, 1}, answer);
+  };
+  CHECK(words(write::Numbers{0}) == "On the stage what is right has dashes or a ring; yours has dots or a cross.");
+  CHECK(words(write::Numbers{7}) == "On the stage what is right has dashes or a ring; yours cannot be drawn.");
+  CHECK(write::words_of(*write::find_function("overlap-spheres"), {0, 0, 0, 1, 3, 0, 0, 1}, write::Numbers{1}).empty());
 }
 
 TEST_CASE("functions have names of their own, and what they are judged by has a hash") {
