@@ -16,8 +16,8 @@ const watch = () => {
     window.refused.push(`${effectiveDirective}: ${blockedURI}`),
   );
 };
-const open = async (t, screen = kWide) => {
-  const page = await load(t, kExercise, { ...screen, init: watch, wait: false });
+const open = async (t, screen = kWide, exercise = kExercise) => {
+  const page = await load(t, exercise, { ...screen, init: watch, wait: false });
   await page.locator(".write .cm-content").waitFor();
   return page;
 };
@@ -102,4 +102,16 @@ test("on a phone: a mistake is shown at its line, variables are told, three trie
   await page.reload();
   await page.locator(".write .cm-content").waitFor();
   assert.match(await page.locator(".cm-content").textContent(), /let x = ;/); // it is kept
+});
+
+test("a place that a function gives stands on the stage beside the right one, and words say how", async (t) => {
+  const page = await open(t, kWide, "?exercise=write%3Afarthest-from-edge");
+  await page.getByRole("button", { name: "Run" }).click(); // the stub gives none
+  await page.getByText("On the stage what is right has dashes or a ring; yours cannot be drawn.").waitFor({ timeout: 60_000 });
+  const first = "  const left = (p) => 0;\n  return a;";
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.type(`function farthest(points, a, b) {\n${first}`);
+  await page.keyboard.press("Control+Enter");
+  await page.getByText("On the stage what is right has dashes or a ring; yours has dots or a cross.").waitFor({ timeout: 60_000 });
 });
