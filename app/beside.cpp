@@ -1,6 +1,5 @@
 #include "app/beside.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "app/polytope.hpp"
@@ -28,22 +27,19 @@ void mark_point(Brush& brush, ImVec2 at, Beside::Is is, Color color) {
   diamond(brush.list, at, size, color, brush.p.ground);
 }
 
-/// The answer that the other of the two gives in its place: the n-th of its kind; null for none.
-const Beside* opposite(std::span<const Beside> all, const Beside& one) {
-  if (one.is == Beside::Is::kGiven) return nullptr;
-  const auto nth = std::count_if(all.data(), &one, [&](const Beside& other) { return other.is == one.is; });
-  std::ptrdiff_t left = nth;
-  for (const Beside& other : all)
-    if (other.is != one.is && other.is != Beside::Is::kGiven && left-- == 0) return &other;
-  return nullptr;
-}
-
-/// Where its name stands, seen from it: away from the opposite, which may lie within a pixel of it.
-ImVec2 side_of(const Brush& brush, const Beside& one, const Beside* other) {
-  const ImVec2 own = brush.at(lesson::at_handle(one.volume, {})),
-               from = other ? brush.at(lesson::at_handle(other->volume, {})) : own;
-  const float dx = own.x - from.x, dy = own.y - from.y, apart = std::hypot(dx, dy);
-  return apart > 2 ? ImVec2{dx / apart, dy / apart} : one.is == Beside::Is::kYours ? ImVec2{-1, 1} : ImVec2{1, -1};
+/// Where its name stands, seen from it: away from what is nearest of another kind, which may lie within a pixel of it.
+ImVec2 side_of(const Brush& brush, const std::vector<Beside>& all, const Beside& one) {
+  const ImVec2 own = brush.at(lesson::at_handle(one.volume, {}));
+  ImVec2 away = one.is == Beside::Is::kYours ? ImVec2{-1, 1} : ImVec2{1, -1};
+  float least = 1e9f;
+  for (const Beside& other : all) {
+    const ImVec2 from = brush.at(lesson::at_handle(other.volume, {}));
+    const float dx = own.x - from.x, dy = own.y - from.y, apart = std::hypot(dx, dy);
+    if (other.is == one.is || apart >= least) continue;
+    least = apart;
+    if (apart > 2) away = {dx / apart, dy / apart};
+  }
+  return away;
 }
 
 }  // namespace
@@ -64,10 +60,10 @@ fit::Sphere3 ball_with_beside(const lesson::Session& session, const fit::Sphere3
 void draw_beside(Brush& brush) {
   if (!has_beside(brush.session)) return;
   const Camera& camera = brush.canvas.camera;
-  const std::span<const Beside> all = *brush.session.lesson().beside;
+  const std::vector<Beside>& all = *brush.session.lesson().beside;
   for (const Beside& one : all) {
     const auto [stroke, color, text] = style_of(brush.p, one.is);
-    const ImVec2 toward = side_of(brush, one, opposite(all, one));
+    const ImVec2 toward = side_of(brush, all, one);
     const Point3 way = (camera.right() * toward.x - camera.up() * toward.y).normalized();
     const ImVec2 at = brush.at(farthest_in(one.volume.volume, way, one.volume.dim));
     const VolumeStyle style{stroke, color, brush.stroke()};

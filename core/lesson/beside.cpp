@@ -88,21 +88,23 @@ HeldVolume read_held_volume(const toml::table& toml, std::string name, int dim, 
 }
 
 std::shared_ptr<const std::vector<Beside>> read_beside(TomlTable& lesson, int dim, Complaints& complaints) {
-  constexpr std::array<std::string_view, 3> kIs{"right", "yours", "given"};
-  std::vector<Beside> all;
-  for (const toml::table* one : lesson.tables("beside")) {
-    TomlTable table(*one, "[[beside]]", complaints);
+  const std::vector<const toml::table*> tables = lesson.tables("beside");
+  if (tables.empty()) return nullptr;
+  const std::vector<std::string_view> kinds{"right", "yours", "given"};
+  auto all = std::make_shared<std::vector<Beside>>(tables.size());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    TomlTable table(*tables[i], "[[beside]]", complaints);
+    Beside& own = (*all)[i];
     const std::string is = table.text("is");
-    check_name(table, "is", is, kIs);
-    Beside& own = all.emplace_back();
-    own.is = static_cast<Beside::Is>(std::find(kIs.begin(), kIs.end() - 1, is) - kIs.begin());
-    own.name = table.text_or("name", own.is == Beside::Is::kGiven ? "" : is);
+    check_name(table, "is", is, kinds);
+    own.is = is == kinds[0] ? Beside::Is::kRight : is == kinds[1] ? Beside::Is::kYours : Beside::Is::kGiven;
+    own.name = table.text_or("name", "");
     if (const toml::table* volume = table.table("volume"))
-      own.volume = read_held_volume(*volume, "[[beside]] volume", dim, complaints);
+      own.volume = read_held_volume(*volume, "volume", dim, complaints);
     else table.lack("volume", "[[beside]] lacks its \"volume\"");
     table.refuse_others();
   }
-  return all.empty() ? nullptr : std::make_shared<const std::vector<Beside>>(std::move(all));
+  return all;
 }
 
 }  // namespace snug::lesson
