@@ -48,8 +48,7 @@ void read_place_keys(TomlTable& table, Place& place) {
       if (table.has("seed")) place.seed = static_cast<std::uint64_t>(table.integer("seed", 0, std::int64_t{1} << 53));
       table.allow("seed");
     } else if (const std::string text = table.text_or(key.in_file, ""); !text.empty()) {
-      if (const std::string wrong = read_text(place, key.in_file, text); !wrong.empty())
-        table.wrong(key.in_file, wrong);
+      if (const std::string wrong = read_text(place, key.part, text); !wrong.empty()) table.wrong(key.in_file, wrong);
     }
   }
 }
@@ -126,9 +125,11 @@ DemoDraft read_demo(std::string_view text, std::string_view name) {
 
 std::string state_text(const Place& place, std::string_view title, std::uint64_t hash) {
   std::string text = "[[state]]\nhash = " + toml_text(hex_of(hash)) + "\nslide = " + toml_text(title) + '\n';
-  for (const auto& [key, value] : texts_of(place)) {
-    const bool is_number = key->is_number && value.find_first_not_of("0123456789") == std::string::npos;
-    text += std::string(key->in_file) + " = " + (is_number ? value : toml_text(value)) + '\n';
+  for (const PlaceKey& key : kPlaceKeys) {
+    const std::string value = text_of(place, key.part);
+    if (value.empty()) continue;
+    const bool is_number = key.is_number && value.find_first_not_of("0123456789") == std::string::npos;
+    text += std::string(key.in_file) + " = " + (is_number ? value : toml_text(value)) + '\n';
   }
   return text + "shows = [\"caption\", \"numbers\", \"code\"]\nnotes = \"What you say.\"\n";
 }

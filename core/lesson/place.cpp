@@ -10,6 +10,8 @@
 namespace snug::lesson {
 namespace {
 
+using Part = PlaceKey::Part;
+
 constexpr std::size_t kMostPacked = 6000;  // numbers: what is packed has 66,000 letters then, more than Firefox shows
 constexpr std::int64_t kMostWhole = std::int64_t{1} << 53;
 constexpr std::string_view kEnd = "end", kNone = "none";
@@ -101,6 +103,13 @@ std::string read_row(std::vector<double>& row, const std::string& text) {
   return {};
 }
 
+std::string read_packed(Rows& rows, const std::string& text) {
+  auto read = unpacked_rows(text);
+  if (!read) return "is not as an address has it";
+  rows = *std::move(read);
+  return {};
+}
+
 std::string read_camera(std::vector<double>& camera, const std::string& text) {
   std::vector<double> read;
   if (!read_row(read, text).empty() || (read.size() != 3 && read.size() != 6))
@@ -136,67 +145,69 @@ std::optional<SourceWords> source_in(std::string_view from) {
   return SourceWords{parts.front(), number ? std::optional(static_cast<int>(*number)) : std::nullopt};
 }
 
-bool Place::is_bare() const { return texts_of(*this).size() == (lesson.empty() ? 0 : 1); }
-
-bool operator==(const Place& a, const Place& b) { return texts_of(a) == texts_of(b); }
-
-std::vector<std::pair<const PlaceKey*, std::string>> texts_of(const Place& place) {
-  const bool plain = place.rows.size() <= kMostPlainRows;
-  const std::string step = !place.step                       ? ""
-                           : *place.step == Place::kLastStep ? kEnd.data()
-                                                             : std::to_string(*place.step);
-  const std::array<std::string, kPlaceKeys.size()> values{place.lesson,
-                                                          step,
-                                                          place.seed ? std::to_string(*place.seed) : std::string(),
-                                                          place.situation,
-                                                          place.algorithm,
-                                                          !place.beside           ? std::string()
-                                                          : place.beside->empty() ? std::string(kNone)
-                                                                                  : *place.beside,
-                                                          place.scalar,
-                                                          place.from,
-                                                          row_words(place.sliders),
-                                                          rows_words(place.moved),
-                                                          plain ? rows_words(place.rows) : std::string(),
-                                                          plain ? std::string() : packed_rows(place.rows),
-                                                          row_words(place.camera),
-                                                          place.file,
-                                                          place.draft,
-                                                          place.question,
-                                                          place.answered ? "1" : ""};
-  std::vector<std::pair<const PlaceKey*, std::string>> texts;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!values[i].empty()) texts.emplace_back(&kPlaceKeys[i], values[i]);
-  return texts;
+bool Place::is_bare() const {
+  return std::all_of(kPlaceKeys.begin() + 1, kPlaceKeys.end(),
+                     [&](const PlaceKey& key) { return text_of(*this, key.part).empty(); });
 }
 
-std::string read_text(Place& place, std::string_view key, const std::string& text) {
-  const auto words = [&](std::string& to) { return to = text, std::string(); };
-  if (key == "lesson") return words(place.lesson);
-  if (key == "step") return read_step(place.step, text);
-  if (key == "seed") return read_whole(place.seed, text, kMostWhole);
-  if (key == "situation") return words(place.situation);
-  if (key == "algorithm") return words(place.algorithm);
-  if (key == "compare") return place.beside = text == kNone ? "" : text, std::string();
-  if (key == "sliders") return read_row(place.sliders, text);
-  if (key == "moved") return read_rows(place.moved, text);
-  if (key == "rows") return read_rows(place.rows, text);
-  if (key == "camera") return read_camera(place.camera, text);
-  if (key == "file") return words(place.file);
-  if (key == "draft") return words(place.draft);
-  if (key == "question") return words(place.question);
-  if (key == "answered") return place.answered = text == "1", std::string();
-  if (key == "scalar") {
-    if (text != "float" && text != "double") return "must be float or double";
-    return words(place.scalar);
+bool operator==(const Place& a, const Place& b) {
+  return std::all_of(kPlaceKeys.begin(), kPlaceKeys.end(),
+                     [&](const PlaceKey& key) { return text_of(a, key.part) == text_of(b, key.part); });
+}
+
+std::string text_of(const Place& place, PlaceKey::Part part) {
+  const bool plain = place.rows.size() <= kMostPlainRows;
+  switch (part) {
+    case Part::kLesson: return place.lesson;
+    case Part::kStep:
+      return !place.step ? "" : *place.step == Place::kLastStep ? kEnd.data() : std::to_string(*place.step);
+    case Part::kSeed: return place.seed ? std::to_string(*place.seed) : "";
+    case Part::kSituation: return place.situation;
+    case Part::kAlgorithm: return place.algorithm;
+    case Part::kBeside: return !place.beside ? "" : place.beside->empty() ? kNone.data() : *place.beside;
+    case Part::kScalar: return place.scalar;
+    case Part::kFrom: return place.from;
+    case Part::kSliders: return row_words(place.sliders);
+    case Part::kMoved: return rows_words(place.moved);
+    case Part::kRows: return plain ? rows_words(place.rows) : "";
+    case Part::kPacked: return plain ? "" : packed_rows(place.rows);
+    case Part::kCamera: return row_words(place.camera);
+    case Part::kFile: return place.file;
+    case Part::kDraft: return place.draft;
+    case Part::kQuestion: return place.question;
+    case Part::kAnswered: return place.answered ? "1" : "";
   }
-  if (key == "from") {
-    if (!source_in(text)) return "must be a name, or a name and a whole number: \"clusters:200\"";
-    return words(place.from);
+  return {};
+}
+
+std::string read_text(Place& place, PlaceKey::Part part, const std::string& text) {
+  std::string* words = nullptr;
+  switch (part) {
+    case Part::kStep: return read_step(place.step, text);
+    case Part::kSeed: return read_whole(place.seed, text, kMostWhole);
+    case Part::kSliders: return read_row(place.sliders, text);
+    case Part::kMoved: return read_rows(place.moved, text);
+    case Part::kRows: return read_rows(place.rows, text);
+    case Part::kCamera: return read_camera(place.camera, text);
+    case Part::kPacked: return read_packed(place.rows, text);
+    case Part::kBeside: place.beside = text == kNone ? "" : text; return {};
+    case Part::kAnswered: place.answered = text == "1"; return {};
+    case Part::kScalar:
+      if (text != "float" && text != "double") return "must be float or double";
+      words = &place.scalar;
+      break;
+    case Part::kFrom:
+      if (!source_in(text)) return "must be a name, or a name and a whole number: \"clusters:200\"";
+      words = &place.from;
+      break;
+    case Part::kLesson: words = &place.lesson; break;
+    case Part::kSituation: words = &place.situation; break;
+    case Part::kAlgorithm: words = &place.algorithm; break;
+    case Part::kFile: words = &place.file; break;
+    case Part::kDraft: words = &place.draft; break;
+    case Part::kQuestion: words = &place.question; break;
   }
-  auto rows = unpacked_rows(text);  // "packed"
-  if (!rows) return "is not as an address has it";
-  place.rows = *std::move(rows);
+  *words = text;
   return {};
 }
 
@@ -208,9 +219,11 @@ bool fits_address(const Place& place) {
 
 std::string address_of(const Place& place) {
   std::string address, packed;
-  for (const auto& [key, text] : texts_of(place)) {
-    const std::string part = std::string(key->in_address) + '=' + address_text(text);
-    if (key->in_file == "packed") packed = fits_address(place) ? '#' + part : "";
+  for (const PlaceKey& key : kPlaceKeys) {
+    const std::string text = text_of(place, key.part);
+    if (text.empty()) continue;
+    const std::string part = std::string(key.in_address) + '=' + address_text(text);
+    if (key.part == Part::kPacked) packed = fits_address(place) ? '#' + part : "";
     else address += (address.empty() ? '?' : '&') + part;
   }
   return address + packed;
@@ -230,7 +243,7 @@ PlaceRead read_place(std::string_view address) {
         name == "points" || name == "boxes" ? "rows" : std::string_view(name);  // links of old
     for (const PlaceKey& key : kPlaceKeys) {
       if (key.in_address != known || text.empty()) continue;
-      const std::string wrong = read_text(read.place, key.in_file, text);
+      const std::string wrong = read_text(read.place, key.part, text);
       if (!wrong.empty())
         read.problems.push_back("The address has " + name + ' ' + io::quoted(text) + ", which " + wrong + '.');
     }

@@ -42,32 +42,51 @@ struct Place {
 /// The keys of a place: their names in a demo's file and in an address, in the order in which both write them, so that
 /// both make the same code of a state.
 struct PlaceKey {
+  enum class Part : std::uint8_t {
+    kLesson,
+    kStep,
+    kSeed,
+    kSituation,
+    kAlgorithm,
+    kBeside,
+    kScalar,
+    kFrom,
+    kSliders,
+    kMoved,
+    kRows,
+    kPacked,
+    kCamera,
+    kFile,
+    kDraft,
+    kQuestion,
+    kAnswered
+  } part;
   std::string_view in_file, in_address;
   bool is_number = false;
 };
-inline constexpr std::array<PlaceKey, 17> kPlaceKeys{{{"lesson", "lesson"},
-                                                      {"step", "step", true},
-                                                      {"seed", "seed", true},
-                                                      {"situation", "situation"},
-                                                      {"algorithm", "a"},
-                                                      {"compare", "b"},
-                                                      {"scalar", "scalar"},
-                                                      {"from", "from"},
-                                                      {"sliders", "slide"},
-                                                      {"moved", "moved"},
-                                                      {"rows", "rows"},
-                                                      {"packed", "packed"},
-                                                      {"camera", "camera"},
-                                                      {"file", "file"},
-                                                      {"draft", "draft"},
-                                                      {"question", "question"},
-                                                      {"answered", "answered"}}};
+inline constexpr std::array<PlaceKey, 17> kPlaceKeys{{{PlaceKey::Part::kLesson, "lesson", "lesson"},
+                                                      {PlaceKey::Part::kStep, "step", "step", true},
+                                                      {PlaceKey::Part::kSeed, "seed", "seed", true},
+                                                      {PlaceKey::Part::kSituation, "situation", "situation"},
+                                                      {PlaceKey::Part::kAlgorithm, "algorithm", "a"},
+                                                      {PlaceKey::Part::kBeside, "compare", "b"},
+                                                      {PlaceKey::Part::kScalar, "scalar", "scalar"},
+                                                      {PlaceKey::Part::kFrom, "from", "from"},
+                                                      {PlaceKey::Part::kSliders, "sliders", "slide"},
+                                                      {PlaceKey::Part::kMoved, "moved", "moved"},
+                                                      {PlaceKey::Part::kRows, "rows", "rows"},
+                                                      {PlaceKey::Part::kPacked, "packed", "packed"},
+                                                      {PlaceKey::Part::kCamera, "camera", "camera"},
+                                                      {PlaceKey::Part::kFile, "file", "file"},
+                                                      {PlaceKey::Part::kDraft, "draft", "draft"},
+                                                      {PlaceKey::Part::kQuestion, "question", "question"},
+                                                      {PlaceKey::Part::kAnswered, "answered", "answered"}}};
 
-/// The keys that have a value, each with that value as an address has it.
-[[nodiscard]] std::vector<std::pair<const PlaceKey*, std::string>> texts_of(const Place& place);
+/// The value of a key as an address has it; empty for none.
+[[nodiscard]] std::string text_of(const Place& place, PlaceKey::Part part);
 /// Reads the value of a key. Returns what is wrong with it, as the end of a sentence that begins with the key's name;
 /// empty for nothing.
-[[nodiscard]] std::string read_text(Place& place, std::string_view key_in_file, const std::string& text);
+[[nodiscard]] std::string read_text(Place& place, PlaceKey::Part part, const std::string& text);
 
 /// An address writes up to this many rows as decimals, and packs more. In full precision they take about 4000
 /// characters, which every browser and server accepts.
