@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "desktop/cli/words.hpp"
 #include "measure/cost_run.hpp"
 #include "measure/growth.hpp"
 #include "measure/turn_run.hpp"
@@ -28,7 +29,7 @@ std::string said(const char* format, Values... values) {
 std::string time_text(double ns) {
   constexpr double kDay = 24 * 3600 * 1e9, kYear = 365.25 * kDay;
   if (ns < 999.5) return said("%.3g ns", ns);
-  if (ns < 999.5e3) return said("%.3g us", ns / 1e3);
+  if (ns < 999.5e3) return said("%.3g µs", ns / 1e3);
   if (ns < 999.5e6) return said("%.3g ms", ns / 1e6);
   if (ns < 1e14) return said("%.3g s", ns / 1e9);
   if (ns < kYear) return said("%.3g days", ns / kDay);
@@ -50,7 +51,7 @@ struct TimeUnit {
 
 /// The largest unit in which the shortest time is at least a tenth.
 TimeUnit unit_for(double shortest) {
-  constexpr std::array<TimeUnit, 4> kUnits{{{"s", 1e9}, {"ms", 1e6}, {"us", 1e3}, {"ns", 1}}};
+  constexpr std::array<TimeUnit, 4> kUnits{{{"s", 1e9}, {"ms", 1e6}, {"µs", 1e3}, {"ns", 1}}};
   const auto* const found =
       std::find_if(kUnits.begin(), kUnits.end(), [&](const TimeUnit& unit) { return shortest >= unit.ns / 10; });
   return shortest <= 0 || found == kUnits.end() || std::isinf(shortest) ? kUnits.back() : *found;
@@ -122,14 +123,13 @@ class Columns {
   [[nodiscard]] std::string text() const {
     std::vector<std::size_t> widths(lines_[0].size());
     for (const auto& line : lines_)
-      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], letters_of(line[i]));
     std::string text;
     for (const auto& line : lines_) {
       std::string row;
       for (std::size_t i = 0; i < line.size(); ++i) {
-        const std::string blanks(widths[i] - line[i].size(), ' ');
         row += i == 0 ? "" : "  ";
-        row += i < 2 || i + 1 == line.size() ? line[i] + blanks : blanks + line[i];
+        row += padded(line[i], widths[i], i >= 2 && i + 1 < line.size());
       }
       text += row.substr(0, row.find_last_not_of(' ') + 1) + '\n';
     }

@@ -1,7 +1,9 @@
 // snug grade: replays the decisions of result files, and reports what they earn.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include "desktop/cli/command.hpp"
@@ -45,13 +47,15 @@ struct Row {
   std::vector<std::string> decisions;  // without their times
   std::vector<std::string> timed;
   bool is_sheet = false;
+  std::size_t place = 0;                                     // of a lab sheet among all; one that is unknown is last
+  std::string missing;                                       // of a lab sheet: "3 of 4 parts are missing."
   SheetWork work;                                            // of a lab sheet
   std::vector<std::pair<std::string, std::string>> answers;  // its questions, and what was written
   std::vector<std::string> built;                            // what is said of each example
 };
 
 using Exercises = std::map<std::string, std::shared_ptr<const lesson::Exercise>>;
-using Sheets = std::map<std::string, std::shared_ptr<const lesson::Sheet>>;
+using Sheets = std::vector<std::shared_ptr<const lesson::Sheet>>;  // in the order of their course
 
 /// What a result can be graded by.
 struct Known {
@@ -89,9 +93,11 @@ void grade_row(Row& row, const Claimed& claimed, const std::string& version, con
 /// The examples earn a mark each, judged anew. What was written and measured is for people to read.
 void grade_sheet(Row& row, const ClaimedSheet& claimed, const std::string& version, const Sheets& sheets) {
   row.is_sheet = true, row.exercise = claimed.sheet, row.work = claimed.work;
-  const auto known = sheets.find(claimed.sheet);
+  const auto known =
+      std::find_if(sheets.begin(), sheets.end(), [&](const auto& one) { return one->lesson.id == claimed.sheet; });
+  row.place = static_cast<std::size_t>(known - sheets.begin());
   if (known == sheets.end()) return static_cast<void>(row.status = "foreign", row.says = "there is no such sheet here");
-  const lesson::Sheet& sheet = *known->second;
+  const lesson::Sheet& sheet = **known;
   for (const lesson::Written& written : sheet.written) {
     const auto answer = row.work.written.find(written.id);
     row.answers.emplace_back(written.prompt, answer != row.work.written.end() ? answer->second : "");
@@ -99,6 +105,7 @@ void grade_sheet(Row& row, const ClaimedSheet& claimed, const std::string& versi
   if (hex_of(sheet.hash) != claimed.hash)
     return static_cast<void>(row.status = status_of_another(version),
                              row.says = "the sheet was another when this was done");
+  row.missing = missing_of(sheet, row.work);
   row.of = static_cast<int>(sheet.lesson.tasks.size());
   for (const auto& [task, rows] : row.work.built) {
     const auto judged = judge_built(sheet, task, rows);
@@ -116,6 +123,8 @@ std::vector<Row> grade_file(const std::string& path, const Known& known) {
     row.status = status, row.says = std::move(says);
     return std::vector<Row>{row};
   };
+  std::error_code error;
+  if (path != "-" && !fs::exists(path, error) && !error) return bad("missing", "there is no such file");
   const auto text = read_file(path);
   if (!text) return bad("damaged", text.error().what);
   const auto file = read_result(*text);
@@ -166,6 +175,7 @@ std::string sheet_text(const Row& row) {
             about["points"].get<std::string>() + ", " + about["processor"].get<std::string>() + ", " +
             about["build"].get<std::string>() + '\n';
   }
+  if (!row.missing.empty()) text += "  " + row.missing + '\n';
   for (const std::string& says : row.built) text += "  " + says + '\n';
   for (const auto& [prompt, answer] : row.answers)
     text +=
@@ -251,15 +261,23 @@ std::string as_csv(const std::vector<Cells>& table) {
 std::string as_table(const std::vector<Cells>& table) {
   std::vector<std::size_t> widths(table.front().size());
   for (const Cells& cells : table)
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
+    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], letters_of(cells[i]));
   std::string text;
   for (const Cells& cells : table) {
     std::string line;
     for (std::size_t i = 0; i < cells.size(); ++i)
-      line += cells[i] + (i + 1 < cells.size() ? std::string(widths[i] - cells[i].size() + 2, ' ') : "");
+      line += i + 1 < cells.size() ? padded(cells[i], widths[i] + 2) : cells[i];
     text += line + '\n';
   }
   return text;
+}
+
+/// A table for people: nobody earns 0 of 0.
+std::string as_table_of_marks(std::vector<Cells> table) {
+  const auto of = static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), "of") - table[0].begin());
+  for (Cells& cells : table)
+    if (cells[of] == "0") cells[of].clear(), cells[of - 1].clear();
+  return as_table(table);
 }
 
 /// A pair of attempts that a teacher may want to look at.
@@ -338,15 +356,50 @@ tl::expected<Known, InputError> read_known(const std::string& folder) {
   if (!exercises) return tl::unexpected(exercises.error());
   if (!sheets) return tl::unexpected(sheets.error());
   for (const ExerciseFile& file : *exercises) known.exercises[file.exercise->id] = file.exercise;
-  for (const LessonFile& file : *sheets) known.sheets[file.lesson.id] = file.sheet;
+  for (const LessonFile& file : *sheets) known.sheets.push_back(file.sheet);
   return known;
 }
 
-/// The tables of all sheets side by side, as a chart or in the format that is asked for.
-CommandResult report_tables(const std::vector<Row>& rows, const GradeOptions& options) {
-  std::vector<MachineTime> times;
+/// The error if the tables cannot be written so; none if they can.
+std::optional<InputError> wrong_output(const GradeOptions& options) {
+  const std::string ending = is_standard_output(options.output) ? "" : ending_of(options.output);
+  const auto wrong = [&](std::string what) { return InputError{.what = std::move(what), .file = options.output}; };
+  constexpr std::array<std::string_view, 5> kEndings{"", "txt", "svg", "csv", "json"};
+  const auto* const known = std::find(kEndings.begin(), kEndings.end(), ending);
+  if (known == kEndings.end()) return wrong("has none of the endings .svg, .csv, .json and .txt, which say the format");
+  const bool other = (options.csv && ending != "csv") || (options.json && ending != "json");
+  if (other && known - kEndings.begin() > 1) return wrong("ends in ." + ending + ", and another format was asked for");
+  return std::nullopt;
+}
+
+/// What is wrong with the rows that are not ok, each with its file.
+std::vector<InputError> faults_of(const std::vector<Row>& rows) {
+  std::vector<InputError> faults;
   for (const Row& row : rows)
-    for (MachineTime& one : times_of(row.file, row.student, row.work)) times.push_back(std::move(one));
+    if (!row.says.empty())
+      faults.push_back(
+          {row.status + ": " + row.says + (row.exercise.empty() ? "" : " (" + row.exercise + ')'), row.file});
+  return faults;
+}
+
+/// What is printed of rows that may not all be ok.
+Printed printed_of(const std::vector<Row>& rows) {
+  Printed printed{.warnings = faults_of(rows)};
+  if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "ok"; })) printed.status = 1;
+  return printed;
+}
+
+/// The tables of all sheets side by side, as a chart or in the format that is asked for.
+CommandResult report_tables(std::vector<Row> rows, const GradeOptions& options) {
+  std::vector<MachineTime> times;
+  for (Row& row : rows)
+    for (const auto& [part, measured] : row.work.measured) {
+      std::vector<MachineTime> own = times_of(row.file, row.student, measured);
+      if (own.empty()) row.status = "damaged", row.says = "the table \"" + part + "\" has no time above 0";
+      std::move(own.begin(), own.end(), std::back_inserter(times));
+    }
+  Printed printed = printed_of(rows);
+  if (times.empty() && !printed.warnings.empty()) return tl::unexpected(std::move(printed.warnings));
   if (times.empty()) return bad_input("no file has a measured table: those of the lab sheets have");
   const std::string ending = options.csv ? "csv" : options.json ? "json" : ending_of(options.output);
   const bool file = !is_standard_output(options.output);
@@ -355,12 +408,13 @@ CommandResult report_tables(const std::vector<Row>& rows, const GradeOptions& op
   else if (ending == "csv") text = as_csv(machines_table(times));
   else if (ending == "json" || (!file && !is_terminal())) text = machines_json(times);
   else text = machines_text(times, !file && has_color());
-  if (!file) return Printed{text};
-  if (const auto written = write_file(options.output, text); !written) return bad_input(written.error());
-  return Printed{};
+  if (!file) printed.text = std::move(text);
+  else if (const auto written = write_file(options.output, text); !written) return bad_input(written.error());
+  return printed;
 }
 
 CommandResult run_grade(const GradeOptions& options) {
+  if (auto wrong = wrong_output(options)) return bad_input(std::move(*wrong));
   auto known = read_known(options.folder);
   if (!known) return bad_input(known.error());
   known->tries_code = !options.tables && !options.alike;
@@ -372,14 +426,12 @@ CommandResult run_grade(const GradeOptions& options) {
     for (Row& row : grade_file(path, *known)) rows.push_back(std::move(row));
     progress.advance();
   }
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return std::pair(a.is_sheet, a.place) < std::pair(b.is_sheet, b.place);
+  });
   if (options.alike) return report_alike(rows, options);
-  if (options.tables) return report_tables(rows, options);
-  Printed printed;
-  if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "ok"; })) printed.status = 1;
-  for (const Row& row : rows)
-    if (!row.says.empty())
-      printed.warnings.push_back(
-          {row.status + ": " + row.says + (row.exercise.empty() ? "" : " (" + row.exercise + ')'), row.file});
+  if (options.tables) return report_tables(std::move(rows), options);
+  Printed printed = printed_of(rows);
   std::vector<Cells> table{{"file", "student", "exercise", "seed", "mark", "of", "claimed", "status"}};
   for (const Row& row : rows) table.push_back(cells_of(row));
   if (options.by_student) {
@@ -395,7 +447,7 @@ CommandResult run_grade(const GradeOptions& options) {
                                {"status", table[i][4]}});
   else if (options.json)
     for (const Row& row : rows) printed.text += line_of(json_of(row));
-  else printed.text = options.csv ? as_csv(table) : as_table(table);
+  else printed.text = options.csv ? as_csv(table) : as_table_of_marks(table);
   if (!options.csv && !options.json && !options.by_student)
     for (const Row& row : rows)
       if (row.is_sheet) printed.text += sheet_text(row);
@@ -409,15 +461,18 @@ void add_grade(Commands& commands) {
   command.footer(
       "Replays every decision of each file on the instance of its seed: a row an exercise, with file, student,\n"
       "exercise, seed, mark, of, claimed and status. Status is ok; differs, if it claims what it does not earn;\n"
-      "damaged; foreign, if it is no result file or of no exercise here; older or newer, if the exercise was another\n"
-      "then. Every other file is graded all the same; exit status 1 if any is not ok, with the reason on standard\n"
-      "error. Code that was written is tried again: JavaScript in the page's engine, which Node runs, C++ as snug lab\n"
+      "damaged; missing, if there is no such file; foreign, if it is no result file or of no exercise here; older or\n"
+      "newer, if the exercise was another then. Every other file is graded all the same; exit status 1 if any is not\n"
+      "ok, with the reason on standard error. Code that was written is tried again: JavaScript in the page's engine, "
+      "which Node runs, C++ as snug lab\n"
       "check does. A result file is no signature: it proves that these decisions earn this mark on this instance.\n\n"
-      "A lab sheet has a row as well: its examples are judged anew, and earn a mark each. What was written is printed\n"
-      "below the table, for people to read; with --json it is in \"written\", \"measured\" and \"built\".\n\n"
+      "A lab sheet has a row as well: its examples are judged anew, and earn a mark each. What was written, and how\n"
+      "many parts are missing, is printed below the table, for people to read; with --json it is in \"written\",\n"
+      "\"measured\" and \"built\".\n\n"
       "--tables puts what all machines measured side by side: in a terminal as a chart with a line for each algorithm\n"
-      "and a mark for each machine; in a pipe and with --json as JSON Lines, with --csv as CSV, with a row for each\n"
-      "time; -o FILE.svg draws the chart.");
+      "and a mark for each measurement; in a pipe and with --json as JSON Lines, with --csv as CSV, with a row for "
+      "each\n"
+      "time; -o FILE.svg draws the chart. Times of one chart are of as many points of one name.");
   const auto options =
       add_command<GradeOptions>(commands, command, [open_window = commands.open_window](const GradeOptions& given) {
         return given.watch ? watch(given, open_window) : run_grade(given);

@@ -13,22 +13,25 @@ namespace snug::desktop {
 struct MachineTime {
   std::string file, student, version, build, platform, processor, date;
   std::string table, points, volume, algorithm;
-  std::string what;  // what was timed: "fit", "test"
+  std::string what;                // what was timed: "fit", "test"
+  std::optional<std::int64_t> of;  // how many points there are
   double median_ns = 0;
   std::optional<double> spread;  // between the quartiles, over the median
   bool trusted = false;
   std::optional<double> over_hull;
   int bytes = 0;
-  /// What can be compared: the same thing, timed on the same points.
-  [[nodiscard]] std::string group() const { return table + '\n' + points + '\n' + what; }
+  /// What can be compared: the same thing, timed on the same points. Two files of one name may be two meshes.
+  [[nodiscard]] std::string group() const {
+    return table + '\n' + points + '\n' + (of ? std::to_string(*of) : "") + '\n' + what;
+  }
 };
 
-/// The times of what one student measured.
+/// The times of a table that one student measured.
 [[nodiscard]] std::vector<MachineTime> times_of(const std::string& file, const std::string& student,
-                                                const SheetWork& work);
+                                                const MeasuredTable& measured);
 
 /// A text for people. It has a chart for each thing that was timed, with a line for each algorithm and a mark for each
-/// machine.
+/// measurement.
 [[nodiscard]] std::string machines_text(const std::vector<MachineTime>& times, bool color);
 /// The same as a picture.
 [[nodiscard]] std::string machines_svg(const std::vector<MachineTime>& times);

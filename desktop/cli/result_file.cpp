@@ -75,6 +75,7 @@ tl::expected<Claimed, std::string> attempt_of(const Json& json) {
 }
 
 tl::expected<ResultFile, NoResult> read_result(std::string_view text) {
+  if (text.empty()) return tl::unexpected(NoResult{false, "is empty"});
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return tl::unexpected(NoResult{false, "is not JSON"});
   const Json* format = json.is_object() ? find(json, "snug_result") : nullptr;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "desktop/cli/words.hpp"
 #include "fit/catalogue.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/point_subject.hpp"

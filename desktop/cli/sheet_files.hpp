@@ -32,6 +32,9 @@ struct SheetWork {
   std::map<std::size_t, lesson::Rows> built;
 };
 
+/// "3 of 4 parts are missing."; empty if all are there.
+[[nodiscard]] std::string missing_of(const lesson::Sheet& sheet, const SheetWork& work);
+
 /// The object that stands for it in a result file: {"sheet","hash","written","measured","built"}.
 [[nodiscard]] Json json_of(const std::string& id, std::uint64_t hash, const SheetWork& work);
 /// Reads such an object. Errors: what is wrong with it.

@@ -16,9 +16,6 @@ inline constexpr double kLine = 5.2;  // from one line of text to the next
 /// "12.34"
 [[nodiscard]] std::string mm(double value);
 
-/// How many letters a text of UTF-8 has.
-[[nodiscard]] std::size_t letters_of(std::string_view text);
-
 class SheetPage {
  public:
   void text(double x, double y, std::string_view words, double size = 3.9, const char* more = "");

@@ -41,6 +41,20 @@ bool is_table(const Json& json) {
 
 }  // namespace
 
+std::string missing_of(const lesson::Sheet& sheet, const SheetWork& work) {
+  std::size_t missing = 0;
+  for (const lesson::Measured& one : sheet.measured) missing += work.measured.count(one.id) == 0;
+  for (std::size_t task = 0; task < sheet.lesson.tasks.size(); ++task) missing += work.built.count(task) == 0;
+  for (const lesson::Written& one : sheet.written) {
+    const auto answer = work.written.find(one.id);
+    missing += answer == work.written.end() || answer->second.empty();
+  }
+  const std::size_t all = sheet.measured.size() + sheet.lesson.tasks.size() + sheet.written.size();
+  if (missing == 0) return {};
+  return std::to_string(missing) + " of " + std::to_string(all) +
+         (missing == 1 ? " parts is missing." : " parts are missing.");
+}
+
 Json json_of(const std::string& id, std::uint64_t hash, const SheetWork& work) {
   Json json{{"sheet", id},
             {"hash", hex_of(hash)},

@@ -1,6 +1,7 @@
 // Texts that commands put together.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,19 @@ template <class Words>
 [[nodiscard]] std::string joined(const Words& words, std::string_view between = ", ") {
   std::string text;
   for (const std::string_view word : words) text.append(text.empty() ? "" : between).append(word);
+  return text;
+}
+
+/// How many letters a text of UTF-8 has.
+[[nodiscard]] inline std::size_t letters_of(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+/// The text with blanks after it, or before it (right), so that it has at least so many letters.
+[[nodiscard]] inline std::string padded(std::string text, std::size_t width, bool right = false) {
+  const std::size_t letters = letters_of(text);
+  if (letters < width) text.insert(right ? 0 : text.size(), width - letters, ' ');
   return text;
 }
 

@@ -142,9 +142,10 @@ const runs = {
     conforms("result_file", result);
     write("sheet.json", result);
     conforms("sheet", snug(["grade", "--json", "sheet.json"]).out);
-    conforms("machine", good(["grade", "--json", "--tables", "sheet.json"]));
+    conforms("machine", snug(["grade", "--json", "--tables", "sheet.json"]).out);
     writeFileSync(join(folder, "no.json"), "{}");
-    conforms("attempt", snug(["grade", "--json", "no.json"]).out);
+    conforms("attempt", snug(["grade", "--json", "no.json", "nowhere.json"]).out);
+    conforms("student", snug(["grade", "--json", "--by-student", "nowhere.json"]).out);
   },
 };
 for (const [call, run] of Object.entries(runs)) test(`snug ${call} prints what the schema says`, run);
