@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <numeric>
 #include <vector>
 
 #include "desktop/cli/cost_text.hpp"
 #include "desktop/cli/json.hpp"
+#include "desktop/cli/words.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -16,10 +16,26 @@ struct HumanCell {
   std::string text;
   bool right = false;  // a number
 };
-using Values = std::vector<std::pair<std::string, HumanCell>>;
+using Values = std::vector<std::pair<std::string, Json>>;
 
-constexpr std::size_t kFewest = 8;     // letters that a cut text keeps
-constexpr std::size_t kMostItems = 6;  // of a list that is written out
+constexpr std::size_t kReadable = 30;  // letters that a cut text keeps, while a column can be left out instead
+constexpr std::size_t kFewest = 8;     // and where none can
+constexpr std::size_t kMostItems = 6;  // of a list in a table, and rows of a matrix
+
+/// Columns of lists that are left out where there is no room, the first of these first.
+constexpr std::array<std::string_view, 16> kLeftOut{"file",   "summary", "source", "says",    "algorithms", "sets",
+                                                    "tasks",  "lecture", "group",  "chapter", "task",       "questions",
+                                                    "levels", "kind",    "lesson", "naive"};
+
+/// Names of one fit in plain words.
+constexpr std::array<std::array<std::string_view, 2>, 3> kPlain{
+    {{"time_ns.median", "median time"}, {"time_ns.min", "shortest time"}, {"time_ns.repeats", "runs timed"}}};
+
+std::string shown_name(const std::string& key) {
+  for (const auto& [name, plain] : kPlain)
+    if (key == name) return std::string(plain);
+  return key;
+}
 
 std::string number_words(const std::string& key, const Json& value) {
   if (key.find("_ns") != std::string::npos && key.find("spread") == std::string::npos &&
@@ -45,21 +61,15 @@ HumanCell cell_of(const std::string& key, const Json& value) {
   return {value.dump(), false};
 }
 
-/// The values with their names, those of nested objects as "time_ns.median".
+/// The values with their names, those of nested objects as "certificate.contains".
 void add_values(Values& values, const Json& object, const std::string& before) {
   for (const auto& [key, value] : object.items())
     if (value.is_object() && !value.empty()) add_values(values, value, before + key + '.');
-    else values.emplace_back(before + key, cell_of(before + key, value));
-}
-
-/// How many letters a text in UTF-8 has.
-std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+    else values.emplace_back(before + key, value);
 }
 
 std::string cut(const std::string& text, std::size_t width) {
-  if (letters(text) <= width) return text;
+  if (letters_of(text) <= width) return text;
   std::size_t end = 0;
   for (std::size_t seen = 0; end < text.size(); ++end)
     if ((static_cast<unsigned char>(text[end]) & 0xc0) != 0x80 && ++seen == width) break;
@@ -67,9 +77,7 @@ std::string cut(const std::string& text, std::size_t width) {
 }
 
 std::string padded_cell(const HumanCell& cell, std::size_t width) {
-  const std::string text = cut(cell.text, width);
-  const std::string pad(width - std::min(width, letters(text)), ' ');
-  return cell.right ? pad + text : text + pad;
+  return padded(cut(cell.text, width), width, cell.right);
 }
 
 std::string without_end_blanks(std::string line) {
@@ -77,38 +85,102 @@ std::string without_end_blanks(std::string line) {
   return line + '\n';
 }
 
-std::string list_text(const Values& values, bool color) {
-  std::size_t widest = 0;
-  for (const auto& [key, cell] : values) widest = std::max(widest, key.size());
-  std::string text;
-  for (const auto& [key, cell] : values)
-    text += (color ? "\x1b[1m" : "") + key + (color ? "\x1b[0m" : "") + std::string(widest - key.size() + 2, ' ') +
-            cell.text + '\n';
+/// As much of a list as has room, with how long it is where that is not all.
+std::string list_in(const std::string& key, const Json& list, std::size_t room) {
+  const std::string more = ", … (" + std::to_string(list.size()) + ')';
+  std::string text, fits;  // fits: with room for the rest as well
+  for (const Json& item : list) {
+    text += (text.empty() ? "" : ", ") + (item.is_structured() ? std::string("…") : cell_of(key, item).text);
+    if (letters_of(text) > room) return (fits.empty() ? text : fits) + more;
+    if (letters_of(text + more) <= room) fits = text;
+  }
   return text;
 }
 
-std::string table_text(const std::vector<Values>& rows, int width, bool color) {
-  std::vector<std::size_t> widths;
+/// A value in lines of some width. A list of lists has a line for each.
+std::vector<std::string> lines_of(const std::string& key, const Json& value, std::size_t room) {
+  if (!value.is_array()) return {cell_of(key, value).text};
+  const bool is_matrix = std::all_of(value.begin(), value.end(), [](const Json& row) { return row.is_array(); });
+  if (!is_matrix || value.empty()) return {list_in(key, value, room)};
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(value.size(), kMostItems); ++i) lines.push_back(list_in(key, value[i], room));
+  if (value.size() > kMostItems) lines.push_back("… (" + std::to_string(value.size()) + ')');
+  return lines;
+}
+
+std::string list_text(const Values& values, std::size_t width, bool color) {
+  std::size_t widest = 0;
+  for (const auto& [key, value] : values) widest = std::max(widest, letters_of(shown_name(key)));
+  std::string text;
+  for (const auto& [key, value] : values) {
+    std::string name = padded(shown_name(key), widest);
+    if (color) name = "\x1b[1m" + name + "\x1b[0m";
+    for (const std::string& line : lines_of(key, value, width - std::min(width, widest + 2))) {
+      text += name + "  " + line + '\n';
+      name.assign(widest, ' ');
+    }
+  }
+  return text;
+}
+
+struct HumanColumn {
+  std::string key;
+  std::vector<HumanCell> cells;  // the name is the first
+  bool can_be_cut = false;
+  std::size_t widest = 0, width = 0;
+};
+
+std::vector<HumanColumn> columns_of(const std::vector<Values>& rows) {
+  std::vector<HumanColumn> columns;
   for (std::size_t i = 0; i < rows.front().size(); ++i) {
-    widths.push_back(rows.front()[i].first.size());
-    for (const Values& row : rows) widths[i] = std::max(widths[i], letters(row[i].second.text));
+    const std::string& key = rows.front()[i].first;
+    HumanColumn column{key, {{key}}};
+    for (const Values& row : rows) {
+      column.cells.push_back(cell_of(key, row[i].second));
+      // What has no blanks is an id, a number or a path: it is of use as a whole. The first column names the row.
+      const HumanCell& cell = column.cells.back();
+      if (i > 0 && !cell.right && cell.text.find(' ') != std::string::npos) column.can_be_cut = true;
+    }
+    column.cells.front().right = column.cells[1].right;
+    for (const HumanCell& cell : column.cells) column.widest = std::max(column.widest, letters_of(cell.text));
+    columns.push_back(std::move(column));
   }
-  const auto all = [&] { return std::accumulate(widths.begin(), widths.end(), 2 * (widths.size() - 1)); };
-  while (all() > static_cast<std::size_t>(width)) {
-    // The first column names the row.
-    const auto widest = std::max_element(widths.begin() + (widths.size() > 1 ? 1 : 0), widths.end());
-    if (*widest <= kFewest) break;  // too many columns: the terminal breaks the lines
-    --*widest;
+  return columns;
+}
+
+/// Cuts the widest texts, down to so many letters. Returns whether all has room then.
+bool cut_to(std::vector<HumanColumn>& columns, std::size_t width, std::size_t fewest) {
+  std::size_t all = 2 * (columns.size() - 1);
+  for (HumanColumn& column : columns) all += column.width = column.widest;
+  for (; all > width; --all) {
+    HumanColumn* cut = nullptr;
+    for (HumanColumn& column : columns)
+      if (column.can_be_cut && column.width > fewest && (cut == nullptr || column.width > cut->width)) cut = &column;
+    if (cut == nullptr) return false;
+    --cut->width;
   }
-  std::string head, text;
-  for (std::size_t i = 0; i < widths.size(); ++i)
-    head += padded_cell({rows.front()[i].first, rows.front()[i].second.right}, widths[i]) + "  ";
-  text = (color ? "\x1b[1m" : "") + without_end_blanks(head);
-  if (color) text.insert(text.size() - 1, "\x1b[0m");
-  for (const Values& row : rows) {
+  return true;
+}
+
+/// Makes the columns fit: cuts texts, and leaves out columns that would leave others too little.
+void fit_in(std::vector<HumanColumn>& columns, std::size_t width) {
+  for (const std::string_view key : kLeftOut) {
+    if (cut_to(columns, width, kReadable)) return;
+    std::erase_if(columns, [&](const HumanColumn& column) { return column.key == key && &column != &columns.front(); });
+  }
+  cut_to(columns, width, kFewest);  // else there are too many: the terminal breaks the lines
+}
+
+std::string table_text(const std::vector<Values>& rows, std::size_t width, bool color) {
+  std::vector<HumanColumn> columns = columns_of(rows);
+  fit_in(columns, width);
+  std::string text;
+  for (std::size_t row = 0; row <= rows.size(); ++row) {
     std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i) line += padded_cell(row[i].second, widths[i]) + "  ";
-    text += without_end_blanks(line);
+    for (const HumanColumn& column : columns) line += padded_cell(column.cells[row], column.width) + "  ";
+    line = without_end_blanks(line);
+    if (row == 0 && color) line = "\x1b[1m" + line.insert(line.size() - 1, "\x1b[0m");
+    text += line;
   }
   return text;
 }
@@ -121,6 +193,7 @@ bool same_names(const Values& a, const Values& b) {
 }  // namespace
 
 std::string human_text(const std::string& lines, int width, bool color) {
+  const auto room = static_cast<std::size_t>(width);
   std::vector<Values> rows;
   for (std::size_t from = 0; from < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', from), lines.size());
@@ -131,7 +204,7 @@ std::string human_text(const std::string& lines, int width, bool color) {
     from = end + 1;
   }
   if (rows.empty()) return lines;
-  if (rows.size() == 1) return list_text(rows.front(), color);
+  if (rows.size() == 1) return list_text(rows.front(), room, color);
   // Rows with other names are other things: each kind has a table.
   std::string text;
   for (std::size_t from = 0; from < rows.size();) {
@@ -140,7 +213,7 @@ std::string human_text(const std::string& lines, int width, bool color) {
     if (from > 0) text += '\n';
     const std::vector<Values> alike(rows.begin() + static_cast<std::ptrdiff_t>(from),
                                     rows.begin() + static_cast<std::ptrdiff_t>(to));
-    text += alike.size() == 1 ? list_text(alike.front(), color) : table_text(alike, width, color);
+    text += alike.size() == 1 ? list_text(alike.front(), room, color) : table_text(alike, room, color);
     from = to;
   }
   return text;

@@ -725,13 +725,44 @@ test("a hull in space has its faces: closed, and counter-clockwise as seen from 
 });
 
 test("in a terminal lists are tables, in colour unless NO_COLOR is set, and --json keeps the lines", () => {
-  const shown = (call, env = {}) =>
-    spawnSync("script", ["-qec", `'${program}' ${call}`, "/dev/null"], { encoding: "utf8", env: { ...process.env, TERM: "xterm", ...env } }).stdout;
-  const plain = shown("algorithms", { NO_COLOR: "1" });
+  const plain = shown("algorithms", without_color);
   assert.match(plain, /^volume +algorithm +dims +exact/);
   assert.match(plain, /\nsphere +welzl +2, 3 +yes/);
+/** What a terminal shows, with so many columns. */
+const shown = (call, { columns = 100, ...env } = {}) =>
+  spawnSync("script", ["-qec", `stty cols ${columns}; '${program}' ${call}`, "/dev/null"], { encoding: "utf8", cwd: folder, env: { ...process.env, TERM: "xterm", ...env } })
+    .stdout.replaceAll("\r", "");
+const without_color = { NO_COLOR: "1" };
+
   assert.ok(!plain.includes("{") && !plain.includes("\x1b"));
   assert.match(shown("algorithms"), /^\x1b\[1mvolume/);
   assert.match(shown("algorithms --json"), /^\{"volume":"sphere"/);
-  assert.match(shown("fit --volume sphere --algorithm welzl --case twins", { NO_COLOR: "1" }), /time_ns\.median +\d+(\.\d+)? (ns|us|ms)/);
+});
+
+test("a table is no wider than its terminal, and has its ids whole and its titles readable", () => {
+  const ids = { "lesson list": "lesson", "exercise list": "exercise", algorithms: "algorithm", cases: "case", "demo list": "demo" };
+  for (const [call, key] of Object.entries(ids)) {
+    const all = json_lines(good(call.split(" ")));
+    for (const columns of [80, 100, 400]) {
+      const lines = shown(call, { ...without_color, columns }).trimEnd().split("\n");
+      const words = new Set(lines.flatMap((line) => line.split(/ +/)));
+      for (const row of all) assert.ok(words.has(row[key]), `${call}, ${columns}: ${row[key]} is not whole`);
+      for (const line of lines) assert.ok([...line].length <= columns, `${call}, ${columns}: ${line}`);
+      for (const [cut] of lines.join("\n").matchAll(/(\S+ )*\S*…/g)) assert.ok([...cut].length >= 30, `${call}, ${columns}: ${cut}`);
+      assert.equal(/ file( |$)/m.test(lines[0]), columns === 400 && "file" in all[0], `${call}, ${columns}`);
+    }
+  }
+});
+
+test("in a terminal a fit has its numbers, as many as have room, a matrix in rows, and its time in words", () => {
+  const text = shown(`fit --volume obb --algorithm pca ${tetra}`, { ...without_color, columns: 80 });
+  assert.ok(!text.includes("…"), text);
+  const number = "-?[\\d.e-]+", triple = `${number}, ${number}, ${number}`;
+  assert.match(text, new RegExp(`^obb\\.center +${triple}\\nobb\\.axes +${triple}\\n +${triple}\\n +${triple}\\nobb\\.half_extents +${triple}\\n`));
+  assert.match(text, /\nmedian time +[\d.]+ (ns|µs|ms)\nshortest time +[\d.]+ (ns|µs|ms)\nruns timed +5\n/);
+  write("many.xyz", [...Array(60).keys()].map((i) => `${Math.cos(i)} ${Math.sin(i)}`).join("\n"));
+  const hull = shown("fit --volume hull --algorithm quickhull many.xyz", { ...without_color, columns: 80 }).split("\n");
+  assert.match(hull.find((line) => line.startsWith("support")), /^support +(\d+, ){10,}… \(60\)$/);
+  assert.equal(hull[6].trim(), "… (60)");
+  for (const line of hull) assert.ok([...line].length <= 80, line);
 });
