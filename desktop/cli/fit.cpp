@@ -36,14 +36,23 @@ std::vector<std::string> known_names(std::string_view volume) {
   return names;
 }
 
+/// "; known: sphere, aabb, …", and what may have been meant.
+std::string known_text(const std::string& word, std::string_view volume) {
+  const auto known = known_names(volume);
+  return "; known: " + joined(known) + did_you_mean(word, known);
+}
+
+/// The error if there is no such volume.
+tl::expected<void, InputError> check_volume(const std::string& volume) {
+  if (volume.empty()) return tl::unexpected(InputError{.what = "--volume is required" + known_text("", "")});
+  if (!known_names(volume).empty()) return {};
+  return tl::unexpected(InputError{.what = "there is no volume \"" + volume + '"' + known_text(volume, "")});
+}
+
 tl::expected<const fit::Algorithm*, InputError> algorithm_of(const FitOptions& options) {
   if (const fit::Algorithm* algorithm = fit::find_algorithm(options.volume, options.algorithm)) return algorithm;
-  const auto volumes = known_names(""), known = known_names(options.volume);
-  if (options.volume.empty() || known.empty())
-    return tl::unexpected(InputError{.what = "there is no volume \"" + options.volume +
-                                             "\"; known: " + joined(volumes) + did_you_mean(options.volume, volumes)});
   return tl::unexpected(InputError{.what = "there is no algorithm \"" + options.algorithm + "\" for " + options.volume +
-                                           "; known: " + joined(known) + did_you_mean(options.algorithm, known)});
+                                           known_text(options.algorithm, options.volume)});
 }
 
 /// The points that are fitted, and where they are in float, what they were before they were rounded.
@@ -83,12 +92,10 @@ tl::expected<FitOptions, InputError> completed(FitOptions options) {
     if (options.volume.empty() || options.volume == own->volume)
       options.volume = own->volume, options.algorithm = own->algorithm;
   }
-  const auto lacks = [&](const char* what) {
-    return tl::unexpected(InputError{.what = std::string(what) + " is required"});
-  };
-  if (options.volume.empty()) return lacks("--volume");
-  if (options.algorithm.empty()) return lacks("--algorithm");
-  if (options.name.empty() && options.file.empty()) return lacks("FILE");
+  if (const auto checked = check_volume(options.volume); !checked) return tl::unexpected(checked.error());
+  if (options.algorithm.empty())
+    return tl::unexpected(InputError{.what = "--algorithm is required" + known_text("", options.volume)});
+  if (options.name.empty() && options.file.empty()) return tl::unexpected(InputError{.what = "FILE is required"});
   return options;
 }
 

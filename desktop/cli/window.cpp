@@ -9,6 +9,7 @@
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/lesson_files.hpp"
 #include "desktop/cli/steps.hpp"
+#include "desktop/cli/words.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -201,7 +202,13 @@ std::optional<std::string> neither_command_nor_lesson(const CLI::App& snug, cons
   for (const CLI::App* command : subcommands_of(snug)) commands.push_back(command->get_name());
   std::string meant = did_you_mean(word, commands);
   if (meant.empty()) meant = did_you_mean(word, lesson_ids(""));
-  return '"' + word + "\" is neither a command nor a lesson" + meant + " (see `snug --help`)";
+  std::string points;  // where it may be meant as a file of points
+  if (word.find('.') != std::string::npos) {
+    const std::vector<std::string> endings{".xyz", ".csv", ".txt", ".obj", ".ply", ".stl", ".off"};
+    points = ", and point files end in " + joined(endings);
+    if (meant.empty()) meant = did_you_mean('.' + ending_of(word), endings);
+  }
+  return '"' + word + "\" is neither a command nor a lesson" + points + meant + " (see `snug --help`)";
 }
 
 void add_window(Commands& commands) {

@@ -214,7 +214,9 @@ test("files that cannot be read are refused", () => {
 
 test("bad usage is refused in one line", () => {
   refused(["fti"], /"fti" is neither a command nor a lesson/);
-  refused(["fit"], /--volume is required/);
+  refused(["fit"], /--volume is required; known: sphere, aabb, obb, capsule, lozenge, kdop, hull$/m);
+  refused(["fit", tetra], "--volume is required; known: sphere, aabb, obb, capsule, lozenge, kdop, hull");
+  refused(["fit", "--volume", "capsule", tetra], "--algorithm is required; known: pca");
   refused(["fit", "--volume", "cube", "--algorithm", "welzl", tetra], 'there is no volume "cube"; known: sphere, aabb, obb, capsule, lozenge, kdop, hull');
   refused(fit_args("quick", tetra),
     `there is no algorithm "quick" for sphere; known: ${algorithms.slice(0, 1)}, ritter, ritter_iterative, pca, welzl, pivot, brute_force, welzl_recursive, brute_force_slide, ${naive.join(", ")}`);
@@ -263,12 +265,16 @@ test("a mistyped command, option, algorithm or lesson is told what it may have b
   meant(["fit", "--volum", "obb", tetra], "--volume");
   meant(["fit", "--scalr=float", tetra], "--scalar");
   meant(["fit", "--volume", "shpere", "--algorithm", "welzl", tetra], "sphere");
+  meant(["fit", "--volume", "spher", tetra], "sphere");
   meant(fit_args("wezl", tetra), "welzl");
+  meant(["-v"], "-V");
+  meant(["knot.objj"], "\\.obj");
+  refused(["knot.png"], /"knot\.png" is neither a command nor a lesson, and point files end in \.xyz, \.csv, \.txt, \.obj, \.ply, \.stl, \.off \(/);
   meant(["cost", "--algorithms", "ritter,pivto", tetra], "pivot");
   meant(["help", "lesson", "lst"], "list");
   meant(["exercise", "make", "be-rittr"], "be-ritter");
   meant(["fit", "--case", "nedle"], "needle");
-  for (const far of [["cube"], ["fit", "--colour", tetra], ["sphere-"], ["help", "x"]])
+  for (const far of [["cube"], ["fit", "--colour", tetra], ["sphere-"], ["help", "x"], ["-x"], ["knot.png"]])
     assert.doesNotMatch(snug(far).err, /did you mean/, far.join(" "));
 });
 
@@ -724,16 +730,16 @@ test("a hull in space has its faces: closed, and counter-clockwise as seen from 
   }
 });
 
-test("in a terminal lists are tables, in colour unless NO_COLOR is set, and --json keeps the lines", () => {
-  const plain = shown("algorithms", without_color);
-  assert.match(plain, /^volume +algorithm +dims +exact/);
-  assert.match(plain, /\nsphere +welzl +2, 3 +yes/);
 /** What a terminal shows, with so many columns. */
 const shown = (call, { columns = 100, ...env } = {}) =>
   spawnSync("script", ["-qec", `stty cols ${columns}; '${program}' ${call}`, "/dev/null"], { encoding: "utf8", cwd: folder, env: { ...process.env, TERM: "xterm", ...env } })
     .stdout.replaceAll("\r", "");
 const without_color = { NO_COLOR: "1" };
 
+test("in a terminal lists are tables, in colour unless NO_COLOR is set, and --json keeps the lines", () => {
+  const plain = shown("algorithms", without_color);
+  assert.match(plain, /^volume +algorithm +dims +exact/);
+  assert.match(plain, /\nsphere +welzl +2, 3 +yes/);
   assert.ok(!plain.includes("{") && !plain.includes("\x1b"));
   assert.match(shown("algorithms"), /^\x1b\[1mvolume/);
   assert.match(shown("algorithms --json"), /^\{"volume":"sphere"/);
