@@ -62,15 +62,26 @@ std::string arguments_of(const CLI::App& app) {
 constexpr const char* kFiles = R"(.SH FILES
 .TP
 .I ~/.local/state/snug/course.json
-What the window keeps: answers, and the place in each lesson. XDG_STATE_HOME leads elsewhere.
+What the window keeps: answers, and the place in each lesson.
 .TP
-.I ~/.config/snug/snug.toml, /etc/xdg/snug/snug.toml
-What everybody of a class begins with: lessons, theme, first_lesson, results. The first that exists counts;
-XDG_CONFIG_HOME and XDG_CONFIG_DIRS lead elsewhere.
+.I ~/.config/snug/snug.toml, /etc/xdg/snug/snug.toml, /usr/share/snug/snug.toml
+What everybody of a class begins with: lessons, theme, first_lesson, page, results. The first that exists counts.
 .SH ENVIRONMENT
 .TP
 .B SNUG_THEME
 The window's and the pictures' look at the start: light, dark, contrast or projector.
+.TP
+.B SNUG_STATE
+A file that the window replaces by its state, one JSON object, whenever a frame shows something new.
+.TP
+.B NO_COLOR
+If it is set, and not empty, nothing is printed in colour.
+.TP
+.B XDG_STATE_HOME
+The folder in place of ~/.local/state.
+.TP
+.B XDG_CONFIG_HOME, XDG_CONFIG_DIRS
+The folder in place of ~/.config, and those in place of /etc/xdg, with colons between them.
 )";
 
 }  // namespace

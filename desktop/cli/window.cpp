@@ -215,8 +215,8 @@ void add_window(Commands& commands) {
   auto options = std::make_shared<WindowOptions>();
   auto word = std::make_shared<std::string>();
   constexpr const char* kWhich =
-      "The lesson to open: its id, or its file, which ends in .toml; by default the first. Or a "
-      "point file, to see which volume suits it";
+      "The lesson to open: its id, or its file, which ends in .toml; by default the course's page, or the lesson last "
+      "open. Or a point file, to see which volume suits it";
   CLI::Option* const lesson = commands.app.add_option("--lesson", options->lesson, "The same as LESSON");
   commands.app.add_option("LESSON", *word, kWhich)->excludes(lesson);
   add_common(commands.app, *options);

@@ -60,6 +60,15 @@ test("the manual has every command with every option", () => {
   }
 });
 
+test("the manual says which files and variables are read, and what opens first", () => {
+  const page = good(["man"]).replaceAll("\\-", "-");
+  const section = (title) => page.split(`\n.SH ${title}\n`)[1].split("\n.SH ")[0];
+  for (const file of ["course.json", "snug.toml"]) assert.ok(section("FILES").includes(file), file);
+  for (const name of ["SNUG_THEME", "NO_COLOR", "XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_CONFIG_DIRS"])
+    assert.match(section("ENVIRONMENT"), new RegExp(`^\\.B .*${name}`, "m"));
+  for (const text of [page, good(["help"])]) assert.match(text, /by default the course's page, or the lesson last\s+open\./);
+});
+
 for (const shell of Object.keys(scripts))
   test(`${shell} offers every command and option where it belongs`, () => {
     for (const { call, options, commands } of all) {
