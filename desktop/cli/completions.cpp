@@ -25,15 +25,34 @@ std::string calls(const std::vector<Defined>& all, const char* between) {
   return joined(words, between);
 }
 
+/// A function of bash and zsh that prints the algorithms of a volume, or of all.
+std::string algorithms_function() {
+  std::string text = "_snug_algorithms() {\n  case $1 in\n";
+  for (const auto& [volume, algorithms] : algorithms_by_volume())
+    text += "    " + volume + ") echo " + shell_word(joined(algorithms, " ")) + " ;;\n";
+  return text + "  esac\n}\n";
+}
+
 std::string bash_ids(const std::string& kinds) { return kinds.empty() ? "" : " ids=" + shell_word(kinds); }
 
 std::string bash(const std::vector<Defined>& all) {
   std::ostringstream out;
+  // The shell takes = and what stands before a colon for words of their own, unless COMP_WORDBREAKS lacks them.
   out << "# bash completion for snug: made by `snug completions bash`\n"
-         "_snug() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=snug i offered= options= "
-         "ids=\n"
-         "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
+      << algorithms_function()
+      << "_snug() {\n"
+         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=snug first=1 i\n"
+         "  local offered= options= ids= volume= glued= start=\n"
+         "  if [[ $word == = ]]; then word=\n"
+         "  elif [[ $before == = ]]; then before=${COMP_WORDS[COMP_CWORD - 2]}\n"
+         "  elif [[ $word == --*=* ]]; then before=${word%%=*} word=${word#*=} glued=$before=\n"
+         "  fi\n"
+         "  [[ ${COMP_WORDS[1]} != help || $COMP_CWORD == 1 || $word == -* ]] || first=2\n"
+         "  for ((i = first; i < COMP_CWORD; i++)); do\n"
+         "    case ${COMP_WORDS[i]} in\n"
+         "      --volume) volume=${COMP_WORDS[i + 1]}; [[ $volume != = ]] || volume=${COMP_WORDS[i + 2]} ;;\n"
+         "      --volume=*) volume=${COMP_WORDS[i]#*=} ;;\n"
+         "    esac\n"
          "    case \"$command ${COMP_WORDS[i]}\" in\n      "
       << calls(all, " | ") << ") command+=\" ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n  case $command in\n";
   for (const Defined& command : all) {
@@ -43,18 +62,19 @@ std::string bash(const std::vector<Defined>& all) {
     for (const CLI::Option* option : options_of(*command.app)) {
       const auto names = names_of(*option);
       options.insert(options.end(), names.begin(), names.end());
-      if (takes_value(*option))
-        out << "        " << joined(names, " | ") << ") offered=" << shell_word(joined(values_of(*option), " "))
-            << bash_ids(ids_of(command, *option)) << " ;;\n";
+      if (!takes_value(*option)) continue;
+      out << "        " << joined(names, " | ") << ") offered="
+          << (is_of_volume(command, *option) ? "$(_snug_algorithms \"$volume\")"
+                                             : shell_word(joined(values_of(*option), " ")))
+          << bash_ids(ids_of(command, *option)) << " ;;\n";
     }
+    // Beside the commands lessons are offered after a letter, for they are many; so are options, after a dash.
     out << "        *) offered=" << shell_word(joined(words, " ")) << " options=" << shell_word(joined(options, " "))
-        << bash_ids(ids_in_place(command)) << " ;;\n      esac ;;\n";
+        << bash_ids(ids_in_place(command)) << (words.empty() ? "" : "; [[ $word ]] || ids=") << " ;;\n      esac ;;\n";
   }
-  // Options are offered after a dash, and beside the commands lessons after a letter: both are many. The shell takes
-  // what stands before a colon for a word of its own.
   out << "  esac\n"
+         "  ((first == 1)) || options= ids=\n"
          "  [[ $word != -* || -z $options ]] || offered=$options\n"
-         "  local start=\n"
          "  if [[ $COMP_WORDBREAKS == *:* ]]; then\n"
          "    for ((i = COMP_CWORD; i > 1; i--)); do\n"
          "      [[ ${COMP_WORDS[i]} == : || ${COMP_WORDS[i - 1]} == : ]] || break\n"
@@ -62,11 +82,12 @@ std::string bash(const std::vector<Defined>& all) {
          "    done\n"
          "    if [[ $word == : ]]; then start+=: word=; fi\n"
          "  fi\n"
-         "  if [[ $ids && $word != -* && ($command != snug || $word) ]]; then\n"
+         "  if [[ $ids && $word != -* ]]; then\n"
          "    offered+=\" $(\"${COMP_WORDS[0]/#\\~/$HOME}\" ids $ids 2>/dev/null)\"\n"
          "  fi\n"
          "  COMPREPLY=($(compgen -W \"$offered\" -- \"$start$word\"))\n"
          "  COMPREPLY=(\"${COMPREPLY[@]#\"$start\"}\")\n"
+         "  COMPREPLY=(\"${COMPREPLY[@]/#/\"$glued\"}\")\n"
          "}\n"
          "complete -o default -F _snug snug\n";
   return out.str();
@@ -77,8 +98,10 @@ std::string zsh_option(const Defined& command, const CLI::Option& option) {
   std::string words;
   const auto says = replaced(replaced(one_line(option.get_description()), "[", "\\["), "]", "\\]");
   for (const std::string& name : names_of(option)) {
-    std::string word = name + '[' + replaced(says, ":", "\\:") + ']';
-    if (takes_value(option)) {
+    const bool is_long = name.starts_with("--");
+    std::string word = name + (is_long && takes_value(option) ? "=" : "") + '[' + replaced(says, ":", "\\:") + ']';
+    if (is_of_volume(command, option)) word += ":value: _snug_of_volume";
+    else if (takes_value(option)) {
       const auto values = values_of(option);
       const std::string ids = ids_of(command, option);
       word += !ids.empty()     ? ":value: _snug_ids " + ids
@@ -94,15 +117,28 @@ std::string zsh(const std::vector<Defined>& all) {
   std::ostringstream out;
   out << "#compdef snug\n"
          "# zsh completion for snug: made by `snug completions zsh`\n"
+      << algorithms_function()
+      << "_snug_of_volume() {\n"
+         "  local i volume\n"
+         "  for ((i = 2; i < CURRENT; i++)); do\n"
+         "    case ${words[i]} in\n"
+         "      --volume) volume=${words[i + 1]} ;;\n"
+         "      --volume=*) volume=${words[i]#*=} ;;\n"
+         "    esac\n"
+         "  done\n"
+         "  local -a algorithms=($(_snug_algorithms \"$volume\"))\n"
+         "  compadd -a algorithms\n"
+         "}\n"
          "_snug_ids() {\n"
          "  local -a ids=(${(f)\"$(${~words[1]} ids $@ 2>/dev/null)\"})\n"
          "  compadd -a ids\n"
          "  _files\n"
          "}\n"
          "_snug() {\n"
-         "  local command=snug i place='*:file:_files'\n"
+         "  local command=snug first=2 i place='*:file:_files'\n"
          "  local -a commands options\n"
-         "  for ((i = 2; i < CURRENT; i++)); do\n"
+         "  [[ ${words[2]} != help || $CURRENT == 2 || ${words[CURRENT]} == -* ]] || first=3\n"
+         "  for ((i = first; i < CURRENT; i++)); do\n"
          "    case \"$command ${words[i]}\" in\n      "
       << calls(all, " | ") << ") command+=\" ${words[i]}\" ;;\n    esac\n  done\n  case $command in\n";
   for (const Defined& command : all) {
@@ -117,6 +153,7 @@ std::string zsh(const std::vector<Defined>& all) {
     out << " ;;\n";
   }
   out << "  esac\n"
+         "  if (( first == 3 )); then _describe command commands; return; fi\n"
          "  (( $#commands )) && [[ ${words[CURRENT]} != -* ]] && _describe command commands\n"
          "  [[ $command != snug || -n ${words[CURRENT]} ]] || place='*:file:_files'\n"
          "  _arguments $options $place\n"
@@ -135,9 +172,10 @@ std::string fish_option(const Defined& command, const CLI::Option& option) {
   if (takes_value(option)) {
     const auto values = values_of(option);
     const std::string ids = ids_of(command, option);
-    words += !ids.empty()     ? " -x -a " + fish_word(fish_ids(ids))
-             : values.empty() ? " -r -F"
-                              : " -x -a " + fish_word(joined(values, " "));
+    words += !ids.empty()                    ? " -x -a " + fish_word(fish_ids(ids))
+             : is_of_volume(command, option) ? " -x -a '(__snug_algorithms)'"
+             : values.empty()                ? " -r -F"
+                                             : " -x -a " + fish_word(joined(values, " "));
   }
   return words + " -d " + fish_word(one_line(option.get_description()));
 }
@@ -145,14 +183,27 @@ std::string fish_option(const Defined& command, const CLI::Option& option) {
 std::string fish(const std::vector<Defined>& all) {
   std::ostringstream out;
   out << "# fish completion for snug: made by `snug completions fish`\n"
-         "function __snug_at\n"
+         "function __snug_command\n"
          "    set -l command snug\n"
-         "    for word in (commandline -opc)[2..]\n"
+         "    for word in $argv\n"
          "        contains -- \"$command $word\" "
       << calls(all, " ")
       << "\n            and set command \"$command $word\"\n"
          "    end\n"
-         "    test \"$command\" = \"$argv\"\n"
+         "    echo $command\n"
+         "end\n"
+         "function __snug_at\n"
+         "    test (__snug_command (commandline -opc)[2..]) = \"$argv\"\n"
+         "end\n"
+         "function __snug_help_at\n"
+         "    set -l words (commandline -opc)\n"
+         "    test \"$words[2]\" = help; and test (__snug_command $words[3..]) = \"$argv\"\n"
+         "end\n"
+         "function __snug_algorithms\n"
+         "    switch (string replace -fr '.*--volume[= ]+(\\w+).*' '$1' -- (commandline -cp); or echo)\n";
+  for (const auto& [volume, algorithms] : algorithms_by_volume())
+    out << "        case " << fish_word(volume) << "\n            printf '%s\\n' " << joined(algorithms, " ") << '\n';
+  out << "    end\n"
          "end\n"
          "function __snug_ids\n"
          "    set -l program (string replace -r '^~' $HOME (commandline -opc)[1])\n"
@@ -160,8 +211,10 @@ std::string fish(const std::vector<Defined>& all) {
          "end\n";
   for (const Defined& command : all) {
     const std::string here = "complete -c snug -n " + fish_word("__snug_at " + command.call);
+    const std::string or_help = fish_word("__snug_at " + command.call + "; or __snug_help_at " + command.call);
     for (const CLI::App* sub : subcommands_of(*command.app))
-      out << here << " -a " << sub->get_name() << " -d " << fish_word(one_line(sub->get_description())) << '\n';
+      out << "complete -c snug -n " << or_help << " -a " << sub->get_name() << " -d "
+          << fish_word(one_line(sub->get_description())) << '\n';
     for (const CLI::Option* option : options_of(*command.app)) out << here << fish_option(command, *option) << '\n';
     if (const std::string ids = ids_in_place(command); !ids.empty()) {
       const bool beside_commands = !subcommands_of(*command.app).empty();  // then once a letter is there

@@ -1,6 +1,7 @@
 #include "desktop/cli/definitions.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "fit/catalogue.hpp"
@@ -8,18 +9,22 @@
 namespace snug::desktop {
 namespace {
 
+bool is_called(const CLI::Option& option, std::string_view name) {
+  const auto& names = option.get_lnames();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool names_algorithms(const CLI::Option& option) {
+  return is_called(option, "algorithm") || is_called(option, "algorithms");
+}
+
 /// What follows an option that every command reads in the same way.
 std::vector<std::string> catalogued(const CLI::Option& option) {
-  std::vector<std::string> found;
-  const auto& names = option.get_lnames();
-  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
-  const bool volumes = has("volume");
-  if (!volumes && !has("algorithm") && !has("algorithms")) return found;
+  std::set<std::string> found;
   for (const fit::Algorithm& algorithm : fit::algorithms())
-    found.emplace_back(volumes ? algorithm.volume : algorithm.name);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
+    if (is_called(option, "volume")) found.emplace(algorithm.volume);
+    else if (names_algorithms(option)) found.emplace(algorithm.name);
+  return {found.begin(), found.end()};
 }
 
 void add_commands(const Defined& command, std::vector<Defined>& all) {
@@ -61,6 +66,22 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   std::istringstream list(type.substr(begin + 1, end - begin - 1));
   for (std::string value; std::getline(list, value, ',');) values.push_back(value);
   return values;
+}
+
+bool is_of_volume(const Defined& command, const CLI::Option& option) {
+  return names_algorithms(option) && command.app->get_option_no_throw("--volume") != nullptr;
+}
+
+std::vector<std::pair<std::string, std::vector<std::string>>> algorithms_by_volume() {
+  std::vector<std::pair<std::string, std::vector<std::string>>> found;
+  std::set<std::string> all;
+  for (const fit::Algorithm& algorithm : fit::algorithms()) {
+    if (found.empty() || found.back().first != algorithm.volume) found.emplace_back(algorithm.volume, 0);
+    found.back().second.emplace_back(algorithm.name);
+    all.emplace(algorithm.name);
+  }
+  found.emplace_back("*", std::vector<std::string>(all.begin(), all.end()));
+  return found;
 }
 
 std::string ids_of(const Defined& command, const CLI::Option& option) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace snug::desktop {
@@ -33,6 +34,11 @@ struct Defined {
 
 /// What may follow the option, where it is one of a few words; else nothing.
 [[nodiscard]] std::vector<std::string> values_of(const CLI::Option& option);
+
+/// Whether the option is followed by algorithms of the volume that the command's --volume names.
+[[nodiscard]] bool is_of_volume(const Defined& command, const CLI::Option& option);
+/// The algorithms of each volume, by its name, and at the end those of all, by "*".
+[[nodiscard]] std::vector<std::pair<std::string, std::vector<std::string>>> algorithms_by_volume();
 
 /// What has ids, which `snug ids` prints by these names.
 enum class IdKind : std::uint8_t { kLessons, kCases, kExercises, kSets, kDemos, kPackages, kLabs, kClaims };

@@ -34,8 +34,8 @@ const scripts_asking = {
   bash: (call, word) => `. ./snug.bash; COMP_WORDS=(snug ${call} '${word}'); COMP_CWORD=$((\${#COMP_WORDS[@]} - 1))
     _snug; printf '%s\\n' "\${COMPREPLY[@]}"`,
   zsh: (call, word) => `_describe() { print -rl -- \${(P)2%%:*} }; _files() {}; compadd() { print -rl -- \${(P)2} }
-    _arguments() { print -rl -- \${@%%\\[*}; for place in $@; do
-      [[ $place != ('*:id: '*|\${words[CURRENT-1]}\\[*': _snug_ids'*) ]] || \${=place##*: }; done }
+    _arguments() { print -rl -- \${\${@%%\\[*}%=}; for place in $@; do
+      [[ $place != ('*:id: '*|\${words[CURRENT-1]}(|=)\\[*': _snug_'*) ]] || \${=place##*: }; done }
     words=(snug ${call} '${word}'); CURRENT=$#words; . ./snug.zsh`,
   fish: (call, word) => `source snug.fish; complete -C 'snug ${call} ${word}'`,
 };
@@ -91,6 +91,12 @@ const named = [
   ["lab new", "", ["overlap"], "collision"],
   ["fit --case", "", ["needle"], "sphere-ritter"],
   ["", "sphere-", ["sphere-ritter"], "be-ritter"],
+  ["--lesson", "", ["sphere-ritter"], "be-ritter"],
+  ["help", "", ["fit", "lesson"], "check"],
+  ["help lesson", "", ["check", "play"], "fit"],
+  ["fit --algorithm", "", ["welzl", "dito"], "sphere"],
+  ["fit --volume obb --algorithm", "", ["dito", "exact"], "welzl"],
+  ["fit --volume=obb --algorithm", "", ["dito", "exact"], "welzl"],
 ];
 for (const shell of Object.keys(scripts))
   test(`${shell} offers lessons, exercises and what else has an id, where it can be named`, () => {
@@ -102,6 +108,18 @@ for (const shell of Object.keys(scripts))
     assert.ok(!offered(shell, "", "").includes("sphere-ritter"), "beside the commands, once a letter is there");
     if (shell !== "bash") assert.ok(offered(shell, "package", "set:").includes("set:collision"));
   });
+
+test("a value is offered after its option's equals sign", () => {
+  const asking = (breaks, ...words) => run("bash", "--norc", "-c", `. ./snug.bash; COMP_WORDBREAKS='${breaks}'; COMP_WORDS=(snug fit ${words.join(" ")})
+    COMP_CWORD=$((\${#COMP_WORDS[@]} - 1)); _snug; printf '%s\n' "\${COMPREPLY[@]}"`).trimEnd().split("\n");
+  assert.deepEqual(asking(" =", "--volume", "=", "o"), ["obb"]);
+  assert.ok(asking(" =", "--volume", "=").includes("sphere"));
+  assert.deepEqual(asking(" =", "--volume", "=", "obb", "--algorithm", "=", "di"), ["dito"]);
+  assert.deepEqual(asking(" ", "--volume=o"), ["--volume=obb"]);
+  assert.deepEqual(asking(" ", "--volume=obb", "--algorithm", "di"), ["dito"]);
+  assert.deepEqual(offered("fish", "fit", "--volume=o").filter(Boolean), ["--volume=obb"]);
+  assert.match(scripts.zsh, /'--volume=\[[^\]]*\]:value:\(/);
+});
 
 test("bash takes a colon for a word of its own, and completes what stands around it", () => {
   const asking = (...words) => run("bash", "--norc", "-c", `. ./snug.bash; COMP_WORDS=(snug package ${words.join(" ")})
