@@ -46,18 +46,6 @@ void Shell::sheet_changed() {
   kept_.write();
 }
 
-std::string Shell::sheet_lacks() {
-  const lesson::Sheet& of = *sheet();
-  const SheetWork& work = sheet_work();
-  std::size_t there = work.measured.size() + work.built.size();
-  const std::size_t all = of.measured.size() + of.written.size() + of.lesson.tasks.size();
-  for (const lesson::Written& one : of.written) {
-    const auto answer = work.written.find(one.id);
-    there += answer != work.written.end() && !answer->second.empty() ? 1 : 0;
-  }
-  return there >= all ? std::string()
-                      : std::to_string(all - there) + " of " + std::to_string(all) +
-                            (all - there == 1 ? " parts is missing." : " parts are missing.");
-}
+std::string Shell::sheet_lacks() { return missing_of(*sheet(), sheet_work()); }
 
 }  // namespace snug::desktop
