@@ -328,8 +328,9 @@ export class Page {
     if (error) return veil.failed(`This lesson cannot be opened. ${error}.`, null);
     this.#wanted = null;
     this.#show_lesson();
-    const bare = !asked.mark && this.#door.read_place(asked.place).bare;
-    const back = kept && (bare || [kept.address, window.snug.opens].includes(here()));
+    const { bare, mistakes } = this.#door.read_place(asked.place);
+    const back = kept && ((bare && !asked.mark) || [kept.address, window.snug.opens].includes(here()));
+    if (!back) asked.problems.push(...mistakes); // of what is kept, the student has written none
     const whole = await this.#restore(back ? kept.address : asked.place, asked.problems, turn);
     if (turn !== this.#opens) return;
     if (back && whole) this.#resume(kept);
@@ -477,8 +478,7 @@ export class Page {
    *  @param {string} address @param {string[]} problems @param {number} turn */
   async #restore(address, problems, turn) {
     const door = this.#door;
-    const { mistakes, step, mesh } = door.read_place(address);
-    problems.push(...mistakes);
+    const { step, mesh } = door.read_place(address);
     // If it cannot be loaded, the way says so.
     if (mesh) await this.#mesh(mesh).then((bytes) => door.lend_mesh(bytes), () => {});
     for (;;) {
