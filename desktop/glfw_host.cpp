@@ -86,7 +86,7 @@ struct GlfwHost::Callbacks {
   static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     GlfwHost& self = host(window);
     const bool is_tab = key == GLFW_KEY_TAB && action != GLFW_RELEASE;
-    if (is_tab || !self.held_back_.empty()) self.held_back_.push_back({key, scancode, action, mods});
+    if (is_tab || self.holds_back()) self.held_back_.push_back({key, scancode, action, mods});
     else answer_key(self, window, key, scancode, action, mods);
   }
   static void answer_key(GlfwHost& self, GLFWwindow* window, int key, int scancode, int action, int mods) {
@@ -106,7 +106,7 @@ struct GlfwHost::Callbacks {
   }
   static void character(GLFWwindow* window, unsigned code) {
     GlfwHost& self = host(window);
-    if (!self.held_back_.empty()) self.held_back_.push_back({.letter = code});
+    if (self.holds_back()) self.held_back_.push_back({.letter = code});
     else answer_letter(self, window, code);
   }
   static void answer_letter(GlfwHost& self, GLFWwindow* window, unsigned code) {
@@ -257,27 +257,27 @@ Extent GlfwHost::extent() const {
   return extent;
 }
 
-/// Answers what was held back, up to the next Tab.
+/// Answers what was held back, one Tab a frame; behind a Tab what is no Tab waits for the field that it leads to.
 void GlfwHost::catch_up() {
+  constexpr int kSettles = 4;  // the ring moves, the field is asked to take letters, it does, and says so
   dirty_ = true;
-  if (settling_ > 0 && --settling_ > 0) return;
+  if (settling_ > 0) --settling_;
   if (!ImGui::GetCurrentContext()->InputEventsQueue.empty()) return;
-  for (bool first = true; !held_back_.empty(); first = false) {
+  for (bool pressed = false; !held_back_.empty();) {
     const Typed typed = held_back_.front();
-    const bool is_tab = typed.letter == 0 && typed.key == GLFW_KEY_TAB && typed.action != GLFW_RELEASE;
-    if (is_tab && !first) return;
+    const bool press = typed.letter != 0 || typed.action != GLFW_RELEASE;
+    const bool tab = press && typed.letter == 0 && typed.key == GLFW_KEY_TAB;
+    if (tab ? pressed : press && settling_ > 0) return;
+    pressed = pressed || press;
     held_back_.pop_front();
     if (typed.letter != 0) Callbacks::answer_letter(*this, window_, typed.letter);
     else Callbacks::answer_key(*this, window_, typed.key, typed.scancode, typed.action, typed.mods);
-    if (!is_tab) continue;
-    constexpr int kSettles = 4;  // the ring moves, the field is asked to take letters, it does, and says so
-    settling_ = held_back_.empty() ? 0 : kSettles;
-    return;
+    if (tab) settling_ = kSettles;
   }
 }
 
 bool GlfwHost::wait(double seconds) {
-  if (!held_back_.empty()) catch_up();
+  if (holds_back()) catch_up();
   if (dirty_ || seconds == 0) glfwPollEvents();
   else if (seconds < 0) glfwWaitEvents();
   else glfwWaitEventsTimeout(seconds);

@@ -86,6 +86,7 @@ class GlfwHost {
   /// A Tab waits for the letters before it, and what is typed behind it for the field that it leads to.
   std::deque<Typed> held_back_;
   int settling_ = 0;  // frames until that field takes letters
+  [[nodiscard]] bool holds_back() const { return settling_ > 0 || !held_back_.empty(); }
   void catch_up();
   int windowed_[4] = {0, 0, 1280, 800};
 };

@@ -18,7 +18,9 @@ until_state() { # expression
         for (; Date.now() < end; Atomics.wait(pause, 0, 0, 20)) {
             try {
                 s = JSON.parse(require("fs").readFileSync(process.env.SNUG_STATE));
-                if (eval(process.argv[1]) === true) process.exit(0);
+                if (eval(process.argv[1]) !== true) continue;
+                Atomics.wait(pause, 0, 0, 120); // what follows meets a window that has drawn it
+                process.exit(0);
             } catch {} // not written yet, or half of it
         }
         process.exit(1)' "$1" ||
@@ -56,7 +58,25 @@ tab_to() { # name [key]
     fail "the keyboard never came to $1, it is on $(state 's.focus')"
 }
 
-handle() { state "const h = s.handles.find(h => h.id === '$1'); Math.round(h.x) + ' ' + Math.round(h.y)"; } # P3 -> x y
+# P3 -> x y, once it stands still: a window that has just opened frames its stage anew when it knows its cards.
+handle() {
+    node -e '
+        const read = () => JSON.parse(require("fs").readFileSync(process.env.SNUG_STATE));
+        const place = () => {
+            const { x, y } = read().handles.find(({ id }) => id === process.argv[1]);
+            return Math.round(x) + " " + Math.round(y);
+        };
+        const pause = new Int32Array(new SharedArrayBuffer(4));
+        let before = place();
+        for (let still = 0, looks = 0; still < 6 && looks < 100; looks += 1) {
+            Atomics.wait(pause, 0, 0, 50);
+            let now = before;
+            try { now = place(); } catch {} // half written
+            still = now === before ? still + 1 : 0;
+            before = now;
+        }
+        console.log(before);' "$1"
+}
 
 # An item of a menu, and a path where one is asked for.
 choose() { # menu item
