@@ -20,9 +20,17 @@ app::WordTable seen_table(Shell& shell) {
   return table.sorts.empty() && shell.sheet() == nullptr ? app::WordTable{} : table;
 }
 
+/// How wide the names of the rows are.
+float first_width(const app::Look& look, const app::WordTable& table) {
+  float widest = 0;
+  for (const auto& row : table.rows)
+    widest = std::max(widest, app::measure(look, Face::kSemiBold, kCellSize, row[0]).x);
+  return widest + look.px(14);
+}
+
 /// Where a column ends, in which words stand flush right; the first column's words begin at its left.
-float end_of(const app::Rect& rect, std::size_t column, std::size_t columns) {
-  const float first = rect.width * kFirstShare;
+float end_of(const app::Rect& rect, std::size_t column, std::size_t columns, float names) {
+  const float first = std::max(rect.width * kFirstShare, std::min(names, rect.width / 2));
   if (column == 0) return rect.x + first;
   return rect.x + first + (rect.width - first) * static_cast<float>(column) / static_cast<float>(columns - 1);
 }
@@ -36,9 +44,10 @@ void draw_sorted(ImDrawList* list, ImVec2 at, float size, app::Color color) {
 /// Returns the command of the head that was pressed; empty for none.
 std::string draw_heads(ImDrawList* list, const app::Look& look, const app::Rect& rect, const app::WordTable& table) {
   std::string pressed;
+  const float names = first_width(look, table);
   for (std::size_t i = 0; i < table.head.size(); ++i) {
-    const float right = end_of(rect, i, table.head.size()),
-                left = i == 0 ? rect.x : end_of(rect, i - 1, table.head.size());
+    const float right = end_of(rect, i, table.head.size(), names),
+                left = i == 0 ? rect.x : end_of(rect, i - 1, table.head.size(), names);
     const app::Rect cell{left, rect.y, right - left, look.px(kTableRow)};
     const std::string id = "head " + table.head[i];
     const bool sorts = !table.sorts.empty(), sorted = static_cast<int>(i) == table.sorted;
@@ -64,10 +73,19 @@ void draw_cells(ImDrawList* list, const app::Look& look, const app::Rect& row, c
   }
   app::text(list, look, Face::kSemiBold, kCellSize, {row.x + (picked ? look.px(14) : 0), y},
             picked ? look->support_text : look->ink, table.rows[i][0]);
+  const float names = first_width(look, table);
   for (std::size_t k = 1; k < table.rows[i].size(); ++k) {
     const bool best = !table.best.empty() && table.best[i][k];
-    app::text_right(list, look, best ? Face::kMonoBold : Face::kMono, kCellSize, {end_of(row, k, table.head.size()), y},
-                    best ? look->optimum_text : look->ink, table.rows[i][k]);
+    // What is said of a figure has no room here; a figure with a reservation is paler, and has a question mark.
+    const std::string& cell = table.rows[i][k];
+    const std::size_t end = cell.find(", ");
+    const bool doubtful = table.sorts.empty() && end != std::string::npos;
+    app::text_right(list, look, best ? Face::kMonoBold : Face::kMono, kCellSize,
+                    {end_of(row, k, table.head.size(), names), y},
+                    best       ? look->optimum_text
+                    : doubtful ? look->muted
+                               : look->ink,
+                    doubtful ? cell.substr(0, end) + " ?" : cell);
   }
 }
 

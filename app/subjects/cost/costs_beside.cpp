@@ -65,10 +65,11 @@ WordTable accuracy_table(const std::vector<cost::CostRow>& rows) {
   for (const cost::CostRow& row : rows) {
     const AccuracyWords words = accuracy_words(rows, row);
     const std::string on = row.points < row.of ? ", on " + count(row.points) + " of " + count(row.of) + " points" : "";
-    table.rows.push_back(
-        {words.title, time_of(row.time) + on, row.time.spread ? lesson::percent_text(*row.time.spread) : "none",
-         lesson::count_text(row.bytes), words.size ? chart_figure(ChartUnit::kRatio, *words.size) : "not known",
-         row.on_front ? "yes" : "no"});
+    table.rows.push_back({words.title, time_of(row.time) + on,
+                          row.time.spread ? lesson::number_text(100 * *row.time.spread, 2) + " %" : "none",
+                          lesson::count_text(row.bytes),
+                          words.size ? chart_figure(ChartUnit::kRatio, *words.size) : "not known",
+                          row.on_front ? "yes" : "no"});
   }
   return table;
 }
