@@ -220,10 +220,11 @@ bool fits_address(const Place& place) {
 std::string address_of(const Place& place) {
   std::string address, packed;
   for (const PlaceKey& key : kPlaceKeys) {
+    if (key.part == Part::kPacked && !fits_address(place)) continue;
     const std::string text = text_of(place, key.part);
     if (text.empty()) continue;
     const std::string part = std::string(key.in_address) + '=' + address_text(text);
-    if (key.part == Part::kPacked) packed = fits_address(place) ? '#' + part : "";
+    if (key.part == Part::kPacked) packed = '#' + part;
     else address += (address.empty() ? '?' : '&') + part;
   }
   return address + packed;

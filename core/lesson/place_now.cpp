@@ -71,12 +71,12 @@ Rows NamedStages::rows_from(const Known& known, const Session& session) {
 
 Place NamedStages::place_of(const Session& session) const {
   Place place = place_in_run(session);
-  const Rows rows = session.subject().rows();
   if (known_.empty()) {
     place.from = source_words(session).value_or("");
-    if (session.edited()) place.rows = rows;
+    if (session.edited()) place.rows = session.subject().rows();
     return place;
   }
+  const Rows rows = session.subject().rows();
   const Known* nearest = nullptr;
   std::vector<std::size_t> fewest;
   for (const Known& known : known_) {

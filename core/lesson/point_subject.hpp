@@ -83,7 +83,7 @@ class PointSubject : public Subject, public HasPoints {
 
  protected:
   [[nodiscard]] Abilities abilities() override { return {.points = this}; }
-  /// For a subject that has runs in float (HasScalar::set_float).
+  /// What HasScalar::set_float does in subjects whose runs can be computed in float.
   Done round_to_float(bool in_float);
 
   using Triangles = std::vector<std::array<Index, 3>>;
