@@ -28,7 +28,8 @@ Done no_question(const Lesson& lesson, const std::string& id) {
 
 Done use(Session& session, const std::string& algorithm) {
   const Lesson& lesson = session.lesson();
-  if (!is_among(lesson.algorithms, algorithm))
+  const Method* method = find_method(lesson, algorithm);  // "capsule/by_hand" is "by_hand" in a lesson of capsules
+  if (method == nullptr || !is_among(lesson.algorithms, name_in(lesson, *method)))
     return refused("the lesson's algorithm " + none_of_text(algorithm, lesson.algorithms));
   return session.choose(0, algorithm);
 }
@@ -53,7 +54,8 @@ Done go_to_question(Session& session, const Place& at) {
   const Question* question = find_question(session.lesson(), at.question);
   if (question == nullptr) return no_question(session.lesson(), at.question);
   const std::string& own = question->gate.algorithm;
-  if (!at.algorithm.empty() && !own.empty() && at.algorithm != own)
+  const auto method = [&](const std::string& name) { return find_method(session.lesson(), name); };
+  if (!at.algorithm.empty() && !own.empty() && method(at.algorithm) != method(own))
     return refused("the question " + at.question + " is about " + own + ", not about " + at.algorithm);
   if (!at.situation.empty() && at.situation != question->situation)
     return refused("the question " + at.question + " is asked in " + question->situation + ", not in " + at.situation);

@@ -30,7 +30,7 @@ test("an address opens a lesson in the scalar that it names, and tells of one th
   await page.waitForFunction(() => window.snug?.state?.()?.scalar === "double");
   const other = await visit(t, `?lesson=${kLesson}&step=0&scalar=half`);
   assert.equal((await state(other)).scalar, "float");
-  assert.match(await other.locator("body").innerText(), /neither float nor double/);
+  assert.match(await other.locator("body").innerText(), /scalar "half", which must be float or double/);
 });
 
 test("two boxes are rounded to float and tested in it, and are what they were in double again", async (t) => {

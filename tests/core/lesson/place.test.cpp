@@ -51,6 +51,8 @@ TEST_CASE("a step is one of the algorithm that is named") {
   REQUIRE(go_in_run({.algorithm = "welzl", .step = 3}, session));
   CHECK(session.step() == 3);
   CHECK(name_in(session.lesson(), *session.method(0)) == "welzl");
+  REQUIRE(go_in_run({.algorithm = "sphere/ritter", .step = 2}, session));  // with its volume, as other lessons say it
+  CHECK(name_in(session.lesson(), *session.method(0)) == "ritter");
   REQUIRE(go_in_run({.step = Place::kLastStep}, session));
   CHECK(session.step() == session.steps());
   CHECK(refusal({.algorithm = "wezl"}) ==
@@ -77,6 +79,7 @@ TEST_CASE("a question that cannot stand is refused with the reason") {
         "the question is none of pair, growth, again or number: gowth; did you mean growth?");
   CHECK(refusal({.algorithm = "welzl", .question = "growth"}) ==
         "the question growth is about ritter, not about welzl");
+  CHECK(refusal({.algorithm = "sphere/ritter", .question = "growth"}).empty());
   Session scattered = open_small();
   scattered.scatter(6);
   const auto gone = go_in_run({.question = "number"}, scattered);  // asked on the lesson's own points alone
