@@ -2,7 +2,7 @@
 // playground.
 import { after, before, test } from "node:test";
 import {
-  assert, handles, kPhone, start_for_pictures, state, still, stop, until, until_within, visit,
+  assert, handles, kPhone, revisit, start_for_pictures, state, still, stop, until, until_within, visit,
 } from "./support.mjs";
 
 before(start_for_pictures);
@@ -53,6 +53,7 @@ test("seven small pictures; one drag turns all, a click chooses one", async (t) 
   await until(page, (now, wanted) => now.algorithm === wanted, kVolumes[5]);
 });
 
+let measured; // the page with the table
 test("the table is measured here, sorts by any column, and a slider loses none of it", async (t) => {
   const page = await visit(t, kLesson);
   await until(page, (now) => now.cover?.shown);
@@ -61,6 +62,7 @@ test("the table is measured here, sorts by any column, and a slider loses none o
   assert.ok(await page.locator("#timeline").isHidden(), "the pictures have no steps");
   assert.ok(await table(page).isHidden(), "predict first");
   await measure(page);
+  measured = page;
   assert.equal((await column(page, 0)).length, kVolumes.length);
   assert.ok((await column(page, 1)).every((text) => /\d (ns|µs|ms|s)$/.test(text)));
   assert.equal(await table(page).locator("thead th[scope=col]").count(), 7);
@@ -93,6 +95,16 @@ test("the table is measured here, sorts by any column, and a slider loses none o
   assert.deepEqual(places, names.map((name) => textbook[name] ?? "–"));
 });
 
+test("at a phone's width the table is whole, under the stage", async (t) => {
+  const page = revisit(t, measured);
+  await page.setViewportSize(kPhone.viewport);
+  await still(page);
+  await table(page).scrollIntoViewIfNeeded();
+  const { x, width } = await table(page).boundingBox();
+  assert.ok(x >= 0 && x + width <= 390, `the table is from ${x} to ${x + width}`);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page scrolls sideways");
+});
+
 test("every lesson leads here with its points, and back", async (t) => {
   const page = await visit(t, "?lesson=sphere-ritter&step=0");
   const { size } = await until(page, (now) => now.lesson === "sphere-ritter");
@@ -107,14 +119,4 @@ test("every lesson leads here with its points, and back", async (t) => {
   assert.ok(there.edited && !there.asked, "it is a playground: nothing is asked of other points");
   await page.getByRole("button", { name: /^Back to / }).click();
   await until_within(60_000, page, (now) => now.lesson === "sphere-ritter");
-});
-
-test("on a phone the table is whole, under the stage", async (t) => {
-  const page = await visit(t, kLesson, kPhone);
-  await until(page, (now) => now.cover?.shown);
-  await measure(page);
-  await table(page).scrollIntoViewIfNeeded();
-  const { x, width } = await table(page).boundingBox();
-  assert.ok(x >= 0 && x + width <= 390, `the table is from ${x} to ${x + width}`);
-  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page scrolls sideways");
 });

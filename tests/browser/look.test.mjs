@@ -1,7 +1,8 @@
 // The page at every size, theme and text size: nothing cut off, everything named, every pair of colours readable.
 import { after, before, test } from "node:test";
 import {
-  assert, kFirst, cut_off, handles, kinds, kPhone, lessons, load, low_words, start, state, still, stop, until, visit,
+  assert, cut_off, find_cut_off, handles, kFirst, kinds, kPhone, lessons, load, low_words, start, state, still, stop,
+  until, visit,
 } from "./support.mjs";
 
 before(start);
@@ -65,10 +66,11 @@ for (const [width, height] of kSizes) {
   });
 }
 
-/** Goes through what a lesson asks in its own run, and tells of each card its share of the stage. In the page, so that
- *  no message goes to and fro for each step. */
-const shares_of_cards = (page) =>
-  page.evaluate(async () => {
+/** Goes through what a lesson asks in its own run, and tells of each card its share of the stage and what is cut off
+ *  meanwhile, beside its outcome as well. In the page, so that no message goes to and fro for each step. */
+const cards = (page) =>
+  page.evaluate(async (cut_off) => {
+    const cut_off_now = new Function(`return (${cut_off})()`);
     const drawn = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     const press = (key) =>
       document.getElementById("canvas").dispatchEvent(new KeyboardEvent("keydown", { key, code: key, bubbles: true }));
@@ -76,17 +78,18 @@ const shares_of_cards = (page) =>
       const { width, height } = document.getElementById(id).getBoundingClientRect();
       return width * height;
     };
-    const shares = {};
+    const shares = {}, faults = [];
     for (;;) {
       await drawn();
       const { asked, outcome, step, steps } = window.snug.state();
       if (asked) shares[asked.id] = area("ask") / area("stage");
-      if (!asked && !outcome && step >= steps) return shares;
+      if (asked || outcome) faults.push(...cut_off_now().map((fault) => `step ${step}: ${fault}`));
+      if (!asked && !outcome && step >= steps) return { shares, faults };
       press(asked ? "s" : outcome ? "Enter" : "PageDown");
     }
-  });
+  }, String(find_cut_off));
 
-test("on a laptop a question's card covers at most a third of the stage, whatever is asked", async (t) => {
+test("on a laptop a question's card is whole and covers at most a third of the stage, whatever is asked", async (t) => {
   let asked = 0;
   const page = await visit(t);
   for (const { id } of await lessons()) {
@@ -95,7 +98,9 @@ test("on a laptop a question's card covers at most a third of the stage, whateve
       dispatchEvent(new PopStateEvent("popstate"));
     }, `?lesson=${id}&step=0`);
     await until(page, (now, id) => now.lesson === id && now.step === 0, id);
-    for (const [question, share] of Object.entries(await shares_of_cards(page))) {
+    const { shares, faults } = await cards(page);
+    assert.deepEqual(faults, [], id);
+    for (const [question, share] of Object.entries(shares)) {
       assert.ok(share <= 1 / 3, `${id}, ${question}: ${share.toFixed(3)}`);
       ++asked;
     }

@@ -336,7 +336,9 @@ export async function lesson_with(test) {
 
 /** What of the column's words is cut off: names in selectors too narrow for them, a question or its outcome that has to
  *  be scrolled. */
-export const cut_off = (page) => page.evaluate(() => {
+export const cut_off = (page) => page.evaluate(find_cut_off);
+/** The same, in the page. */
+export function find_cut_off() {
   const probe = document.createElement("canvas").getContext("2d");
   const narrow = [...document.querySelectorAll("select")].filter((select) => {
     const style = getComputedStyle(select);
@@ -348,7 +350,7 @@ export const cut_off = (page) => page.evaluate(() => {
   const beyond = ask.scrollHeight - ask.clientHeight;
   return [...narrow.map((select) => `${select.id || select.parentElement.textContent}: ${select.value}`),
     ...(beyond > 1 ? [`${beyond} pixels of ${ask.textContent}`] : [])];
-});
+}
 
 /** The words of the page's HTML that are lower than a fortieth of the screen's height. */
 export const low_words = (page) => page.evaluate(() => {

@@ -78,7 +78,7 @@ for (const [dim, volumes] of kEach) {
 }
 
 test("the address brings volumes that were dragged back, to the last digit", async (t) => {
-  for (const volume of Object.keys(kFlatVolumes)) {
+  for (const volume of ["obb", "hull"]) {
     const page = await visit(t, `?lesson=pair-${volume}-2&step=1`);
     const before = await state(page);
     for (const at of [0, -1]) await drag(page, (await handles(page)).at(at).id, 13, -11);

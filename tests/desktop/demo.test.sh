@@ -97,7 +97,8 @@ xdotool key Escape
 until_state '!s.presenting && s.lesson === "aabb"'
 close_window
 
-# Both from end to end, by the clicker's key alone, at two sizes, with wild drags between.
+# Both from end to end, by the clicker's key alone, with wild drags between; the page's tests walk through them at the
+# other size.
 walk() { # demo width height
     local i=0 hash presses x y
     opened="s.presenting" open_window demo play "lessons/demos/$1.toml"
@@ -118,10 +119,8 @@ walk() { # demo width height
     ((i >= 20)) || fail "$1 has only $i states"
     close_window
 }
-for name in collision geometry; do
-    walk $name 1280 720
-    walk $name 1920 1080
-done
+walk geometry 1280 720
+walk collision 1920 1080
 
 # A demo is recorded by a key, with the view that a hand has made, and shows it again.
 cd "$work"

@@ -127,37 +127,35 @@ TEST_CASE("no volume is told to be smaller than the smallest, and what is flat i
   };
   Random random(3);
   for (const double away : {0.0, 1.0, 1e6}) {
-    for (int round = 0; round < 2; ++round) {
-      const auto direction = [&] {
-        return Vector<double, 3>(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-      };
-      const Vector<double, 3> from = away * direction(), u = direction(), v = direction();
-      test::Cloud<double, 3> line, plane, solid;
-      for (int i = 0; i < 24; ++i) {
-        line.push_back(from + random.between(-1, 1) * u);
-        plane.push_back(from + random.between(-1, 1) * u + random.between(-1, 1) * v);
-        solid.push_back(from + direction());
-      }
-      for (const auto& cloud : {line, plane}) {
-        const std::vector<cost::CostRow> rows = rows_of(test::set_of<double, 3>(cloud), 3);
-        std::vector<cost::Timing> equal;  // the times of boxes of the front that are all equal
-        for (const cost::CostRow& row : rows) {
-          INFO(away << " " << row.volume << " " << row.algorithm);
-          CHECK_FALSE(row.over_hull);
-          if (row.volume == "obb") CHECK_FALSE(row.tightness);
-          if (row.volume == "sphere" || row.volume == "aabb") CHECK(row.tightness.value() >= 1);
-          if (row.on_front && row.volume == "obb" && row.is_flat()) equal.push_back(row.time);
-        }
-        for (const cost::Timing& a : equal)
-          for (const cost::Timing& b : equal)
-            CHECK_MESSAGE(cost::faster(a, b, cost::kDoubtInRun) == cost::Faster::kTie, a.median << " " << b.median);
-      }
-      for (const cost::CostRow& row : rows_of(test::set_of<double, 3>(solid), 3)) {
+    const auto direction = [&] {
+      return Vector<double, 3>(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    };
+    const Vector<double, 3> from = away * direction(), u = direction(), v = direction();
+    test::Cloud<double, 3> line, plane, solid;
+    for (int i = 0; i < 24; ++i) {
+      line.push_back(from + random.between(-1, 1) * u);
+      plane.push_back(from + random.between(-1, 1) * u + random.between(-1, 1) * v);
+      solid.push_back(from + direction());
+    }
+    for (const auto& cloud : {line, plane}) {
+      const std::vector<cost::CostRow> rows = rows_of(test::set_of<double, 3>(cloud), 3);
+      std::vector<cost::Timing> equal;  // the times of boxes of the front that are all equal
+      for (const cost::CostRow& row : rows) {
         INFO(away << " " << row.volume << " " << row.algorithm);
-        if (row.points < row.of) continue;
-        CHECK(row.over_hull.value() >= 1);
-        if (row.tightness) CHECK(row.tightness.value() >= 1);
+        CHECK_FALSE(row.over_hull);
+        if (row.volume == "obb") CHECK_FALSE(row.tightness);
+        if (row.volume == "sphere" || row.volume == "aabb") CHECK(row.tightness.value() >= 1);
+        if (row.on_front && row.volume == "obb" && row.is_flat()) equal.push_back(row.time);
       }
+      for (const cost::Timing& a : equal)
+        for (const cost::Timing& b : equal)
+          CHECK_MESSAGE(cost::faster(a, b, cost::kDoubtInRun) == cost::Faster::kTie, a.median << " " << b.median);
+    }
+    for (const cost::CostRow& row : rows_of(test::set_of<double, 3>(solid), 3)) {
+      INFO(away << " " << row.volume << " " << row.algorithm);
+      if (row.points < row.of) continue;
+      CHECK(row.over_hull.value() >= 1);
+      if (row.tightness) CHECK(row.tightness.value() >= 1);
     }
   }
   test::Cloud<double, 2> line;

@@ -38,7 +38,7 @@ void check_against_brute_force(const std::string& name, const test::Cloud<Scalar
 }  // namespace
 
 TEST_CASE_TEMPLATE("the smallest ball is as small as the exact one on degenerate clouds", Scalar, float, double) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     for (const auto& [name, points] : test::degenerate_clouds<Scalar, 2>(seed, 7))
       check_against_brute_force<Scalar, 2>(name, points);
     for (const auto& [name, points] : test::degenerate_clouds<Scalar, 3>(seed, 6))
@@ -47,7 +47,7 @@ TEST_CASE_TEMPLATE("the smallest ball is as small as the exact one on degenerate
 }
 
 TEST_CASE("the smallest ball is as small as the exact one on random clouds") {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
     for (const char* kind : {"cube", "gaussian", "sphere", "stick"}) {
       check_against_brute_force<double, 2>(kind, test::generated<double, 2>(kind, 9, seed));
       check_against_brute_force<double, 3>(kind, test::generated<double, 3>(kind, 7, seed));
