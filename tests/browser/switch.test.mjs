@@ -74,7 +74,7 @@ async function erase_answers(page) {
   await page.keyboard.press("Escape");
 }
 
-/** One lesson of each sort of stage: points, two bodies, a frustum, a field, a tree, updates, a scene, and the charts. */
+/** One lesson of each sort of stage: points, two bodies, a frustum, a field, a tree, updates, a scene, the charts. */
 const kStages = [
   "sphere-ritter", "obb-sat", "frustum-2d", "frustum-field", "bvh-build", "aabb-updates", "scene-broad", "which-volume",
   "cost-chart", "lecture-claims",
