@@ -1,5 +1,6 @@
 #include "write/stage.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -314,10 +315,14 @@ std::string deviations(const Numbers& input, const Numbers& answer, const std::s
   for (double i = 1; i < n; ++i) mean += (points.vector() - first) / n;
   const auto found = fit::principal_axes<double, 3>({mean, matrix});
   if (found.variances.minCoeff() < -enough) return {};
-  const Vector3 half = found.variances.cwiseMax(0).cwiseSqrt();
+  const Vector3 half = (found.variances.array() > enough).select(found.variances.cwiseSqrt(), 0);
   Matrix<double, 3> axes = found.axes;
-  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
-  return beside(is, is, half.isZero(0) ? sphere_at<3>(mean) : obb_at(mean, axes, half));
+  if (axes.col(0).cross(axes.col(1)).dot(axes.col(2)) < 0) axes.col(0) = -axes.col(0);
+  const auto flat = (half.array() == 0).count();
+  if (flat == 3) return beside(is, is, sphere_at<3>(mean));
+  // The edges of a box without width would fill the gaps between each other's dashes.
+  const Vector3 along = axes * half;
+  return beside(is, is, flat == 2 ? capsule_at<3>(mean - along, mean + along) : obb_at(mean, axes, half));
 }
 
 /// A row's projections of A and B as segments along the axis, below the boxes: what is right above what is yours.

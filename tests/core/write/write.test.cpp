@@ -184,6 +184,10 @@ TEST_CASE("a covariance is drawn as a box of its standard deviations around the 
   const auto none = yours({0, 0, 0, 0, 0, 0, 0, 0, 0});
   REQUIRE(none.size() == 1);
   CHECK(std::get<Sphere<double, 3>>(none.front().volume).radius == 0);
+  const auto line = yours({0, 0, 0, 0, 4, 0, 0, 0, 0});
+  REQUIRE(line.size() == 1);
+  const auto& segment = std::get<Capsule<double, 3>>(line.front().volume);
+  CHECK((segment.b - segment.a).cwiseAbs().isApprox(Vector<double, 3>(0, 4, 0)));
   const write::Numbers lopsided{9, 1, 0, 0, 1, 0, 0, 0, 0}, negative{-9, 0, 0, 0, 1, 0, 0, 0, 0};
   for (const write::Numbers& answer : {lopsided, negative}) {
     CHECK(yours(answer).empty());
