@@ -15,7 +15,7 @@ struct Style {
   Color color, text;
 };
 Style style_of(const Palette& p, Beside::Is is) {
-  if (is == Beside::Is::kRight) return {Stroke::kLongDashed, p.optimum, p.optimum_text};
+  if (is == Beside::Is::kRight) return {Stroke::kDashed, p.optimum, p.optimum_text};
   if (is == Beside::Is::kYours) return {Stroke::kDotted, p.wrong, p.wrong_text};
   return {Stroke::kSolid, p.support, p.support_text};
 }
@@ -66,12 +66,19 @@ void draw_beside(Brush& brush) {
     const ImVec2 toward = side_of(brush, all, one);
     const Point3 way = (camera.right() * toward.x - camera.up() * toward.y).normalized();
     const ImVec2 at = brush.at(farthest_in(one.volume.volume, way, one.volume.dim));
-    const VolumeStyle style{stroke, color, brush.stroke()};
     const auto* ball = std::get_if<fit::Sphere3>(&one.volume.volume);
     const auto* capsule = std::get_if<Capsule<double, 3>>(&one.volume.volume);
-    if (ball != nullptr && ball->radius == 0) mark_point(brush, at, one.is, color);
-    else if (capsule != nullptr && capsule->radius == 0) draw_line(brush.canvas, capsule->a, capsule->b, style);
-    else draw_volume(brush.canvas, one.volume.volume, style);
+    const auto draw = [&](const VolumeStyle& style) {
+      if (capsule != nullptr && capsule->radius == 0) draw_line(brush.canvas, capsule->a, capsule->b, style);
+      else draw_volume(brush.canvas, one.volume.volume, style);
+    };
+    if (ball != nullptr && ball->radius == 0) {
+      mark_point(brush, at, one.is, color);
+    } else {
+      // The stage may draw a line of its own at the same place, which would fill the gaps between the dashes.
+      if (one.is == Beside::Is::kRight) draw({Stroke::kSolid, brush.p.ground, brush.stroke(1.5f)});
+      draw({stroke, color, brush.stroke()});
+    }
     if (!one.name.empty()) brush.label(at, 18, toward, one.name, text);
   }
 }

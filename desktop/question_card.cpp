@@ -10,6 +10,7 @@
 #include "desktop/card_parts.hpp"
 #include "desktop/exercise_card.hpp"
 #include "desktop/prose.hpp"
+#include "lesson/order_told.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
@@ -100,6 +101,41 @@ void draw_right_choices(Column& column, const lesson::Session& session, const le
   column.gap(height + gap);
 }
 
+/// The right order, line by line, each with the place that it had in the answer.
+void draw_order(Column& column, const lesson::Session& session, const lesson::Asked& asked,
+                const lesson::Outcome& outcome) {
+  const app::Look& look = column.look();
+  const std::string_view what = session.conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
+  const bool answered = !outcome.given.list.empty();
+  const float own = answered ? app::measure(look, Face::kSemiBold, 13, what).x + 8 : 0;
+  if (answered)
+    app::text(column.list(), look, Face::kSemiBold, 13,
+              {column.x() + column.width() - own + 8, column.y() + look.px(3)}, look->muted, what);
+  Column heading(look, column.x(), column.y(), column.width() - own);
+  heading.words(outcome.says.substr(0, outcome.says.find(':') + 1), Face::kRegular, 15);
+  column.gap(heading.y() - column.y() + 2);
+  const float number = look.px(24), mark = look.px(18);
+  for (int line = 1; const auto& [words, place, right] : order_told(asked, outcome, session.right_choices())) {
+    const float top = column.y();
+    column.list()->AddLine({column.x(), top}, {column.x() + column.width(), top}, look->line);
+    const float middle = top + look.px(15);
+    app::text(column.list(), look, Face::kSemiBold, 14, {column.x(), app::middle_of(middle, look.px(14))}, look->muted,
+              std::to_string(line++));
+    Column text(look, column.x() + number, top + look.px(3), column.width() - number - own - 12);
+    text.words(words, Face::kRegular, 14);
+    if (place > 0) {
+      const float x = column.x() + column.width() - own + 8;
+      if (right) app::tick(column.list(), {x + 6, middle}, 5, look->optimum, 2);
+      else app::cross(column.list(), {x + 6, middle}, 4, look->wrong, 2);
+      app::text(column.list(), look, Face::kSemiBold, 14, {x + mark, app::middle_of(middle, look.px(14))},
+                right ? look->optimum_text : look->wrong_text, std::to_string(place));
+    }
+    column.gap(std::max(text.y() - top, look.px(30)));
+  }
+  column.list()->AddLine({column.x(), column.y()}, {column.x() + column.width(), column.y()}, look->line);
+  column.gap(8);
+}
+
 /// low: whether which question it is stands before how it is answered, and not in a line above.
 void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, bool low) {
   lesson::Session& session = shell.session();
@@ -185,16 +221,18 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   lesson::ProseFigures figures(session);
   if (asked != nullptr)
     draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
-  draw_said(column, session, outcome);
+  const bool as_list = asked != nullptr && asked->ordered && !session.right_choices().empty();
+  if (as_list) draw_order(column, session, *asked, outcome);
+  else draw_said(column, session, outcome);
   if (session.answer_shown() && asked != nullptr && !asked->choices.empty() && !asked->ordered) {
     draw_right_choices(column, session, *asked, outcome);
-  } else if (session.answer_shown()) {
+  } else if (session.answer_shown() && !as_list) {
     app::tick(column.list(), {column.x() + 6, column.y() + look.px(11)}, 6, look->optimum, 2.25f);
     Column beside(look, column.x() + 22, column.y(), column.width() - 22);
     beside.words(outcome.happened, Face::kSemiBold, 15, look->optimum_text);
     column.gap(beside.y() - column.y() + 4);
   }
-  column.words(outcome.says);
+  if (!as_list) column.words(outcome.says);
   if (!outcome.because.empty()) column.gap(4), draw_prompt(column, outcome.because, figures, {15, 22});
   const lesson::Sitting* const sitting = shell.app().sitting();
   if (sitting != nullptr) draw_rule(column, *sitting, session);
@@ -211,7 +249,8 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
     offer({"other_run", lesson::kRightRunWord}, "other_run");
     if (!last) offer({"next", lesson::kNextDecisionWord, ButtonKind::kPrimary}, "step");
   } else {
-    if (session.can_show_answer() && !session.answer_shown()) offer({"show", lesson::kShowMeWord}, "show_answer");
+    if (session.can_show_answer() && !session.answer_shown() && !as_list)
+      offer({"show", lesson::kShowMeWord}, "show_answer");
     if (session.can_watch_outcome()) offer({"watch", lesson::kWatchWord}, "watch_outcome");
     offer({"continue", lesson::kContinueWord, ButtonKind::kPrimary}, "continue");
   }
@@ -318,7 +357,10 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
   }
   const app::Look& look = shell.app().look();
   // An order of lines, with its hints, needs the room more than the stage does.
-  const app::Rect card = card_in(shell, place, before, asked != nullptr && asked->ordered ? 0.9f : 0.66f);
+  const lesson::Asked* const about = asked != nullptr     ? asked
+                                     : outcome != nullptr ? session.question_of(*outcome)
+                                                          : nullptr;
+  const app::Rect card = card_in(shell, place, before, about != nullptr && about->ordered ? 0.9f : 0.66f);
   std::string command;
   {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);

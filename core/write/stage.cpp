@@ -1,10 +1,12 @@
 #include "write/stage.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "fit/obb/principal_axes.hpp"
 #include "geometry/aabb_forms.hpp"
 #include "io/text.hpp"
 #include "query/cull/vertices_along.hpp"
@@ -76,11 +78,14 @@ std::string kdop(Take& take) {
   for (double& one : max) one = take.number();
   return "{ kdop = { k = 14, min = " + list(min) + ", max = " + list(max) + " } }";
 }
+std::string obb_at(const Vector3& center, const Matrix<double, 3>& axes, const Vector3& half_extents) {
+  return "{ obb = { center = " + list(center) + ", half_extents = " + list(half_extents) +
+         ", turn = " + list(degrees_of(axes)) + " } }";
+}
 std::string obb(Take& take) {
   const Vector3 center = take.vector();
   const Matrix<double, 3> axes = take.rows().transpose();
-  return "{ obb = { center = " + list(center) + ", half_extents = " + list(take.vector()) +
-         ", turn = " + list(degrees_of(axes)) + " } }";
+  return obb_at(center, axes, take.vector());
 }
 
 /// The volumes that numbers may be, by their shapes.
@@ -295,15 +300,99 @@ bool can_stand(const Function& function, const Numbers& answer) {
          (!has_radius || (answer.back() >= 0 && answer.back() <= kLargest));
 }
 
+// ---- answers that are no volumes themselves -----------------------------------------------------------------------
+
+/// A covariance as a box around the points' mean, along its eigenvectors. Empty if it is no covariance.
+std::string deviations(const Numbers& input, const Numbers& answer, const std::string& is) {
+  constexpr double kNearEnough = 1e-9;  // of the largest entry
+  Take take(answer), points(input);
+  const Matrix<double, 3> matrix = take.rows();
+  const double enough = kNearEnough * matrix.cwiseAbs().maxCoeff();
+  if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > enough) return {};
+  const double n = points.number();
+  const Vector3 first = points.vector();
+  Vector3 mean = first;
+  for (double i = 1; i < n; ++i) mean += (points.vector() - first) / n;
+  const auto found = fit::principal_axes<double, 3>({mean, matrix});
+  if (found.variances.minCoeff() < -enough) return {};
+  const Vector3 half = (found.variances.array() > enough).select(found.variances.cwiseSqrt(), 0);
+  Matrix<double, 3> axes = found.axes;
+  if (axes.col(0).cross(axes.col(1)).dot(axes.col(2)) < 0) axes.col(0) = -axes.col(0);
+  const auto flat = (half.array() == 0).count();
+  if (flat == 3) return beside(is, is, sphere_at<3>(mean));
+  // The edges of a box without width would fill the gaps between each other's dashes.
+  const Vector3 along = axes * half;
+  return beside(is, is, flat == 2 ? capsule_at<3>(mean - along, mean + along) : obb_at(mean, axes, half));
+}
+
+/// A row's projections of A and B as segments along the axis, below the boxes: what is right above what is yours.
+std::string projections(const Numbers& input, const Numbers& answer, const std::string& is) {
+  struct Box {
+    Vector3 center, half_extents;
+    Matrix<double, 3> axes;
+    [[nodiscard]] double radius(const Vector3& way) const {
+      return (axes.transpose() * way).cwiseAbs().dot(half_extents);
+    }
+  };
+  Take take(input);
+  std::array<Box, 2> boxes;
+  for (auto& [center, half_extents, axes] : boxes)
+    center = take.vector(), axes = take.rows().transpose(), half_extents = take.vector();
+  const auto& [a, b] = boxes;
+  const Vector3 axis = take.vector(), between = b.center - a.center;
+  const Vector3 up = std::abs(axis[1]) < 0.9 ? Vector3::UnitY() : Vector3::UnitX();
+  const Vector3 down = (axis * axis.dot(up) - up).normalized();
+  const double size = std::max({a.half_extents.norm(), b.half_extents.norm(), between.norm()});
+  const double below = std::max(a.radius(down), between.dot(down) + b.radius(down)),
+               step = 0.12 * (size > 0 ? size : 1);
+  std::string text;
+  for (const int side : {0, 1}) {
+    const double row = (is == "right" ? 2 : 4.5) + side, radius = answer[1 + side];
+    const double along = side == 0 ? 0 : between.dot(axis) < 0 ? -answer[0] : answer[0];
+    const Vector3 middle = a.center + down * (below + row * step) + axis * along;
+    text += beside(is, is + (side == 0 ? " A" : " B"),
+                   radius == 0 ? sphere_at<3>(middle) : capsule_at<3>(middle - axis * radius, middle + axis * radius));
+  }
+  return text;
+}
+
+/// How answers that are no volumes themselves are drawn.
+struct Drawn {
+  std::string_view gives;
+  std::string (*beside)(const Numbers& input, const Numbers& answer, const std::string& is);
+  std::string_view says;  // what it is that is drawn
+  std::string_view lacks;
+};
+constexpr std::array kDrawn{
+    Drawn{"33n", deviations,
+          "A matrix is drawn as a box around the mean, along its eigenvectors, as far as one standard deviation.",
+          ": it is not symmetric, or a variance is negative"},
+    Drawn{"{distance:n,r_a:n,r_b:n}", projections,
+          "Below the boxes lie the projections of A and B on the axis, first as they are and then as you have them.",
+          ""},
+};
+/// Null for other answers.
+const Drawn* drawn_of(const Function& function) {
+  const auto* found =
+      std::find_if(kDrawn.begin(), kDrawn.end(), [&](const Drawn& one) { return one.gives == function.gives; });
+  return found == kDrawn.end() ? nullptr : found;
+}
+
+/// Whether it is made of numbers that a lesson takes.
+bool is_of_numbers(const Function& function, const Answered& answer) {
+  return answer && fits(function.gives, *answer) && can_stand(function, *answer);
+}
+
 /// What an answer is on the stage; empty if it is nothing there. is: "right" or "yours".
 std::string answers_beside(const Function& function, const Row& row, const Numbers& input, const Answered& answer,
                            const std::string& is) {
-  if (!answer || !fits(function.gives, *answer) || !can_stand(function, *answer)) return {};
+  if (!is_of_numbers(function, answer)) return {};
   if (function.gives == "i") {
     const double i = answer->front();
     const bool is_one = row.element != nullptr && is_index(i, static_cast<std::size_t>(input[0]));
     return is_one ? beside(is, is, row.element(input, static_cast<std::size_t>(i))) : "";
   }
+  if (const Drawn* drawn = drawn_of(function)) return drawn->beside(input, *answer, is);
   std::string text;
   Take take(*answer);
   if (const std::string whole = volume(function.gives, take); !whole.empty()) return beside(is, is, whole);
@@ -334,7 +423,11 @@ std::string words_of(const Function& function, const Numbers& input, const Answe
   if (right || yours) text = "On the stage ";
   if (right) text += "what is right has dashes or a ring; ";
   if (yours) text += "yours has dots or a cross.";
-  else if (right) text += "yours cannot be drawn.";
+  const stage::Drawn* drawn = stage::drawn_of(function);
+  if (right && !yours)
+    text += "yours cannot be drawn" +
+            std::string(drawn != nullptr && stage::is_of_numbers(function, answer) ? drawn->lacks : "") + '.';
+  if (drawn != nullptr && (right || yours)) text += ' ' + std::string(drawn->says);
   return row.names != nullptr ? text + (text.empty() ? "" : " ") + row.names(input) : text;
 }
 

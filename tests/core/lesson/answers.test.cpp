@@ -7,6 +7,7 @@
 
 #include "check/check_lesson.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/order_told.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 
@@ -148,6 +149,25 @@ TEST_CASE("a wrong order has a second try, and is called an order") {
   for (int i = 0; i < 3; ++i) REQUIRE(session.pick(choice(i)));  // never shown in order
   REQUIRE(session.commit());
   CHECK(session.answer_says() == "Not in that order. Try once more.");
+}
+
+TEST_CASE("an order is told line by line, each with its place in the answer; equal lines may change places") {
+  Asked asked;
+  asked.ordered = true;
+  asked.choices = {"test", "project", "report", "project"};
+  const std::vector<int> right{1, 3, 0, 2};
+  const auto told = [&](std::vector<int> given, bool is_right) {
+    Outcome outcome;
+    outcome.given = {.kind = Answer::Kind::kOrder, .list = std::move(given)};
+    outcome.right = is_right;
+    std::string text;
+    for (const auto& [words, place, fine] : order_told(asked, outcome, right))
+      text += words + ' ' + std::to_string(place) + (fine ? " right, " : " wrong, ");
+    return text;
+  };
+  CHECK(told({3, 1, 2, 0}, false) == "project 2 right, project 1 right, test 4 wrong, report 3 wrong, ");
+  CHECK(told({1, 3, 0, 2}, true) == "project 1 right, project 2 right, test 3 right, report 4 right, ");
+  CHECK(told({}, false) == "project 0 wrong, project 0 wrong, test 0 wrong, report 0 wrong, ");  // it was skipped
 }
 
 TEST_CASE("lines to be put into order are never shown in order") {

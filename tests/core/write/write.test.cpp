@@ -92,8 +92,8 @@ TEST_CASE("the first case of each kind opens on a stage, and so does what is sho
   const std::map<std::string_view, std::vector<std::string>> names{
       {"b", {}},
       {"inside|intersecting|outside", {}},
-      {"33n", {}},
-      {"{distance:n,r_a:n,r_b:n}", {}},
+      {"33n", {"right", "yours"}},
+      {"{distance:n,r_a:n,r_b:n}", {"right A", "right B", "yours A", "yours B"}},
       {"3n", {"right", "yours"}},
       {"{center:3n,radius:n}", {"right", "yours"}},
       {"{center:3n,half_extents:3n}", {"right", "yours"}},
@@ -154,6 +154,70 @@ TEST_CASE("what cannot be drawn of an answer is left out, and a box that is insi
   CHECK(words(write::Numbers{0}) == "On the stage what is right has dashes or a ring; yours has dots or a cross.");
   CHECK(words(write::Numbers{7}) == "On the stage what is right has dashes or a ring; yours cannot be drawn.");
   CHECK(write::words_of(*write::find_function("overlap-spheres"), {0, 0, 0, 1, 3, 0, 0, 1}, write::Numbers{1}).empty());
+}
+
+/// What stands beside a case, of one kind.
+std::vector<lesson::HeldVolume> beside_of(const write::Function& function, const write::Numbers& input,
+                                          const write::Numbers& answer, lesson::Beside::Is is) {
+  const auto read = lesson::read_lesson(write::lesson_of(function, input, answer, "Right: 1"), "case.toml");
+  REQUIRE(read);
+  std::vector<lesson::HeldVolume> found;
+  for (const lesson::Beside& one : *read->beside)
+    if (one.is == is) found.push_back(one.volume);
+  return found;
+}
+
+TEST_CASE("a covariance is drawn as a box of its standard deviations around the mean, unless it is none") {
+  const write::Function& function = *write::find_function("covariance");
+  // Along x as far as 3, and along y as far as 1, from (5, 0, 7).
+  const write::Numbers input{4, 8, 1, 7, 8, -1, 7, 2, 1, 7, 2, -1, 7};
+  const auto yours = [&](const write::Numbers& answer) {
+    return beside_of(function, input, answer, lesson::Beside::Is::kYours);
+  };
+  const write::Numbers right = function.right(input);
+  const auto drawn = beside_of(function, input, right, lesson::Beside::Is::kRight);
+  REQUIRE(drawn.size() == 1);
+  const auto& box = std::get<Obb<double, 3>>(drawn.front().volume);
+  CHECK((box.center - Vector<double, 3>(5, 0, 7)).norm() < 1e-12);
+  const Vector<double, 3> reach = box.axes.cwiseAbs() * box.half_extents;
+  CHECK((reach - Vector<double, 3>(3, 1, 0)).norm() < 1e-9);
+  const auto none = yours({0, 0, 0, 0, 0, 0, 0, 0, 0});
+  REQUIRE(none.size() == 1);
+  CHECK(std::get<Sphere<double, 3>>(none.front().volume).radius == 0);
+  const auto line = yours({0, 0, 0, 0, 4, 0, 0, 0, 0});
+  REQUIRE(line.size() == 1);
+  const auto& segment = std::get<Capsule<double, 3>>(line.front().volume);
+  CHECK((segment.b - segment.a).cwiseAbs().isApprox(Vector<double, 3>(0, 4, 0)));
+  const write::Numbers lopsided{9, 1, 0, 0, 1, 0, 0, 0, 0}, negative{-9, 0, 0, 0, 1, 0, 0, 0, 0};
+  for (const write::Numbers& answer : {lopsided, negative}) {
+    CHECK(yours(answer).empty());
+    const std::string words = write::words_of(function, input, answer);
+    CHECK(words.find("yours cannot be drawn: it is not symmetric, or a variance is negative.") != std::string::npos);
+    CHECK(words.find("A matrix is drawn as a box around the mean") != std::string::npos);
+  }
+  CHECK(write::words_of(function, input, tl::unexpected(std::string("it threw"))).find("cannot be drawn. A matrix") !=
+        std::string::npos);
+}
+
+TEST_CASE("a row's projections are drawn along the axis below the boxes, B where the distance puts it") {
+  const write::Function& function = *write::find_function("sat-row");
+  const write::Numbers input{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 4,  // A
+                             7, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1,  // B
+                             1, 0, 0};
+  const auto ends = [&](const write::Numbers& answer, lesson::Beside::Is is) {
+    std::vector<std::array<double, 2>> all;
+    for (const lesson::HeldVolume& held : beside_of(function, input, answer, is)) {
+      const auto& segment = std::get<Capsule<double, 3>>(held.volume);
+      CHECK(segment.radius == 0);
+      CHECK(std::max(segment.a[1], segment.b[1]) < -3);
+      all.push_back({segment.a[0], segment.b[0]});
+    }
+    return all;
+  };
+  using Ends = std::vector<std::array<double, 2>>;
+  CHECK(ends({7, 2, 1}, lesson::Beside::Is::kRight) == Ends{{-2, 2}, {6, 8}});
+  CHECK(ends({-7, 2, 0.5}, lesson::Beside::Is::kYours) == Ends{{-2, 2}, {-7.5, -6.5}});
+  CHECK(write::words_of(function, input, write::Numbers{7, 2, 2}).find("projections of A and B") != std::string::npos);
 }
 
 TEST_CASE("functions have names of their own, and what they are judged by has a hash") {
