@@ -48,6 +48,7 @@
 #include "desktop/versions.hpp"
 #include "desktop/working.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/patience.hpp"
 #include "lesson/stored.hpp"
 
 namespace snug::desktop {
@@ -784,6 +785,11 @@ int run_window(const WindowOptions& options) {
     size.width = kept.view->width, size.height = kept.view->height, size.place = {kept.view->x, kept.view->y};
   auto host = GlfwHost::make(size, shown);
   if (!host) return stop(host.error());
+  // Work goes on beside the window, which answers and can cancel it after each piece.
+  if (shown)
+    lesson::patience() = {.shown = 300e9,
+                          .held = 5e9,
+                          .instead = ". In a terminal `snug fit` fits volumes to all of them, without steps"};
   const cost::Provenance here = native_provenance();
   app::App app({.font = font_bytes,
                 .glsl_version = "#version 330 core",
