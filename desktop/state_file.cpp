@@ -49,6 +49,7 @@ Json course_state(Shell& shell) {
              {"focus", shell.focus.name()},
              {"asked", shell.course.asked()},
              {"found", shell.course.found(shell)},
+             {"found_beside", shell.course.found_beside(shell)},
              {"kept", shell.kept().works()},
              {"set_aside", shell.kept().set_aside()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
