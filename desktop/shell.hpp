@@ -127,6 +127,8 @@ class Shell {
   [[nodiscard]] std::string best_says() const;
 
   // ---- files and the clipboard (shell_files.cpp) -----------------------------------------------
+  /// The lesson that points are opened in where none is open.
+  [[nodiscard]] std::optional<std::size_t> lesson_for_points() const;
   /// Opens a point file, and remembers it among the recent ones.
   void open_points(const std::string& path);
   void remember(const std::string& path);
