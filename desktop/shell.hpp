@@ -164,6 +164,11 @@ class Shell {
   void sheet_changed();
   /// The student's name, as it goes into results.
   [[nodiscard]] std::string& student() { return kept_.student; }
+  /// The table that is shown again: the one that was asked for, or until something is measured the one of these points,
+  /// or else the first that there is. Null if there is none, and where it would give a prediction's answer away.
+  [[nodiscard]] const MeasuredTable* measured_before();
+  /// Shows the table of a part of the sheet.
+  void show_measured(const std::string& part) { measured_shown_ = part; }
   /// "2 of 6 parts are missing."; empty if none is.
   [[nodiscard]] std::string sheet_lacks();
 
@@ -267,6 +272,7 @@ class Shell {
   bool watches_ = false;                        // whether the exercise is an attempt that is only looked at
   bool counted_ = false;                        // whether the exercise, finished, has counted as a try
   int cover_seen_ = -1;                         // the cover's version when its table was last taken
+  std::string measured_shown_;                  // the part of the sheet whose table was asked for; empty for none
   std::uint64_t kept_changes_ = 0;              // the sitting's changes when it was last kept
   std::optional<std::uint64_t> kept_revision_;  // the session's revision when it was last kept
   app::Settings before_presenting_;
