@@ -68,9 +68,13 @@ until_state 's.focus === "File menu"'
 first=$(state 's.focus')
 : >"$work/names"
 for i in $(seq 90); do
+    before=$(state 's.focus')
     xdotool key Tab
-    sleep 0.12
-    name=$(state 's.focus')
+    for j in $(seq 30); do # a slow frame must not pass over a control
+        sleep 0.1
+        name=$(state 's.focus')
+        [[ $name == "$before" ]] || break
+    done
     [[ -n $name ]] || fail "a control has no name, after $(tail -n 1 "$work/names")"
     echo "$name" >>"$work/names"
     [[ $name == "$first" ]] && break
