@@ -41,13 +41,15 @@ void draw_flag(ImDrawList* list, const Look& look, const Flag& flag, float y) {
   const ImVec2 low{flag.x - kFlagWidth / 2, y - kHeight - 7}, high{low.x + kFlagWidth, low.y + kHeight};
   list->AddRectFilled(low, high, flag.first ? p.wrong : flag.open ? p.current : p.panel, 4);
   list->AddRect(low, high, flag.first ? p.wrong : p.current, 4, 0, 1.5f);
-  const float size = 12 / look.text_scale;  // a mark does not grow with the text
   const ImVec2 middle{flag.x, low.y + kHeight / 2};
   if (flag.standing == Standing::kRight) tick(list, middle, 4, p.optimum, 2);
   else if (flag.standing == Standing::kWrong) cross(list, middle, 3.5f, flag.first ? p.panel : p.wrong, 2);
-  else
-    text_middle(list, look, Face::kSemiBold, size, {flag.x, middle.y - 6}, flag.open ? p.on_current : p.current_text,
+  else {
+    Look mark = look;  // it does not grow with the text, nor in a lecture: its flag does not
+    mark.text_scale = 1, mark.least = 0, mark.drawn = nullptr;
+    text_middle(list, mark, Face::kSemiBold, 12, {flag.x, middle.y - 6}, flag.open ? p.on_current : p.current_text,
                 "?");
+  }
 }
 
 void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, const Flag& flag = {}) {

@@ -26,13 +26,13 @@ void Column::words(std::string_view words, Face face, float size, app::Color col
   y_ += app::paragraph(list_, look_, face, size, size + 7, {x_, y_}, width_, color != 0 ? color : look_->ink, words);
 }
 
-int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen,
-                    const std::vector<bool>& enabled) {
+int Column::buttons(const char* id, const std::vector<std::string>& words, int chosen, const std::vector<bool>& enabled,
+                    const std::vector<std::string>& room) {
   int clicked = -1;
   float x = 0;
   const float height = look_.px(34), gap = 8;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const float wanted = app::measure(look_, Face::kSemiBold, 14, words[i]).x + look_.px(26);
+    const float wanted = app::measure(look_, Face::kSemiBold, 14, room.empty() ? words[i] : room[i]).x + look_.px(26);
     const float width = std::min(std::max(wanted, look_.px(56)), width_);
     if (x > 0 && x + width > width_ + 0.5f) x = 0, y_ += height + gap;
     const std::string name = std::string(id) + std::to_string(i);

@@ -27,9 +27,10 @@ class Column {
   void heading(std::string_view words, app::Color color = 0);
   void words(std::string_view words, app::Face face = app::Face::kRegular, float size = 15, app::Color color = 0);
   /// Draws buttons in rows, as many as fit in each. Returns the one that was clicked, or -1. chosen: the one that is
-  /// on. enabled: for each; empty for all.
+  /// on. enabled: for each; empty for all. room: the words that each has room for, so that it keeps its width when
+  /// others stand on it; empty for its own.
   int buttons(const char* id, const std::vector<std::string>& words, int chosen = -1,
-              const std::vector<bool>& enabled = {});
+              const std::vector<bool>& enabled = {}, const std::vector<std::string>& room = {});
   /// How far the last row of the buttons drawn last reaches, with the gap behind it; 0 if there were none.
   [[nodiscard]] float row_taken() const { return row_taken_; }
   /// Draws a button that opens a list of choices, in the current row, which the caller ends. Returns the choice that

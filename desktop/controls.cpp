@@ -117,7 +117,7 @@ void draw_slider(Shell& shell, const lesson::ShownSlider& slider, const app::Rec
 
 float controls_height(Shell& shell, const app::Look& look, float width) {
   if (shell.app().session() == nullptr) return 0;  // the course waits for a file that can be drawn
-  return std::ceil(places_of(shell, look, width).height + cover_table_height(shell, look));
+  return std::ceil(places_of(shell, look, width).height + cover_table_height(shell, look, width));
 }
 
 void draw_controls(Shell& shell, const app::Rect& rect) {
@@ -125,7 +125,7 @@ void draw_controls(Shell& shell, const app::Rect& rect) {
   const app::Pane pane("##controls", rect);
   pane.list()->AddRectFilled({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height}, look->panel);
   app::rule(pane.list(), rect.x, rect.y, rect.width, look->line);
-  const float table = cover_table_height(shell, look);
+  const float table = cover_table_height(shell, look, rect.width);
   draw_cover_table(shell, {rect.x, rect.y, rect.width, table});
   const Places places = places_of(shell, look, rect.width);
   lesson::Session& session = shell.session();

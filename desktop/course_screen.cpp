@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/look.hpp"
 #include "app/marks.hpp"
@@ -249,9 +250,14 @@ void CourseScreen::draw_chapter(Shell& shell, const Grid& grid, std::size_t from
 
 void CourseScreen::draw_found(Shell& shell, const app::Rect& place, float& y) {
   const app::Look& look = shell.app().look();
-  int found = 0;
+  lesson::Found found;
   for (std::size_t i = 0; i < shell.lessons().size(); ++i)
-    found += lesson::is_found(text_of(shell, i), asked()) ? 1 : 0;
+    if (lesson::is_found(text_of(shell, i), asked()))
+      ++(shell.lessons()[i].sheet != nullptr ? found.sheets : found.lessons);
+  std::set<std::string> exercises;  // some stand in several sets
+  for (const lesson::ExerciseSet& set : shell.sets())
+    for (const lesson::Exercise* exercise : found_in(shell, set)) exercises.insert(exercise->id);
+  found.exercises = static_cast<int>(exercises.size());
   const float height = look.px(34),
               width = app::measure(look, Face::kSemiBold, 14, lesson::kShowAllWord).x + look.px(28);
   app::text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 15,
@@ -283,7 +289,7 @@ void CourseScreen::draw(Shell& shell, const app::Rect& rect) {
   for (std::size_t i = 0, end = 0; i < lessons.size(); i = end) {
     while (end < lessons.size() && lessons[end].chapter == lessons[i].chapter) ++end;
     if (i == shell.course_size()) {
-      if (!lesson::is_search(asked())) draw_sets(shell, grid, y);
+      draw_sets(shell, grid, y);
       grid.height = case_height(look, lessons, grid.card);
     }
     if (lessons[i].is_case && (i == 0 || !lessons[i - 1].is_case) && !lesson::is_search(asked())) {
@@ -333,15 +339,28 @@ const std::string& CourseScreen::text_of(const Shell& shell, std::size_t lesson)
 
 int CourseScreen::chosen(const Shell& shell) const {
   for (const Card& card : cards_)
-    if (card.id == shell.focus.at()) return static_cast<int>(card.lesson);
+    if (card.id == shell.focus.at() && card.exercise.empty()) return static_cast<int>(card.lesson);
   return -1;
 }
 
 std::vector<std::size_t> CourseScreen::found(const Shell& shell) const {
   std::vector<std::size_t> lessons;
   for (const Card& card : cards_)
-    if (card.lesson < shell.course_size()) lessons.push_back(card.lesson);
+    if (card.exercise.empty() && card.lesson < shell.course_size()) lessons.push_back(card.lesson);
   return lessons;
+}
+
+std::vector<std::string> CourseScreen::found_beside(const Shell& shell) const {
+  std::vector<std::string> ids;
+  for (const Card& card : cards_)
+    if (!card.exercise.empty()) ids.push_back(card.exercise);
+    else if (shell.lessons()[card.lesson].sheet != nullptr) ids.push_back(shell.lessons()[card.lesson].lesson.id);
+  return ids;
+}
+
+void CourseScreen::open(Shell& shell, const Card& card) {
+  if (card.exercise.empty()) shell.open_at_place(card.lesson);
+  else shell.go_on_with_exercise(std::string(card.exercise));  // the card goes with the screen
 }
 
 /// The card that an arrow key leads to, from one or from none; null before the first.
@@ -367,7 +386,8 @@ bool CourseScreen::answer_key(Shell& shell, std::string_view key) {
   if (key == "Escape" && lesson::is_search(asked())) return asked_ = {}, true;
   if (key == "Enter" || key == " ") {
     if (cards_.empty()) return false;
-    shell.open_at_place(lesson::is_search(asked()) ? cards_.front().lesson : shell.lead().first);
+    if (lesson::is_search(asked())) open(shell, cards_.front());
+    else shell.open_at_place(shell.lead().first);
     return true;
   }
   if (cards_.empty()) return false;

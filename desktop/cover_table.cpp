@@ -5,6 +5,7 @@
 #include "app/cover.hpp"
 #include "app/marks.hpp"
 #include "app/widgets.hpp"
+#include "desktop/measured_before.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -12,12 +13,26 @@ namespace {
 using app::Face;
 
 constexpr float kTableRow = 20, kHeadSize = 12, kCellSize = 12.5f, kFirstShare = 0.17f, kTableMargin = 16;
+constexpr float kSaysSize = 13, kSaysLeading = 19;
 
-app::WordTable seen_table(Shell& shell) {
+struct Seen {
+  app::WordTable table;
+  std::string says;  // above it, of one that was measured before; empty for none
+};
+
+Seen seen_table(Shell& shell) {
   if (shell.app().session() == nullptr || shell.app().cover() == nullptr) return {};
+  if (const MeasuredTable* const before = shell.measured_before())
+    return {measured_words(*before), measured_says(*before)};
   app::WordTable table = shell.app().cover()->table(shell.session());
   // A lab sheet asks for its figures, whether it can be sorted or not.
-  return table.sorts.empty() && shell.sheet() == nullptr ? app::WordTable{} : table;
+  return {table.sorts.empty() && shell.sheet() == nullptr ? app::WordTable{} : std::move(table), {}};
+}
+
+float says_height(const app::Look& look, float width, const std::string& says) {
+  if (says.empty()) return 0;
+  const auto lines = app::lines_of(look, Face::kRegular, kSaysSize, says, width - 2 * kTableMargin);
+  return look.px(kSaysLeading) * static_cast<float>(lines.size()) + 4;
 }
 
 /// How wide the names of the rows are.
@@ -91,17 +106,21 @@ void draw_cells(ImDrawList* list, const app::Look& look, const app::Rect& row, c
 
 }  // namespace
 
-float cover_table_height(Shell& shell, const app::Look& look) {
-  const app::WordTable table = seen_table(shell);
-  return table.rows.empty() ? 0 : look.px(kTableRow) * static_cast<float>(table.rows.size() + 1) + 12;
+float cover_table_height(Shell& shell, const app::Look& look, float width) {
+  const auto [table, says] = seen_table(shell);
+  if (table.rows.empty()) return 0;
+  return look.px(kTableRow) * static_cast<float>(table.rows.size() + 1) + 12 + says_height(look, width, says);
 }
 
 void draw_cover_table(Shell& shell, const app::Rect& rect) {
-  const app::WordTable table = seen_table(shell);
+  const auto [table, says] = seen_table(shell);
   if (table.rows.empty()) return;
   const app::Look& look = shell.app().look();
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  app::Rect row{rect.x + kTableMargin, rect.y + 6, rect.width - 2 * kTableMargin, look.px(kTableRow)};
+  const float words = says_height(look, rect.width, says);
+  app::Rect row{rect.x + kTableMargin, rect.y + 6 + words, rect.width - 2 * kTableMargin, look.px(kTableRow)};
+  app::paragraph(list, look, Face::kRegular, kSaysSize, kSaysLeading, {row.x, rect.y + 6}, row.width, look->muted,
+                 says);
   std::string pressed = draw_heads(list, look, row, table);
   app::rule(list, row.x, row.y + row.height - 1, row.width, look->line);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {

@@ -6,7 +6,7 @@
 namespace snug::desktop {
 
 /// Its height; 0 if the open lesson has none that everyone sees.
-[[nodiscard]] float cover_table_height(Shell& shell, const app::Look& look);
+[[nodiscard]] float cover_table_height(Shell& shell, const app::Look& look, float width);
 void draw_cover_table(Shell& shell, const app::Rect& rect);
 
 }  // namespace snug::desktop

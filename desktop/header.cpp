@@ -88,8 +88,9 @@ std::vector<Tool> tools_of(const Shell& shell) {
   using Kind = Tool::Kind;
   std::vector<Tool> tools{{Kind::kSettings, "settings", {}, app::Icon::kSettings},
                           {Kind::kTheme, "theme", {}, app::Icon::kTheme},
-                          {Kind::kTextSize, "text size", "Aa"},
-                          {Kind::kKeys, "keys", "Keys"}};
+                          {Kind::kTextSize, "text size", "Aa"}};
+  if (shell.narrow) return tools;  // the others are in the menu: the lesson's title needs the room
+  tools.push_back({Kind::kKeys, "keys", "Keys"});
   if (!shell.course_shown) tools.push_back({Kind::kPresent, "present", lesson::kPresentWord});
   return tools;
 }

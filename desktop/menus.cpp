@@ -58,12 +58,13 @@ Item item_of(Shell& shell, std::string words, const char* name, bool enabled, bo
 
 Items file_items(Shell& shell) {
   const bool open = is_open_lesson(shell), chart = open && shell.app().cover() != nullptr;
+  const bool takes_points = open || (shell.course_shown && shell.lesson_for_points());
   Items items{
-      {"Open points …", "Ctrl o", open, [&] { ask_path(shell, What::kOpenPoints); }},
+      {"Open points …", "Ctrl o", takes_points, [&] { ask_path(shell, What::kOpenPoints); }},
       {"Open lesson …", "", true, [&] { ask_path(shell, What::kOpenLesson); }},
   };
   for (const std::string& path : shell.kept().recent)
-    items.push_back({std::filesystem::path(path).filename().string(), "", open,
+    items.push_back({std::filesystem::path(path).filename().string(), "", takes_points,
                      [&shell, path] { shell.open_points(path); }, items.size() == 2});
   items.push_back({"Save points …", "", has_points(shell), [&] { ask_path(shell, What::kSavePoints); }, true});
   items.push_back({"Save picture …", "", !shell.course_shown, [&] { ask_path(shell, What::kSavePicture); }});

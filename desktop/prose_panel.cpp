@@ -27,22 +27,36 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   using Tab = Shell::Tab;
   if (!shell.session().subject().file() && shell.tab == Tab::kFile) shell.tab = Tab::kLesson;
   if (shell.sheet() == nullptr && shell.tab == Tab::kSheet) shell.tab = Tab::kLesson;
-  for (const auto& [tab, id] : {std::pair{Tab::kLesson, "tab lesson"}, std::pair{Tab::kPoints, "tab points"},
-                                std::pair{Tab::kFile, "tab file"}, std::pair{Tab::kSheet, "tab sheet"}}) {
-    if (tab == Tab::kSheet && shell.sheet() == nullptr) continue;
-    if (tab == Tab::kFile && !shell.session().subject().file()) continue;
-    if (tab == Tab::kPoints && shell.app().sitting() != nullptr && !shell.app().sitting()->adds()) continue;
-    const std::string_view words = tab == Tab::kPoints  ? shell.session().subject().tools().word
-                                   : tab == Tab::kFile  ? lesson::kFileWord
-                                   : tab == Tab::kSheet ? lesson::kHandInWord
-                                                        : "Lesson";
-    const bool on = shell.tab == tab;
-    const float width = app::measure(look, Face::kSemiBold, 14, words).x;
-    if (app::touch_area(id, {x - 8, rect.y, width + 16, rect.height}, words).clicked) shell.tab = tab;
-    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, 14,
-              {x, app::middle_of(rect.y + rect.height / 2, look.px(14))}, on ? look->ink : look->muted, words);
+  if (!shell.narrow && shell.tab == Tab::kSide) shell.tab = Tab::kLesson;
+  struct Word {
+    Tab tab;
+    const char* id;
+    std::string_view words;
+  };
+  std::vector<Word> all{{Tab::kLesson, "tab lesson", "Lesson"}};
+  if (shell.app().sitting() == nullptr || shell.app().sitting()->adds())
+    all.push_back({Tab::kPoints, "tab points", shell.session().subject().tools().word});
+  if (shell.session().subject().file()) all.push_back({Tab::kFile, "tab file", lesson::kFileWord});
+  if (shell.sheet() != nullptr) all.push_back({Tab::kSheet, "tab sheet", lesson::kHandInWord});
+  if (shell.narrow) all.push_back({Tab::kSide, "tab side", "Numbers"});
+  constexpr float kSize = 14, kApart = 28, kLeastApart = 16;
+  const auto width_of = [&](const Word& word, float size) {
+    return app::measure(look, Face::kSemiBold, size, word.words).x;
+  };
+  float wanted = 0;
+  for (const Word& word : all) wanted += width_of(word, kSize);
+  const float gaps = static_cast<float>(all.size()) - 1, room = rect.width - 2 * kMargin;
+  const float apart = wanted + gaps * kApart <= room ? kApart : kLeastApart;
+  const float size =
+      kSize * std::min(1.0f, (room - gaps * apart) / wanted);  // large words that have no room are smaller
+  for (const Word& word : all) {
+    const bool on = shell.tab == word.tab;
+    const float width = width_of(word, size);
+    if (app::touch_area(word.id, {x - 8, rect.y, width + 16, rect.height}, word.words).clicked) shell.tab = word.tab;
+    app::text(list, look, on ? Face::kSemiBold : Face::kRegular, size,
+              {x, app::middle_of(rect.y + rect.height / 2, look.px(size))}, on ? look->ink : look->muted, word.words);
     if (on) list->AddRectFilled({x, rect.y + rect.height - 3}, {x + width, rect.y + rect.height - 1}, look->current, 1);
-    x += width + 28;
+    x += width + apart;
   }
   app::rule(list, rect.x, rect.y + rect.height - 1, rect.width, look->line);
 }
@@ -207,7 +221,10 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
     draw_tabs(shell, look, pane.list(), {rect.x, rect.y, rect.width, tabs});
   }
   const app::Rect upper{rect.x, rect.y + tabs, rect.width - 1, rect.height - tabs};
-  {
+  if (shell.tab == Shell::Tab::kSide) {  // which stands below
+    shell.links.clear();
+    shell.app().light(shell.stored_lit);
+  } else {
     constexpr std::array<const char*, 4> kPanes{"##prose", "##points", "##file", "##sheet"};
     const app::Pane pane(kPanes[static_cast<std::size_t>(shell.tab)], upper, app::Pane::Kind::kScrolls);
     pane.list()->AddRectFilled({upper.x, upper.y}, {upper.x + upper.width, upper.y + upper.height}, look->panel);
@@ -218,6 +235,7 @@ void draw_prose_panel(Shell& shell, const app::Rect& rect) {
       case Shell::Tab::kPoints: draw_tools(shell, column); break;
       case Shell::Tab::kFile: draw_file(shell, column, upper.height - kMargin); break;
       case Shell::Tab::kSheet: draw_sheet(shell, column); break;
+      case Shell::Tab::kSide: break;
     }
     ImGui::SetCursorScreenPos({column.x(), column.y() + 8});
     ImGui::Dummy({1, 1});

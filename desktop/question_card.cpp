@@ -50,25 +50,30 @@ bool draw_answer_field(Shell& shell, Column& column, std::string_view label) {
 struct Choices {
   std::vector<std::string> words;
   int chosen = -1;
+  std::vector<std::string> room = {};  // the words with the widest of the marks, so that none moves when one is chosen
 };
 
 Choices choices_of(const lesson::Session& session, const lesson::Asked& asked) {
   const lesson::Answer *picked = session.picked(), *tried = session.tried();
-  std::vector<std::string> words = asked.choices;
+  std::vector<std::string> words = asked.choices, room;
   int chosen = -1;
+  if (asked.many || asked.ordered)
+    for (const std::string& choice : words) room.push_back((asked.ordered ? "8  " : "✕ ") + choice);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const int choice = static_cast<int>(i);
-    if (!asked.ordered && tried != nullptr && is_picked(asked, *tried, choice)) words[i] = "✕ " + words[i];
+    const bool is_chosen = picked != nullptr && is_picked(asked, *picked, choice);
+    const bool was_tried = !asked.ordered && tried != nullptr && is_picked(asked, *tried, choice);
+    if (was_tried && !(asked.many && is_chosen)) words[i] = "✕ " + words[i];
     if (asked.ordered) {
       const int place = picked != nullptr ? place_in_order(*picked, choice) : 0;
       words[i] = (place > 0 ? std::to_string(place) : "·") + "  " + words[i];
       continue;
     }
-    if (picked == nullptr || !is_picked(asked, *picked, choice)) continue;
+    if (!is_chosen) continue;
     if (asked.many) words[i] = "✓ " + words[i];
     else chosen = choice;
   }
-  return {std::move(words), chosen};
+  return {std::move(words), chosen, std::move(room)};
 }
 
 /// The choices, once the right one was asked for: it has a tick, and the one that was given a cross.
@@ -164,8 +169,9 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, boo
   Choices choices = choices_of(session, asked);
   if (shell.demo)  // called as its vote calls them
     for (std::size_t i = 0; i < choices.words.size(); ++i)
-      choices.words[i].insert(0, {static_cast<char>('A' + i % 26), ' ', ' '});
-  const int chosen = column.buttons("choice", choices.words, choices.chosen);
+      for (auto* words : {&choices.words, &choices.room})
+        if (i < words->size()) (*words)[i].insert(0, {static_cast<char>('A' + i % 26), ' ', ' '});
+  const int chosen = column.buttons("choice", choices.words, choices.chosen, {}, choices.room);
   if (shell.demo) {  // the class answers by its hands, and a press reveals
     if (chosen >= 0) shell.app().pick_choice(chosen);
     return;

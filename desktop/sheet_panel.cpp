@@ -55,7 +55,7 @@ bool draw_field(Column& column, const std::string& id, std::string_view name, st
   return typed;
 }
 
-std::string measured_says(const SheetWork& work, const std::string& id) {
+std::string part_says(const SheetWork& work, const std::string& id) {
   const auto found = work.measured.find(id);
   if (found == work.measured.end()) return "Not measured yet";
   const Json& table = found->second.table;
@@ -103,8 +103,12 @@ void draw_sheet(Shell& shell, Column& column) {
   column.title("What you hand in");
   column.words("All of it goes into one file. It is kept here until then.", Face::kRegular, 13, look->muted);
   column.gap(12);
-  for (const lesson::Measured& one : sheet.measured)
-    draw_part(column, one.prompt, work.measured.count(one.id) > 0, measured_says(work, one.id));
+  for (const lesson::Measured& one : sheet.measured) {
+    draw_part(column, one.prompt, work.measured.count(one.id) > 0, part_says(work, one.id));
+    const std::string button = "show " + one.id;
+    if (work.measured.count(one.id) > 0 && column.buttons(button.c_str(), {"Show it"}) == 0)
+      shell.show_measured(one.id);
+  }
   for (std::size_t i = 0; i < sheet.lesson.tasks.size(); ++i) {
     draw_part(column, "An example of your own", work.built.count(i) > 0, built_says(shell, i));
     if (work.built.count(i) > 0 && column.buttons("back to built", {"Show it"}) == 0)

@@ -34,7 +34,7 @@ tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
     auto mesh = mesh_of(file.lesson);
     if (!tell(mesh)) return tl::unexpected(mesh.error());
     auto opened = app_.open(file.lesson, *std::move(mesh), anew);
-    hint_of = -1, typed = {}, cover_seen_ = -1;
+    hint_of = -1, typed = {}, cover_seen_ = -1, measured_shown_.clear();
     if (opened) {
       open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
       side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear();

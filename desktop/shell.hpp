@@ -127,6 +127,8 @@ class Shell {
   [[nodiscard]] std::string best_says() const;
 
   // ---- files and the clipboard (shell_files.cpp) -----------------------------------------------
+  /// The lesson that points are opened in where none is open.
+  [[nodiscard]] std::optional<std::size_t> lesson_for_points() const;
   /// Opens a point file, and remembers it among the recent ones.
   void open_points(const std::string& path);
   void remember(const std::string& path);
@@ -162,6 +164,11 @@ class Shell {
   void sheet_changed();
   /// The student's name, as it goes into results.
   [[nodiscard]] std::string& student() { return kept_.student; }
+  /// The table that is shown again: the one that was asked for, or until something is measured the one of these points,
+  /// or else the first that there is. Null if there is none, and where it would give a prediction's answer away.
+  [[nodiscard]] const MeasuredTable* measured_before();
+  /// Shows the table of a part of the sheet.
+  void show_measured(const std::string& part) { measured_shown_ = part; }
   /// "2 of 6 parts are missing."; empty if none is.
   [[nodiscard]] std::string sheet_lacks();
 
@@ -200,7 +207,8 @@ class Shell {
   ImGuiID first_menu = 0;        // the control of the bar's first menu
   int hint_of = -1;              // the task whose hint is shown; -1 for none
   std::array<char, 96> typed{};  // what is typed to answer a question
-  enum class Tab : std::uint8_t { kLesson, kPoints, kFile, kSheet } tab = Tab::kLesson;  // of the left column
+  enum class Tab : std::uint8_t { kLesson, kPoints, kFile, kSheet, kSide } tab = Tab::kLesson;  // of the left column
+  bool narrow = false;       // whether it has numbers and pseudocode as well, under a tab: two columns leave no stage
   bool file_typing = false;  // whether the scene's file has the keys
   std::string file_text;     // what is typed as the scene's file
   enum class SideTab : std::uint8_t { kStored, kNumbers, kCode } side_tab = SideTab::kStored;  // of the right column
@@ -264,6 +272,7 @@ class Shell {
   bool watches_ = false;                        // whether the exercise is an attempt that is only looked at
   bool counted_ = false;                        // whether the exercise, finished, has counted as a try
   int cover_seen_ = -1;                         // the cover's version when its table was last taken
+  std::string measured_shown_;                  // the part of the sheet whose table was asked for; empty for none
   std::uint64_t kept_changes_ = 0;              // the sitting's changes when it was last kept
   std::optional<std::uint64_t> kept_revision_;  // the session's revision when it was last kept
   app::Settings before_presenting_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/cover.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/shell.hpp"
 #include "io/text.hpp"
@@ -28,11 +29,25 @@ std::string points_text(const lesson::Session& session, char between) {
 
 }  // namespace
 
+std::optional<std::size_t> Shell::lesson_for_points() const {
+  for (std::size_t i = 0; i < lessons_.size(); ++i)
+    if (lessons_[i].lesson.id == kPointsLesson) return i;
+  return std::nullopt;
+}
+
 void Shell::open_points(const std::string& path) {
   std::error_code error;
   notice.clear();
-  if (std::filesystem::file_size(path, error) >= Loading::kLarge && !error) return begin_loading(path);
-  use_file(path);
+  const bool large = std::filesystem::file_size(path, error) >= Loading::kLarge && !error;
+  if (const auto lesson = course_shown ? lesson_for_points() : std::nullopt) {
+    const auto read = large ? read_start(path, 1).map([](auto&&) { return io::PointFile(); }) : read_point_file(path);
+    if (!tell(read)) return;  // the course stays
+    open_at_place(*lesson);
+    if (!large && notice.empty()) use_points(*read, path);
+  } else if (!large) {
+    use_file(path);
+  }
+  if (large && notice.empty()) return begin_loading(path);
   if (notice.empty()) remember(path);
 }
 

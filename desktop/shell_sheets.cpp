@@ -1,4 +1,6 @@
 // The window's lab sheets: what is measured, built and written is kept, and handed in as one file.
+#include <map>
+
 #include "app/cover.hpp"
 #include "desktop/cli/files.hpp"
 #include "desktop/cli/result_file.hpp"
@@ -28,7 +30,7 @@ void Shell::see_built() {
 void Shell::see_measured(const lesson::Sheet& sheet) {
   const app::Cover* const cover = app_.cover();
   if (cover == nullptr || cover->version() == cover_seen_) return;
-  if (cover->running()) return;
+  if (cover->running()) return measured_shown_.clear();
   cover_seen_ = cover->version();
   const Json table = Json::parse(cover->file("json"), nullptr, false);
   if (!table.is_object() || table["rows"].size() != sheet.lesson.algorithms.size()) return;
@@ -39,6 +41,19 @@ void Shell::see_measured(const lesson::Sheet& sheet) {
   if (before != sheet_work().measured.end() && before->second.table == table) return;
   sheet_work().measured[part->id] = {today(), table};
   sheet_changed();
+}
+
+const MeasuredTable* Shell::measured_before() {
+  const app::Cover* const cover = app_.cover();
+  if (sheet() == nullptr || cover == nullptr || cover->running() || session().asked() != nullptr) return nullptr;
+  const std::map<std::string, MeasuredTable>& all = sheet_work().measured;
+  const auto asked = all.find(measured_shown_);
+  if (asked != all.end()) return &asked->second;
+  if (all.empty() || !cover->file("json").empty()) return nullptr;
+  for (const auto& [part, one] : all)
+    if (const std::string points = one.table["provenance"]["points"].get<std::string>(); points == session().source())
+      return &one;
+  return &all.begin()->second;
 }
 
 void Shell::sheet_changed() {

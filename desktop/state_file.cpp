@@ -6,6 +6,7 @@
 
 #include "desktop/cli/files.hpp"
 #include "desktop/keys_card.hpp"
+#include "desktop/measured_before.hpp"
 #include "lesson/door_words.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/point_subject.hpp"
@@ -49,6 +50,7 @@ Json course_state(Shell& shell) {
              {"focus", shell.focus.name()},
              {"asked", shell.course.asked()},
              {"found", shell.course.found(shell)},
+             {"found_beside", shell.course.found_beside(shell)},
              {"kept", shell.kept().works()},
              {"set_aside", shell.kept().set_aside()}};
   for (std::size_t i = 0; i < shell.lessons().size(); ++i) {
@@ -142,6 +144,8 @@ Json lesson_state(Shell& shell, float scale) {
   add_answers(state, session);
   state["exercise"] = exercise_state(shell);
   state["sheet"] = shell.sheet() != nullptr ? json_of(shell.sheet()->lesson.id, 0, shell.sheet_work()) : Json();
+  const MeasuredTable* const before = shell.measured_before();
+  state["measured_before"] = before != nullptr ? Json(measured_says(*before)) : Json();
   state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
   add_sliders(state, shell, scale);
   state["scalar"] = session.subject().in_float() ? "float" : "double";

@@ -48,6 +48,7 @@
 #include "desktop/versions.hpp"
 #include "desktop/working.hpp"
 #include "lesson/kept_answers.hpp"
+#include "lesson/patience.hpp"
 #include "lesson/stored.hpp"
 
 namespace snug::desktop {
@@ -136,11 +137,16 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float column = lecture && !shell.text_shown ? 0 : side_width(extent.width, 0.29f, 300, 380, 0.22f, 432, scale);
   const Beside beside = beside_of(shell);
   constexpr float kLectureSide = 0.28f;  // its words grow with the window, and so does the column that has them
-  const float inspector = lecture && !beside.any() ? 0
-                          : lecture ? std::max(side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale),
-                                               std::floor(extent.width * kLectureSide))
-                                    : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
+  float inspector = lecture && !beside.any() ? 0
+                    : lecture                ? std::max(side_width(extent.width, 0.3f, 280, 350, 0.2f, 400, scale),
+                                                        std::floor(extent.width * kLectureSide))
+                                             : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
   constexpr float kLowScreen = 690, kLeastSide = 400;  // kLowScreen: for words of the size that they are made for
+  // Where two columns leave the stage next to nothing, the left one has what stands in both.
+  constexpr float kLeastStage = 240;
+  shell.narrow = !lecture && extent.width - column - inspector < look.px(kLeastStage);
+  const bool side_shown = shell.narrow && shell.tab == Shell::Tab::kSide;
+  if (shell.narrow) inspector = 0;
   shell.low = lecture && extent.height < kLowScreen * look.text_scale;
   const bool no_timeline = cover && shell.app().cover()->shown();  // it is the stage's
   const float timeline = no_timeline ? 0 : shell.low ? app::low_timeline_height(look) : app::timeline_height(look);
@@ -149,9 +155,10 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.window = {0, 0, extent.width, extent.height};
   parts.header = {0, 0, extent.width, bar};
   parts.strip = {0, bar, extent.width, strip};
-  const float pinned = cover ? std::min(shell.pinned_height, height - look.px(164)) : 0;
-  parts.column = {0, header, column, lecture ? height : height - pinned};
-  if (cover && !lecture) parts.cover = {0, header + height - pinned, column, pinned};
+  const float pinned = cover && !side_shown ? std::min(shell.pinned_height, height - look.px(164)) : 0;
+  const float tabs = side_shown ? look.px(44) : 0;
+  parts.column = {0, header, column, lecture ? height : side_shown ? tabs : height - pinned};
+  if (cover && !lecture && !side_shown) parts.cover = {0, header + height - pinned, column, pinned};
   const float middle = right - column - 1;  // and a line
   const float controls = controls_height(shell, look, middle);
   parts.app.stage = {column, header, middle, height - timeline - controls};
@@ -162,16 +169,17 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   // The whole stage is the question's figure: the question stands beside it.
   const float question = lecture ? std::min(shell.question_height, height - title) : 0;
   parts.question = {right, header + title, inspector, question};
-  const float side = height - title - question;  // what numbers and pseudocode have
+  const float side = height - title - question - tabs;  // what numbers and pseudocode have
   const bool code_tab = !lecture && !cover && numbers_fill(shell, look, height);
   // A presentation has no tabs: where the numbers may need the whole column, they have the most of it.
   const bool no_code = code_tab || !beside.code || (lecture && beside.numbers && side < look.px(kLeastSide));
   const float most_code = beside.numbers ? side * (shell.app().figures_fill() ? 0.38f : 0.52f) : side;
   const float code = no_code ? 0 : beside.numbers ? std::min(shell.code_height, most_code) : most_code;
   const float below = lecture && cover ? std::min(shell.pinned_height, side * 0.52f) : code;
-  parts.code = {right, header + height - code, inspector, cover && lecture ? 0 : code};
+  const float side_left = side_shown ? 0 : right, across = side_shown ? column : inspector;
+  parts.code = {side_left, header + height - code, across, cover && lecture ? 0 : code};
   if (lecture && cover) parts.cover = {right, header + height - below, inspector, below};
-  parts.app.inspector = {right, header + title + question, inspector, beside.numbers ? side - below : 0};
+  parts.app.inspector = {side_left, header + title + question + tabs, across, beside.numbers ? side - below : 0};
   place_side(parts, look, shell, code_tab);
   parts.app.tools = lecture && !shell.demo ? presentation_reach(look) : 0;
   parts.app.foot = covered_by_question(shell);
@@ -784,6 +792,11 @@ int run_window(const WindowOptions& options) {
     size.width = kept.view->width, size.height = kept.view->height, size.place = {kept.view->x, kept.view->y};
   auto host = GlfwHost::make(size, shown);
   if (!host) return stop(host.error());
+  // Work goes on beside the window, which answers and can cancel it after each piece.
+  if (shown)
+    lesson::patience() = {.shown = 300e9,
+                          .held = 5e9,
+                          .instead = ". In a terminal `snug fit` fits volumes to all of them, without steps"};
   const cost::Provenance here = native_provenance();
   app::App app({.font = font_bytes,
                 .glsl_version = "#version 330 core",

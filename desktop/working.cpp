@@ -103,12 +103,10 @@ struct AtEnd {
 
 }  // namespace
 
-std::string time_so_far(double seconds, double share) {
-  constexpr double kTelling = 0.2;
+std::string time_so_far(double seconds, double left) {
   if (seconds < 1) return {};
-  const auto whole = [](double value) { return std::to_string(static_cast<std::int64_t>(value)); };
-  const double left = share < kTelling ? 0 : std::ceil(seconds * (1 - share) / share);
-  return whole(seconds) + " s so far" + (left >= 1 ? ", about " + whole(left) + " s left" : "");
+  const auto words = [](double value) { return lesson::long_time(std::ceil(value) * 1e9); };
+  return words(std::floor(seconds)) + " so far" + (left > 0 ? ", about " + words(left) + " left" : "");
 }
 
 bool is_working(Shell& shell) { return shell.app().session() != nullptr && shell.session().preparing() != nullptr; }
@@ -119,7 +117,8 @@ void work(GlfwHost& host, Shell& shell, StateFile& state) {
   const double begun = host.now();
   while (host.open() && is_working(shell) && !cancelled) {
     const lesson::Preparation& now = *shell.session().preparing();
-    Panel panel{now.says(), time_so_far(host.now() - begun, now.share()), now.share()};
+    const double at = host.now(), left = now.left() / 1e9, share = now.share();
+    Panel panel{now.says(), time_so_far(at - begun, left), share};
     host.begin_frame();
     shell.app().frame({}, host.now());  // its fonts and palette, and how often it was drawn
     cancelled = draw_alone(host, shell, panel) || cancelled;
@@ -131,7 +130,10 @@ void work(GlfwHost& host, Shell& shell, StateFile& state) {
     });
     for (host.wait(kBetweenFrames); !ready; host.wait(kBetweenFrames)) {  // at least once: somebody may press Cancel
       if (cancelled) panel.says = "Cancelling: it ends after this part";
-      panel.time = time_so_far(host.now() - begun, panel.share);
+      // The piece tells nothing until its end: what was foretold goes on meanwhile.
+      const double passed = host.now() - at, done = left > 0 ? std::min(passed / left, 0.99) : 0;
+      panel.share = share + (1 - share) * done;
+      panel.time = time_so_far(host.now() - begun, std::max(left - passed, std::min(left, 1.0)));
       host.begin_frame();
       cancelled = draw_alone(host, shell, panel) || cancelled;
       state.write_beside(panel.time);

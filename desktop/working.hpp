@@ -17,7 +17,7 @@ void work(GlfwHost& host, Shell& shell, StateFile& state);
 /// What stands on the stage stays.
 void cancel_working(Shell& shell);
 
-/// "4 s so far, about 9 s left". share: of the time, 0 to 1; a small one foretells nothing.
-[[nodiscard]] std::string time_so_far(double seconds, double share);
+/// "4 s so far, about 9 s left". left: in seconds; 0 if it is not known.
+[[nodiscard]] std::string time_so_far(double seconds, double left);
 
 }  // namespace snug::desktop

@@ -22,9 +22,6 @@ constexpr double kBesideRuns = 1.5;
 constexpr double kTellingTime = 5e6;
 /// How often the figures of a step are worked out before a frame has shown it.
 constexpr double kFiguresTold = 4;
-/// A piece longer than kLongestPiece is still computed if it takes no longer than this, ns: the page says what it is
-/// doing meanwhile, and a busy machine makes estimates too high.
-constexpr double kLongestHeld = 2e9;
 /// The share of the whole time that the estimate takes, about.
 constexpr double kEstimate = 0.15;
 /// The most and the fewest points that an estimate begins with. It ends at one kLastPart-th of all points.
@@ -38,15 +35,6 @@ std::unique_ptr<Subject> sample_of(const Subject& subject, const std::vector<Poi
   return sample->with_points()->load(some, "sample") ? std::move(sample) : nullptr;
 }
 
-/// "0.8 s", "34 s", "12 min", "3 hours"
-std::string long_time(double ns) {
-  const double seconds = ns / 1e9;
-  const auto said = [](double value, const char* unit) { return number_text(value, 2) + unit; };
-  return seconds < 100    ? said(seconds, " s")
-         : seconds < 6000 ? said(seconds / 60, " min")
-                          : said(seconds / 3600, " hours");
-}
-
 /// Rounded down to one digit, so that it is a number to try. A fast method's count may be more than an Index holds.
 Index round_number(double n) {
   n = std::clamp(n, 0.0, static_cast<double>(std::numeric_limits<Index>::max()));
@@ -55,6 +43,21 @@ Index round_number(double n) {
 }
 
 }  // namespace
+
+// A piece longer than kLongestPiece is still computed if it takes no longer than a door's `held`: the page says what it
+// is doing meanwhile, and a busy machine makes estimates too high.
+Patience& patience() {
+  static Patience of_door;
+  return of_door;
+}
+
+std::string long_time(double ns) {
+  const double seconds = ns / 1e9;
+  const auto said = [](double value, const char* unit) { return number_text(value, 2) + unit; };
+  return seconds < 100    ? said(seconds, " s")
+         : seconds < 6000 ? said(seconds / 60, " min")
+                          : said(seconds / 3600, " hours");
+}
 
 void GrowingTime::add(Index some, double time) {
   if (static_cast<double>(some) == some_[2]) return static_cast<void>(time_[2] = std::clamp(time, 1.0, time_[2]));
@@ -145,13 +148,14 @@ bool Preparation::is_lessons_own() const {
 void Preparation::refuse(double time, Index most, const Piece* piece) {
   const std::string points = count_text(count_of(*next.subject)) + " such points",
                     up_to = "up to about " + count_text(most);
-  const std::string what = piece == nullptr ? "this lesson would take about " + long_time(time) + " for " + points +
-                                                  "; " + up_to + " take less than ten seconds here"
-                                            : (piece->method != nullptr ? title_in(lesson_, *piece->method) + " alone"
-                                                                        : std::string("this lesson")) +
-                                                  " would take about " + long_time(time) + " for " + points +
-                                                  ", and could not be stopped; " + up_to + " can be shown here";
-  refused_ = InputError{.what = what};
+  const std::string what =
+      piece == nullptr
+          ? "this lesson would take about " + long_time(time) + " for " + points + "; " + up_to + " take less than " +
+                long_time(patience().shown) + " here"
+          : (piece->method != nullptr ? title_in(lesson_, *piece->method) + " alone" : std::string("this lesson")) +
+                " would take about " + long_time(time) + " for " + points + ", and could not be stopped; " + up_to +
+                " can be shown here";
+  refused_ = InputError{.what = what + std::string(patience().instead)};
 }
 
 /// Whether the estimate goes on, is over, or refuses.
@@ -161,22 +165,23 @@ void Preparation::judge() {
   const auto takes = [&](const Piece& piece) { return times(piece) * piece.growth.on(n); };
   const Piece& longest = *std::max_element(pieces_.begin(), pieces_.end(),
                                            [&](const Piece& a, const Piece& b) { return takes(a) < takes(b); });
-  const bool holds = takes(longest) > kLongestHeld, tells = longest.growth.tells();
-  const Index most = std::min(n, longest.growth.most_in(kLongestHeld / times(longest)));
+  const bool holds = takes(longest) > patience().held, tells = longest.growth.tells();
+  const Index most = std::min(n, longest.growth.most_in(patience().held / times(longest)));
   const double all = whole(n);
-  const bool refuses = tells && (holds || all > kLongestShown);
+  const double longest_shown = patience().shown;
+  const bool refuses = tells && (holds || all > longest_shown);
   if (refuses && !std::exchange(measured_again_, true)) return;
-  if (all > kLongestShown && tells) {
+  if (all > longest_shown && tells) {
     // Each piece grows by its own law: the number that they all keep to is found by halving.
     Index few = 1, many = n;
     while (many > few + few / 16 + 1) {
       const Index middle = few + (many - few) / 2;
-      (whole(middle) > kLongestShown ? many : few) = middle;
+      (whole(middle) > longest_shown ? many : few) = middle;
     }
     return refuse(all, round_number(static_cast<double>(holds ? std::min(few, most) : few)), nullptr);
   }
   if (holds && tells) return refuse(takes(longest), most, &longest);
-  const bool doubtful = holds || all > kLongestShown;
+  const bool doubtful = holds || all > longest_shown;
   if (some_ >= n / (doubtful ? 2 : kLastPart)) return static_cast<void>((some_ = 0, all_.clear()));
   some_ = std::min(2 * some_, n), measured_again_ = false;
 }
@@ -214,6 +219,14 @@ void Preparation::compute_next() {
 double Preparation::next_takes() const {
   if (done()) return 0;
   return pieces_[at_].growth.on(some_ > 0 ? some_ : count_of(*next.subject));
+}
+
+double Preparation::left() const {
+  if (done() || some_ > 0) return 0;
+  double all = 0;
+  for (std::size_t i = at_; i < pieces_.size(); ++i)
+    if (pieces_[i].wanted) all += pieces_[i].growth.on(count_of(*next.subject));
+  return all;
 }
 
 double Preparation::part_done() const {

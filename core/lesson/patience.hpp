@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lesson/sliders.hpp"
@@ -17,6 +18,18 @@ namespace snug::lesson {
 /// How long a lesson may take to show new points, and how long a piece of that should take, during which nothing
 /// answers, ns. Half a second is promised, because a piece may take somewhat longer than estimated.
 inline constexpr double kLongestShown = 10e9, kLongestPiece = 0.4e9;
+
+/// How long a door waits for new points, ns: for all of them, and for one piece, which cannot be stopped. instead: what
+/// can be done with points that would take longer; empty for nothing.
+struct Patience {
+  double shown = kLongestShown, held = 2e9;
+  std::string_view instead = {};
+};
+/// The one of this program: a page's, unless its door has set its own before anything was opened.
+[[nodiscard]] Patience& patience();
+
+/// "34 s", "12 min", "3 hours"
+[[nodiscard]] std::string long_time(double ns);
 
 /// The time of a computation on more and more of its points, each time about twice as many. Of the same points measured
 /// again, the shorter time counts.
@@ -51,6 +64,8 @@ class Preparation {
   [[nodiscard]] bool done() const { return refused_ || at_ == pieces_.size(); }
   /// How long the next piece will take, ns; 0 if that is not known.
   [[nodiscard]] double next_takes() const;
+  /// How long all that is left will take, ns; 0 while that is being estimated, or if it is not known.
+  [[nodiscard]] double left() const;
   /// How much of it is done: 0 to 1, by the time.
   [[nodiscard]] double share() const { return share_; }
   /// What is being done: "Working on 9,000 points: Quickhull".

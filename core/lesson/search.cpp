@@ -1,6 +1,7 @@
 #include "lesson/search.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "lesson/prose.hpp"
@@ -62,13 +63,17 @@ bool is_found(std::string_view search_text, std::string_view asked) {
 
 bool is_search(std::string_view asked) { return !words_of(asked).empty(); }
 
-std::string found_text(int count, std::string_view asked) {
-  if (count > 0) return std::to_string(count) + (count == 1 ? " lesson" : " lessons");
+std::string found_text(const Found& found, std::string_view asked) {
+  std::string says;
+  for (const auto& [count, one] : {std::pair{found.lessons, " lesson"}, std::pair{found.sheets, " lab sheet"},
+                                   std::pair{found.exercises, " exercise"}})
+    if (count > 0) says += (says.empty() ? "" : ", ") + std::to_string(count) + one + (count == 1 ? "" : "s");
+  if (!says.empty()) return says;
   while (!asked.empty() && asked.back() == ' ') asked.remove_suffix(1);
   while (!asked.empty() && asked.front() == ' ') asked.remove_prefix(1);
   std::size_t length = std::min(asked.size(), kMostRepeated);
   while (length < asked.size() && length > 0 && (static_cast<unsigned char>(asked[length]) & 0xc0) == 0x80) --length;
-  return "No lesson has “" + std::string(asked.substr(0, length)) + "”.";
+  return "No lesson or exercise has “" + std::string(asked.substr(0, length)) + "”.";
 }
 
 }  // namespace snug::lesson

@@ -1,5 +1,5 @@
-// Finding a lesson of the course by words: of its number, title, summary, chapter and headings, of the slides that it
-// covers, its terms and its algorithms.
+// Finding a lesson or an exercise of the course by words: of its number, title, summary, chapter and headings, of the
+// slides that it covers, its terms and its algorithms.
 #pragma once
 
 #include <span>
@@ -21,7 +21,12 @@ namespace snug::lesson {
 /// Whether anything is asked for at all.
 [[nodiscard]] bool is_search(std::string_view asked);
 
-/// "3 lessons", "1 lesson", or that none has those words.
-[[nodiscard]] std::string found_text(int count, std::string_view asked);
+/// How many of each were found.
+struct Found {
+  int lessons = 0, sheets = 0, exercises = 0;
+};
+
+/// "3 lessons", "1 lesson, 1 lab sheet, 2 exercises", or that none has those words.
+[[nodiscard]] std::string found_text(const Found& found, std::string_view asked);
 
 }  // namespace snug::lesson

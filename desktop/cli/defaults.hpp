@@ -30,4 +30,7 @@ struct Defaults {
 /// The folder of the lessons that the program has unless it is given another.
 [[nodiscard]] std::filesystem::path lessons_folder();
 
+/// The lesson that shows a point file that no lesson was named for: all volumes around it, side by side.
+inline constexpr const char* kPointsLesson = "which-volume";
+
 }  // namespace snug::desktop

@@ -308,21 +308,6 @@ std::vector<Alike> alike(const std::vector<Row>& rows) {
   return pairs;
 }
 
-CommandResult report_alike(const std::vector<Row>& rows, const GradeOptions& options) {
-  Printed printed;
-  std::vector<Cells> table{{"file", "other", "exercise", "why"}};
-  for (const auto& [a, b, why] : alike(rows)) {
-    printed.text += line_of({{"file", a->file}, {"other", b->file}, {"exercise", a->exercise}, {"why", why}});
-    table.push_back({a->file, b->file, a->exercise, why});
-  }
-  if (options.csv) printed.text = as_csv(table);
-  else if (!options.json)
-    printed.text = (table.size() > 1 ? as_table(table) : "No two attempts are alike.\n") +
-                   std::string("This is a hint for a teacher, and no verdict: students may work together, or hand in a "
-                               "file twice.\n");
-  return printed;
-}
-
 /// Opens an attempt of a file in the window.
 CommandResult watch(const GradeOptions& options, OpenWindow open_window) {
   const auto text = read_file(options.paths.front());
@@ -386,6 +371,24 @@ std::vector<InputError> faults_of(const std::vector<Row>& rows) {
 Printed printed_of(const std::vector<Row>& rows) {
   Printed printed{.warnings = faults_of(rows)};
   if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.status != "ok"; })) printed.status = 1;
+  return printed;
+}
+
+CommandResult report_alike(const std::vector<Row>& rows, const GradeOptions& options) {
+  std::vector<Row> unread;  // what could not be compared, or not wholly; one that claims too much was
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(unread),
+               [](const Row& row) { return row.status != "ok" && row.status != "differs"; });
+  Printed printed = printed_of(unread);
+  std::vector<Cells> table{{"file", "other", "exercise", "why"}};
+  for (const auto& [a, b, why] : alike(rows)) {
+    printed.text += line_of({{"file", a->file}, {"other", b->file}, {"exercise", a->exercise}, {"why", why}});
+    table.push_back({a->file, b->file, a->exercise, why});
+  }
+  if (options.csv) printed.text = as_csv(table);
+  else if (!options.json)
+    printed.text = (table.size() > 1 ? as_table(table) : "No two attempts are alike.\n") +
+                   std::string("This is a hint for a teacher, and no verdict: students may work together, or hand in a "
+                               "file twice.\n");
   return printed;
 }
 

@@ -22,19 +22,35 @@ constexpr std::size_t kReadable = 30;  // letters that a cut text keeps, while a
 constexpr std::size_t kFewest = 8;     // and where none can
 constexpr std::size_t kMostItems = 6;  // of a list in a table, and rows of a matrix
 
-/// Columns of lists that are left out where there is no room, the first of these first.
-constexpr std::array<std::string_view, 16> kLeftOut{"file",   "summary", "source", "says",    "algorithms", "sets",
-                                                    "tasks",  "lecture", "group",  "chapter", "task",       "questions",
-                                                    "levels", "kind",    "lesson", "naive"};
+/// Columns of lists that are left out where there is no room, the first of these first: a star stands for any text.
+constexpr std::array<std::string_view, 26> kLeftOut{
+    "*_ns.repeats", "*_ns.min", "file",    "summary",   "source",    "says",   "algorithms", "sets",        "tasks",
+    "lecture",      "group",    "chapter", "task",      "questions", "levels", "kind",       "lesson",      "naive",
+    "sphere.*",     "aabb.*",   "obb.*",   "capsule.*", "lozenge.*", "kdop.*", "hull.*",     "conservative"};
+constexpr std::string_view kCounts = "operations.";
 
-/// Names of one fit in plain words.
-constexpr std::array<std::array<std::string_view, 2>, 3> kPlain{
-    {{"time_ns.median", "median time"}, {"time_ns.min", "shortest time"}, {"time_ns.repeats", "runs timed"}}};
+bool is_like(std::string_view key, std::string_view pattern) {
+  if (pattern.starts_with('*')) return key.ends_with(pattern.substr(1));
+  if (pattern.ends_with('*')) return key.starts_with(pattern.substr(0, pattern.size() - 1));
+  return key == pattern;
+}
+
+/// Names of figures in plain words.
+constexpr std::array<std::array<std::string_view, 2>, 5> kPlain{{{"time_ns.median", "median time"},
+                                                                 {"time_ns.min", "shortest time"},
+                                                                 {"time_ns.repeats", "runs timed"},
+                                                                 {"scene_ns.median", "in a scene"},
+                                                                 {"gjk_ns.median", "by GJK"}}};
 
 std::string shown_name(const std::string& key) {
   for (const auto& [name, plain] : kPlain)
     if (key == name) return std::string(plain);
   return key;
+}
+
+/// The name above a column, which has little room.
+std::string head_of(const std::string& key) {
+  return key.starts_with(kCounts) ? key.substr(kCounts.size()) : shown_name(key);
 }
 
 std::string number_words(const std::string& key, const Json& value) {
@@ -134,7 +150,7 @@ std::vector<HumanColumn> columns_of(const std::vector<Values>& rows) {
   std::vector<HumanColumn> columns;
   for (std::size_t i = 0; i < rows.front().size(); ++i) {
     const std::string& key = rows.front()[i].first;
-    HumanColumn column{key, {{key}}};
+    HumanColumn column{key, {{head_of(key)}}};
     for (const Values& row : rows) {
       column.cells.push_back(cell_of(key, row[i].second));
       // What has no blanks is an id, a number or a path: it is of use as a whole. The first column names the row.
@@ -164,15 +180,26 @@ bool cut_to(std::vector<HumanColumn>& columns, std::size_t width, std::size_t fe
 
 /// Makes the columns fit: cuts texts, and leaves out columns that would leave others too little.
 void fit_in(std::vector<HumanColumn>& columns, std::size_t width) {
-  for (const std::string_view key : kLeftOut) {
+  const auto leave_out = [&](auto&& which) {
+    const std::string first = columns.front().key;
+    std::erase_if(columns, [&](const HumanColumn& column) { return column.key != first && which(column); });
+  };
+  const auto is_zero = [](const HumanColumn& column) {
+    return column.key.starts_with(kCounts) && std::all_of(column.cells.begin() + 1, column.cells.end(),
+                                                          [](const HumanCell& cell) { return cell.text == "0"; });
+  };
+  if (cut_to(columns, width, kReadable)) return;
+  leave_out(is_zero);
+  for (const std::string_view pattern : kLeftOut) {
     if (cut_to(columns, width, kReadable)) return;
-    std::erase_if(columns, [&](const HumanColumn& column) { return column.key == key && &column != &columns.front(); });
+    leave_out([&](const HumanColumn& column) { return is_like(column.key, pattern); });
   }
-  cut_to(columns, width, kFewest);  // else there are too many: the terminal breaks the lines
+  while (!cut_to(columns, width, kFewest) && columns.back().key.starts_with(kCounts)) columns.pop_back();
 }
 
 std::string table_text(const std::vector<Values>& rows, std::size_t width, bool color) {
   std::vector<HumanColumn> columns = columns_of(rows);
+  const std::size_t all = columns.size();
   fit_in(columns, width);
   std::string text;
   for (std::size_t row = 0; row <= rows.size(); ++row) {
@@ -182,6 +209,9 @@ std::string table_text(const std::vector<Values>& rows, std::size_t width, bool 
     if (row == 0 && color) line = "\x1b[1m" + line.insert(line.size() - 1, "\x1b[0m");
     text += line;
   }
+  const std::size_t out = all - columns.size();
+  if (out > 0)
+    text += std::to_string(out) + (out == 1 ? " column has" : " columns have") + " no room here; --json has all.\n";
   return text;
 }
 

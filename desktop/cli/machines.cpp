@@ -136,6 +136,21 @@ std::string untrusted_text(int count) {
 
 }  // namespace
 
+std::vector<double> ticks_between(double least, double most) {
+  constexpr std::size_t kFewest = 2;
+  constexpr double kSame = 1.01;  // nearer times would have the same label
+  if (!(most > least * kSame)) return {least};
+  std::vector<double> ticks;
+  for (double tick = std::pow(10, std::ceil(std::log10(least))); tick <= most; tick *= 10) ticks.push_back(tick);
+  for (double power = std::pow(10, std::ceil(std::log10(most))); ticks.size() < kFewest; power /= 10)
+    for (const double step : {5 * power, 2 * power, power}) {
+      if (ticks.size() >= kFewest) break;
+      ticks.clear();
+      for (double k = std::ceil(least / step); k * step <= most; ++k) ticks.push_back(k * step);
+    }
+  return ticks;
+}
+
 std::vector<MachineTime> times_of(const std::string& file, const std::string& student, const MeasuredTable& measured) {
   std::vector<MachineTime> times;
   const Json& table = measured.table;
@@ -196,7 +211,7 @@ std::string machines_svg(const std::vector<MachineTime>& times) {
     const double top = y + kTitle, bottom = top + kRow * static_cast<double>(group.lines.size());
     const auto x_of = [&](double ns) { return kLeft + group.place(ns) * (kRight - kLeft); };
     body += words(16, y + 34, head_of(group), "class=\"title\"");
-    for (double tick = std::pow(10, std::ceil(std::log10(group.least))); tick <= group.most; tick *= 10) {
+    for (const double tick : ticks_between(group.least, group.most)) {
       body += "<path class=\"grid\" d=\"M" + n(x_of(tick)) + ' ' + n(top) + 'V' + n(bottom) + "\"/>\n";
       body += words(x_of(tick), bottom + 18, time_text(tick), "class=\"small\" text-anchor=\"middle\"");
     }

@@ -30,6 +30,10 @@ struct MachineTime {
 [[nodiscard]] std::vector<MachineTime> times_of(const std::string& file, const std::string& student,
                                                 const MeasuredTable& measured);
 
+/// Where an axis of times has its ticks: at powers of ten, or where not two of them are in reach, at round numbers; at
+/// the least time where all are the same. least, most: above zero.
+[[nodiscard]] std::vector<double> ticks_between(double least, double most);
+
 /// A text for people. It has a chart for each thing that was timed, with a line for each algorithm and a mark for each
 /// measurement.
 [[nodiscard]] std::string machines_text(const std::vector<MachineTime>& times, bool color);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "desktop/cli/command.hpp"
+#include "desktop/cli/defaults.hpp"
 #include "desktop/cli/definitions.hpp"
 #include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/drafts.hpp"
@@ -42,9 +43,6 @@ tl::expected<void, InputError> check_drafts(const WindowOptions& options) {
   const bool known = options.lesson.empty() || !path.empty() || drafts->find(options.lesson) != nullptr;
   return known ? tl::expected<void, InputError>() : tl::unexpected(no_lesson(options.folder, options.lesson));
 }
-
-/// The lesson that shows a point file that no lesson was named for: all volumes around it, side by side.
-constexpr const char* kPointsLesson = "which-volume";
 
 /// Where a lesson is named by the page's address of a place in it: takes the place from there. Errors: what is wrong
 /// with the address; options that it leaves nothing to.

@@ -1,6 +1,7 @@
 #include "app/look.hpp"
 
 #include "bench.hpp"
+#include "course_lessons.hpp"
 #include "viewed_lessons.hpp"
 
 namespace snug::app {
@@ -43,6 +44,18 @@ TEST_CASE("on the stage, a name with a subscript is as wide as its letters, with
     return (words.high.x - words.low.x) / static_cast<float>(letters);
   };
   CHECK(per_letter(radius, radius.words.size()) < 0.9f * per_letter(distance, distance.words.size()));
+}
+
+TEST_CASE("the sign on a question's flag stays within it, however large the words of a lecture are") {
+  Bench bench(course_lesson("sphere-ritter"));
+  bench.app.settings().least_words = 40;
+  std::vector<DrawnWords> drawn;
+  bench.app.note_words(&drawn);
+  bench.frames(2);
+  bench.app.note_words(nullptr);
+  CHECK_FALSE(drawn.empty());
+  for (const DrawnWords& words : drawn)
+    if (words.words == "?") CHECK(words.high.y - words.low.y <= 17);
 }
 
 }  // namespace snug::app

@@ -123,12 +123,16 @@ test("the search finds by title, topic and words, and says how many", async (t) 
     await search.fill(words);
     assert.ok((await shown(page)).includes(found), words);
     assert.ok((await shown(page)).length < (await lessons()).length);
-    assert.match(await page.locator("#search-says").textContent(), /^\d+ lessons?$/);
+    assert.match(await page.locator("#search-says").textContent(), /^\d+ lessons?(, \d+ exercises?)?$/);
   }
   await search.fill("zzz");
   assert.deepEqual(await shown(page), []);
-  assert.equal(await page.locator("#search-says").textContent(), "No lesson has “zzz”.");
+  assert.equal(await page.locator("#search-says").textContent(), "No lesson or exercise has “zzz”.");
   assert.deepEqual(await violations(page, true), []);
+  await search.fill("exercise price split");
+  assert.deepEqual(await page.locator(".set-list b:visible").allTextContents(), ["Price a split"]);
+  assert.equal(await page.locator("#search-says").textContent(), "1 exercise");
+  assert.equal(await page.locator(".chapter:visible, .set-foot:visible").count(), 0);
   await page.getByRole("button", { name: "Show all lessons" }).click();
   assert.equal((await shown(page)).length, (await lessons()).length);
   await search.fill("welzl");

@@ -760,6 +760,35 @@ test("a table is no wider than its terminal, and has its ids whole and its title
   }
 });
 
+test("wide tables of numbers have room for the figures that matter, and say what they leave out", () => {
+  write("some.xyz", [...Array(60).keys()].map((i) => `${Math.cos(i)} ${Math.sin(2 * i)} ${Math.cos(3 * i)}`).join("\n"));
+  const heads = {
+    "update --volume obb --strategy transform --frames 3 some.xyz": "frame degrees measure slack over_hull contains steps dot_products",
+    "update --volume kdop --strategy k14_loose --frames 3 some.xyz": "frame degrees measure slack over_hull contains steps points_touched",
+    "overlap --costs": "a b test apart median time in a scene by GJK",
+  };
+  for (const [call, head] of Object.entries(heads)) {
+    const lines = shown(call, { ...without_color, columns: 80 }).trimEnd().split("\n");
+    assert.equal(lines[0].replace(/ +/g, " ").trim(), head, call);
+    for (const line of lines) assert.ok([...line].length <= 80, `${call}: ${line}`);
+    assert.match(lines.at(-1), /^\d+ columns have no room here; --json has all\.$/);
+    assert.ok(!lines.join("\n").includes("…"), call);
+  }
+});
+
+test("long work in a terminal says how far it is, at what rate, and how long it takes still", async () => {
+  const call = `stty cols 100; '${program}' exercise check be-ritter --seeds 1000000`;
+  const child = spawn("script", ["-qec", call, "/dev/null"], { cwd: folder, stdio: ["ignore", "pipe", "ignore"] });
+  let said = "";
+  for await (const chunk of child.stdout) if ((said += chunk).includes(" left")) break;
+  child.kill("SIGKILL"); // which closes the terminal
+  const line = /\rbe-ritter \[#*\.*\] (\d+) of 1000000, ([\d.e+]+) a second, (\d+) (s|min|h) left/.exec(said);
+  assert.ok(line, said);
+  const [done, rate, left] = [1, 2, 3].map((i) => Number(line[i])), unit = { s: 1, min: 60, h: 3600 }[line[4]];
+  const seconds = (1e6 - done) / rate; // the rate has three digits, and what is left is rounded up
+  assert.ok(left * unit > seconds * 0.98 && (left - 1) * unit < seconds * 1.02, line[0]);
+});
+
 test("in a terminal a fit has its numbers, as many as have room, a matrix in rows, and its time in words", () => {
   const text = shown(`fit --volume obb --algorithm pca ${tetra}`, { ...without_color, columns: 80 });
   assert.ok(!text.includes("…"), text);

@@ -182,6 +182,11 @@ test("what is alike is told, as a hint and no verdict", () => {
   assert.match(text, /one\.json +two\.json +covariance-signs +the same attempt, times included/);
   assert.match(text, /one\.json +three\.json +covariance-signs +equal decisions on different instances/);
   assert.match(text, /This is a hint for a teacher, and no verdict/);
+  write("cut.json", read("one.json").slice(0, 100));
+  const cut = snug(["grade", "one.json", "cut.json", "two.json", "--alike"]);
+  assert.deepEqual([cut.status, cut.err.split("\n").length], [1, 2]);
+  assert.match(cut.err, /^snug: cut\.json: warning: damaged: /);
+  assert.match(cut.out, /one\.json +two\.json/);
 });
 
 test("a set is printed on paper, a sheet and a solution for each seed", () => {

@@ -33,6 +33,28 @@ xdotool key Return # to what was found
 until_state 's.course[s.chosen]?.id === "frustum-3d"'
 xdotool key Escape sleep 0.3 key Escape
 until_state 's.found.length === s.course.length'
+xdotool key slash
+until_state 's.focus === "Search the lessons"'
+sleep 0.3
+xdotool type --delay 60 "lab sheet float" # lab sheets and exercises as well
+until_state 's.found.length === 0 && s.found_beside.join() === "break-float"'
+xdotool key Return sleep 0.5 key Return
+until_state 's.lesson === "break-float"'
+xdotool key F2
+until_state 's.lesson === null'
+xdotool key Escape
+until_state 's.asked === ""'
+xdotool key slash
+until_state 's.focus === "Search the lessons"'
+sleep 0.3
+xdotool type --delay 60 "exercise price split"
+until_state 's.found.length === 0 && s.found_beside.join() === "price-a-split"'
+xdotool key Return sleep 0.5 key Return
+until_state 's.exercise?.exercise === "price-a-split"'
+xdotool key F2
+until_state 's.lesson === null'
+xdotool key Escape sleep 0.3 key Escape
+until_state 's.found.length === s.course.length'
 xdotool key Home
 until_state 's.focus === "Start here"'
 xdotool key Return

@@ -57,3 +57,17 @@ close_window
 node -e 'const kept = JSON.parse(require("fs").readFileSync(process.argv[1]));
 if (kept.student !== "Ada" || kept.sheets["break-even"].measured.body.table.table !== "which") throw Error(JSON.stringify(kept))' \
     "$work/snug/course.json" || fail "what was measured is not kept"
+
+# Another day: the table is shown again, with the day and the machine, until something is measured in its place.
+sed -i 's/"date": "20[0-9-]*"/"date": "2026-01-02"/' "$work/snug/course.json"
+open_window --lesson break-even
+until_state '/^Measured on 2026-01-02, on .+, by .+, native, GNU .+\. Measure again to replace it\.$/.test(s.measured_before)'
+xdotool key m # it asks again, and the table would tell
+until_state 's.asked !== null && s.measured_before === null'
+xdotool key s
+until_state 's.asked === null'
+xdotool key m
+for i in 1 2 3; do
+    (until_state 's.sheet.measured.body.date !== "2026-01-02"') 2>/dev/null && break
+done
+until_state 's.sheet.measured.body.date !== "2026-01-02" && s.measured_before === null'

@@ -60,8 +60,16 @@ for size in 1.15 1.3 1.5 2; do
     xdotool key Return
     until_state "Math.abs(s.text_scale - $size) < 0.001"
 done
+tab_to Numbers # which the left column has then, so that a stage is left
+xdotool key Return
 tab_to "Algorithm button"
 xdotool key Return
 sleep 0.5
 xdotool key Down Return
 until_state 's.algorithm !== "ritter"'
+tab_to Play # and nothing of the player is lost
+tab_to "To the end"
+close_window
+open_window --size 900x600 --lesson break-float
+until_state 's.text_scale === 2'
+for name in "Hand in" Numbers Points Lesson; do tab_to "$name"; done

@@ -47,10 +47,12 @@ const demo_nodes = ({ id, title, states }, i) =>
   [i > 0 ? ", " : "", element("a", { href: `?demo=${encodeURIComponent(id)}&state=1` }, title), ` (${states} states)`];
 
 /** What the search found.
- *  @param {number} count @param {string} asked */
-function found_words(count, asked) {
-  if (count === 0) return `No lesson has “${asked.trim().slice(0, 40)}”.`;
-  return count === 1 ? "1 lesson" : `${count} lessons`;
+ *  @param {number} lessons @param {number} exercises @param {string} asked */
+function found_words(lessons, exercises, asked) {
+  const counted = (/** @type {number} */ count, /** @type {string} */ one) =>
+    count > 0 && `${count} ${one}${count === 1 ? "" : "s"}`;
+  return [counted(lessons, "lesson"), counted(exercises, "exercise")].filter(Boolean).join(", ") ||
+    `No lesson or exercise has “${asked.trim().slice(0, 40)}”.`;
 }
 
 export class Course {
@@ -60,6 +62,8 @@ export class Course {
   #demos;
   #feet = /** @type {(() => void)[]} */ ([]); // each shows how far a set is done
   #marks = /** @type {{ id: string, node: HTMLElement }[]} */ ([]); // where each exercise's mark is shown
+  /** @type {{ id: string, item: HTMLElement, text: string }[]} */
+  #lines = []; // of each exercise, in each of its sets
   #kept;
   #choose;
   /** @type {Map<string, { item: HTMLElement, link: HTMLElement, says: HTMLElement, text: string }>} */
@@ -149,6 +153,7 @@ export class Course {
     by_id("chapters").replaceChildren(...this.#sections);
     this.#marks = [];
     this.#feet = [];
+    this.#lines = [];
     if (this.#demos.length > 0)
       by_id("demos").replaceChildren("Lecture demos, led by a clicker: ", ...this.#demos.flatMap(demo_nodes), ".");
     by_id("sets").replaceChildren(...this.#sets.map((set) => this.#set(set)));
@@ -177,7 +182,8 @@ export class Course {
       element("h3", { id: `set-${id}` }, title),
       element("p", { class: "label" },
         lecture && `${lecture} · ${exercises.length} exercises · `, `about ${minutes} min`),
-      element("ol", { class: "set-list" }, ...exercises.map((exercise) => this.#exercise_line(exercise))),
+      element("ol", { class: "set-list" },
+        ...exercises.map((exercise) => this.#exercise_line(exercise, `${title} ${lecture}`))),
       this.#set_foot(id, exercises),
     );
   }
@@ -200,12 +206,14 @@ export class Course {
     return element("div", { class: "set-foot" }, says, hand_in);
   }
 
-  #exercise_line(/** @type {ExerciseEntry} */ { id, title, summary }) {
+  #exercise_line(/** @type {ExerciseEntry} */ { id, title, summary }, /** @type {string} */ set) {
     const node = element("b", { class: "mark" });
     this.#marks.push({ id, node });
     const to = { href: exercise_link(id), onclick: followed_here(() => this.#choose(id)) };
     const words = element("span", {}, element("b", {}, title), ` ${summary}`);
-    return element("li", {}, element("a", to, words, node));
+    const item = element("li", {}, element("a", to, words, node));
+    this.#lines.push({ id, item, text: plain(`exercises ${set} ${title} ${summary}`) });
+    return item;
   }
 
   #card(/** @type {CourseLesson} */ lesson) {
@@ -284,15 +292,18 @@ export class Course {
 
   #filter() {
     const asked = plain(by_id("search").value).split(/[\s,]+/).filter(Boolean);
-    let shown = 0;
-    for (const { item, text } of this.#cards.values()) {
-      const fits = asked.every((word) => text.includes(word));
-      set_hidden(item, !fits);
-      if (fits) shown += 1;
-    }
-    for (const chapter of this.#sections) set_hidden(chapter, !chapter.querySelector("li:not([hidden])"));
+    const fits = (/** @type {{ item: HTMLElement, text: string }} */ { item, text }) => {
+      const fit = asked.every((word) => text.includes(word));
+      set_hidden(item, !fit);
+      return fit;
+    };
+    const shown = [...this.#cards.values()].filter(fits).length;
+    const exercises = new Set(this.#lines.filter(fits).map(({ id }) => id)).size; // some stand in several sets
+    for (const section of [...this.#sections, ...by_id("sets").children])
+      set_hidden(/** @type {HTMLElement} */ (section), !section.querySelector("li:not([hidden])"));
+    set_hidden(by_id("exercises"), exercises === 0);
     by_id("course").classList.toggle("searching", asked.length > 0);
-    set_text(by_id("search-says"), asked.length === 0 ? "" : found_words(shown, by_id("search").value));
+    set_text(by_id("search-says"), asked.length === 0 ? "" : found_words(shown, exercises, by_id("search").value));
     set_hidden(by_id("search-found"), asked.length === 0);
   }
 }

@@ -168,6 +168,30 @@ TEST_CASE("undo and redo of many points go in pieces as well, and giving one up 
   CHECK(session.size() == 4'000);
 }
 
+TEST_CASE("a door that waits longer shows more points, and says what can be done with more than that") {
+  struct OfPage {
+    ~OfPage() { patience() = {}; }
+  } again;
+  const auto fit = [](double step) {
+    Session session = open_small(&ticking);
+    session.give_way(true);
+    g_step = step;
+    Done done = session.set_generator("cube", 3'000, 2, 3);
+    double left = 0;
+    for (; done && session.preparing() != nullptr; done = session.go_on(0))
+      left = std::max(left, session.preparing()->left());
+    return std::pair(done ? std::string() : done.error().what, left);
+  };
+  CHECK(fit(1e9).first.find("take less than 10 s here") != std::string::npos);
+  patience() = {.shown = 900e9, .held = 60e9, .instead = "; try less"};
+  const auto [refused, left] = fit(1e9);
+  CHECK(refused.empty());
+  CHECK(left > 10e9);  // it is told how long it takes still
+  const std::string what = fit(100e9).first;
+  CAPTURE(what);
+  CHECK(what.find("take less than 15 min here; try less") != std::string::npos);
+}
+
 TEST_CASE("one piece that would hold the page is refused, with how many points can be shown") {
   Session session = open_small(&ticking);
   session.give_way(true);

@@ -33,11 +33,12 @@ TEST_CASE("nothing but blanks asks for nothing") {
 }
 
 TEST_CASE("what is found is counted, and what is not is said again, shortened between letters") {
-  CHECK(found_text(1, "x") == "1 lesson");
-  CHECK(found_text(13, "x") == "13 lessons");
-  CHECK(found_text(0, " zzz ") == "No lesson has “zzz”.");
+  CHECK(found_text({1}, "x") == "1 lesson");
+  CHECK(found_text({13, 1, 2}, "x") == "13 lessons, 1 lab sheet, 2 exercises");
+  CHECK(found_text({0, 0, 1}, "x") == "1 exercise");
+  CHECK(found_text({}, " zzz ") == "No lesson or exercise has “zzz”.");
   std::string accents;
   for (int i = 0; i < 20; ++i) accents += "é";
-  CHECK(found_text(0, accents) == "No lesson has “" + accents + "”.");  // forty bytes
-  CHECK(found_text(0, "x" + accents) == "No lesson has “x" + accents.substr(0, 38) + "”.");
+  CHECK(found_text({}, accents) == "No lesson or exercise has “" + accents + "”.");  // forty bytes
+  CHECK(found_text({}, "x" + accents) == "No lesson or exercise has “x" + accents.substr(0, 38) + "”.");
 }
