@@ -8,7 +8,7 @@
 
 namespace snug::desktop {
 
-/// "Measured on 2026-11-28, on teapot, 530 points. AMD EPYC, native, GNU 12.2.0, Release."
+/// "Measured on 2026-11-28, on teapot, by AMD EPYC, native, GNU 12.2.0, Release. Measure again to replace it."
 [[nodiscard]] std::string measured_says(const MeasuredTable& measured);
 
 /// Its figures, each time with its spread; of any kind of table that a sheet can ask for. What a file of another

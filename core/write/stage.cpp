@@ -325,7 +325,7 @@ std::string deviations(const Numbers& input, const Numbers& answer, const std::s
   return beside(is, is, flat == 2 ? capsule_at<3>(mean - along, mean + along) : obb_at(mean, axes, half));
 }
 
-/// A row's projections of A and B as segments along the axis, below the boxes: what is right above what is yours.
+/// A row's projections of A and B as segments along the axis, beside the boxes: what is right next to them, then yours.
 std::string projections(const Numbers& input, const Numbers& answer, const std::string& is) {
   struct Box {
     Vector3 center, half_extents;
@@ -368,7 +368,7 @@ constexpr std::array kDrawn{
           "A matrix is drawn as a box around the mean, along its eigenvectors, as far as one standard deviation.",
           ": it is not symmetric, or a variance is negative"},
     Drawn{"{distance:n,r_a:n,r_b:n}", projections,
-          "Below the boxes lie the projections of A and B on the axis, first as they are and then as you have them.",
+          "Beside the boxes stand the projections of A and B on the axis, first as they are and then as you have them.",
           ""},
 };
 /// Null for other answers.
