@@ -39,8 +39,10 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
   }
   if (room < look.px(kLeastText) && !says.empty()) column.gap(words.y() - column.y() + 8);
   int clicked = -1;
-  float x = column.x() + column.width() - all + gap;
+  const float right = column.x() + column.width();
+  float x = std::max(column.x(), right - all + gap);
   for (std::size_t i = 0; i < buttons.size(); ++i) {
+    if (x > column.x() && x + widths[i] > right + 1) column.gap(height + gap), x = column.x();  // in rows
     if (app::button(column.list(), look,
                     {.id = buttons[i].id,
                      .rect = {x, column.y(), widths[i], height},

@@ -335,9 +335,12 @@ void lead_on(Shell& shell, const std::string& command) {
   else if (!command.empty()) shell.app().command(command);
 }
 
+/// Whether the card stands beside the stage, of which there is too little to cover any.
+bool stands_beside(const Shell& shell) { return shell.presenting || shell.narrow; }
+
 /// Where the card stands that was so high in the last frame. most: the share of the stage that it covers at most.
 app::Rect card_in(const Shell& shell, const app::Rect& place, float measured, float most) {
-  if (shell.presenting) return place;
+  if (stands_beside(shell)) return place;
   const float width = std::floor(std::min(place.width - 2 * kBeside, shell.app().look().px(608)));
   const float height = std::clamp(measured, 1.0f, place.height * most);
   return {std::floor(place.x + (place.width - width) / 2), place.y + place.height - height - kBelow, width, height};
@@ -346,7 +349,7 @@ app::Rect card_in(const Shell& shell, const app::Rect& place, float measured, fl
 }  // namespace
 
 float covered_by_question(const Shell& shell) {
-  return shell.presenting || shell.question_height == 0 ? 0 : shell.question_height + kBelow;
+  return stands_beside(shell) || shell.question_height == 0 ? 0 : shell.question_height + kBelow;
 }
 
 void draw_question_card(Shell& shell, const app::Rect& place) {
@@ -370,14 +373,14 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
   std::string command;
   {
     const app::Pane pane("##question", card, app::Pane::Kind::kOver);
-    const float round = shell.presenting ? 0.0f : 8.0f;
+    const float round = stands_beside(shell) ? 0.0f : 8.0f;
     pane.list()->AddRectFilled({card.x, card.y}, {card.x + card.width, card.y + card.height}, look->panel, round);
     pane.list()->AddRect({card.x, card.y}, {card.x + card.width, card.y + card.height}, look->line, round, 0, 1);
     // On a low window the card is not as high as what it says: then it scrolls, by the wheel and with the focus.
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && io.MouseWheel != 0)
       ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() - kWheel * io.MouseWheel, 0.0f, ImGui::GetScrollMaxY()));
-    const bool low = !shell.presenting && place.height < look.px(kLow);
+    const bool low = !stands_beside(shell) && place.height < look.px(kLow);
     const float pad = low ? 12 : 16, top = card.y + pad - ImGui::GetScrollY();
     Column column(look, card.x + kPad, top, card.width - 2 * kPad);
     if (asked != nullptr) draw_question(shell, column, *asked, low);

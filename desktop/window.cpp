@@ -157,7 +157,10 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.strip = {0, bar, extent.width, strip};
   const float pinned = cover && !side_shown ? std::min(shell.pinned_height, height - look.px(164)) : 0;
   const float tabs = side_shown ? look.px(44) : 0;
-  parts.column = {0, header, column, lecture ? height : side_shown ? tabs : height - pinned};
+  // What a question leaves of the left column, where it stands there, and below that at least a few lines.
+  const float asked = shell.narrow ? std::min(shell.question_height, height - pinned) : 0;
+  const float left = height - pinned - asked;
+  parts.column = {0, header + asked, column, lecture ? height : side_shown ? tabs : left < look.px(72) ? 0 : left};
   if (cover && !lecture && !side_shown) parts.cover = {0, header + height - pinned, column, pinned};
   const float middle = right - column - 1;  // and a line
   const float controls = controls_height(shell, look, middle);
@@ -167,9 +170,10 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   const float title = lecture && beside.any() ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
   // The whole stage is the question's figure: the question stands beside it.
-  const float question = lecture ? std::min(shell.question_height, height - title) : 0;
-  parts.question = {right, header + title, inspector, question};
-  const float side = height - title - question - tabs;  // what numbers and pseudocode have
+  const float question = lecture ? std::min(shell.question_height, height - title) : asked;
+  parts.question =
+      lecture ? app::Rect{right, header + title, inspector, question} : app::Rect{0, header, column, asked};
+  const float side = std::max(0.0f, height - title - question - tabs);  // what numbers and pseudocode have
   const bool code_tab = !lecture && !cover && numbers_fill(shell, look, height);
   // A presentation has no tabs: where the numbers may need the whole column, they have the most of it.
   const bool no_code = code_tab || !beside.code || (lecture && beside.numbers && side < look.px(kLeastSide));
@@ -224,7 +228,7 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   app.frame(parts.app, now);
   if (const float wanted = app.figures_height(); wanted > shell.figures_most)
     shell.figures_most = wanted, shell.measured_anew = true;
-  draw_question_card(shell, shell.presenting ? parts.question : parts.app.stage);
+  draw_question_card(shell, shell.presenting || shell.narrow ? parts.question : parts.app.stage);
   if (!shell.presenting) draw_invitation(app, parts.app.stage);
   else if (!shell.demo) draw_presentation(shell, parts.app.stage);
   for (const float x : {parts.column.width, parts.app.inspector.x}) {
