@@ -61,6 +61,8 @@ class Page {
       await this.until("window.snug?.state()?.framesDrawn > 0", "the lesson is drawn");
       await this.ask("snug.ready");
     }
+    const { lesson } = Object.fromEntries(new URLSearchParams(query));
+    await this.until(`snug.state()?.lesson === ${JSON.stringify(lesson)}`, "it is the lesson that was asked for");
     await this.ask("document.activeElement.blur()");
     await this.still();
   }
