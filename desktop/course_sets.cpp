@@ -1,6 +1,5 @@
 // The exercises on the window's first screen, under their sets.
 #include <algorithm>
-
 #include <iterator>
 #include <utility>
 
