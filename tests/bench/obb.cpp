@@ -15,6 +15,7 @@
 #include "fit/obb/obb_pca_hull.hpp"
 #include "fit/obb/obb_pca_hull_area.hpp"
 #include "fit/obb/obb_pca_rectangle.hpp"
+#include "fit/obb/obb_rotations.hpp"
 #include "fit/obb/obb_sphere_axis.hpp"
 #include "geometry/generate.hpp"
 
@@ -92,6 +93,7 @@ void worth(const char* name, const Set& set) {
   one("dito", [](auto p) { return fit::obb_dito(p); });
   one("pca_rectangle", [](auto p) { return fit::obb_pca_rectangle(p); });
   one("face_aligned", [](auto p) { return fit::obb_face_aligned(p); });
+  one("rotations", [](auto p) { return fit::obb_rotations(p); });
   one("exact", [](auto p) { return fit::obb_exact(p); });
 }
 

@@ -330,7 +330,8 @@ test("algorithms lists what fit takes", () => {
   assert.deepEqual(of("sphere"), [...algorithms, ...naive]);
   assert.deepEqual(rows.filter((row) => row.naive).map((row) => row.algorithm), [...naive, "pca_one_pass", "quickhull_rounded", "quickhull_epsilon"]);
   assert.deepEqual(of("aabb"), ["min_max"]);
-  assert.deepEqual(of("obb"), ["aabb", "sphere_axis", "pca", "pca_sums", "pca_one_pass", "pca_hull", "pca_hull_area", "pca_rectangle", "face_aligned", "dito", "exact"]);
+  assert.deepEqual(of("obb"), ["aabb", "sphere_axis", "pca", "pca_sums", "pca_one_pass", "pca_hull", "pca_hull_area", "pca_rectangle", "face_aligned", "rotations",
+    "dito", "exact"]);
   assert.deepEqual([...of("capsule"), ...of("lozenge"), ...of("hull")], ["pca", "pca", "quickhull", "quickhull_rounded", "quickhull_epsilon"]);
   const dims = Object.fromEntries(rows.filter((row) => row.volume === "kdop").map((row) => [row.algorithm, row.dims]));
   assert.deepEqual(dims, { k4: [2], k6: [2, 3], k8: [2], k14: [3], k18: [3], k26: [3] });

@@ -122,6 +122,7 @@ struct CloudFiller {
     hull();
     build_on(fact.on);
   }
+  void operator()(const fit::RotationTried<double, 3>&) const { hull(); }
   void operator()(const fit::RectangleFound<double, 3>& fact) const {
     if (!fact.better) shown.candidate = fact.box;
     named();

@@ -11,6 +11,7 @@
 #include "fit/obb/obb_pca_hull_area.hpp"
 #include "fit/obb/obb_pca_rectangle.hpp"
 #include "fit/obb/obb_pca_sums.hpp"
+#include "fit/obb/obb_rotations.hpp"
 #include "fit/obb/obb_sphere_axis.hpp"
 
 namespace snug::fit {
@@ -25,10 +26,13 @@ constexpr auto kPcaHull = [](auto p, const Options&, auto& o) { return obb_pca_h
 constexpr auto kPcaHullArea = [](auto p, const Options&, auto& o) { return obb_pca_hull_area(p, o); };
 constexpr auto kPcaRectangle = [](auto p, const Options&, auto& o) { return obb_pca_rectangle(p, o); };
 constexpr auto kFaceAligned = [](auto p, const Options&, auto& o) { return obb_face_aligned(p, o); };
+constexpr auto kRotationsTried = [](auto p, const Options&, auto& o) { return obb_rotations(p, o); };
 constexpr auto kDito = [](auto p, const Options&, auto& o) { return obb_dito(p, o); };
 constexpr auto kExact = [](auto p, const Options&, auto& o) { return obb_exact(p, o); };
 
 constexpr std::string_view kGottschalk = "S. Gottschalk, Collision queries using oriented bounding boxes, 2000";
+
+constexpr std::string_view kAlexa = "M. Alexa, Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3), 2022";
 
 constexpr std::string_view kLarsson =
     "T. Larsson, L. Källberg, Fast computation of tight-fitting oriented bounding boxes, 2011";
@@ -64,6 +68,7 @@ constexpr std::array kObbRows{
         {"obb", "pca_rectangle", "PCA with smallest rectangle", kRomanick, kBalancedHull, kObbPcaRectanglePseudocode}),
     row<kFaceAligned>(
         {"obb", "face_aligned", "Aligned with a face", kRomanick, kFacesTimesVertices, kObbFaceAlignedPseudocode}),
+    row<kRotationsTried>({"obb", "rotations", "Fixed rotations", kAlexa, kBalancedHull, kObbRotationsPseudocode}),
     row<kDito>({"obb", "dito", "DiTO-14", kLarsson, {"O(n)", growth::linear, true, kLarsson}, kObbDitoPseudocode}),
     row<kExact, true>(
         {"obb", "exact", "Exact minimum",

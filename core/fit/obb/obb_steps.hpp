@@ -80,6 +80,17 @@ struct BoxTried {
   SNUG_FIELDS(on, box, measure, better);
 };
 
+/// The box along a rotation that was fixed before is the smallest so far. number: of the rotation, 0 for the world's
+/// axes; passed: how many before it brought no smaller box; of: how many there are besides the world's axes.
+template <class Scalar, int Dim>
+struct RotationTried {
+  static constexpr std::string_view kName = "rotation_tried";
+  Index number = 0, passed = 0, of = 0;
+  Obb<Scalar, Dim> box;
+  double measure = 0;  // scene units squared or cubed
+  SNUG_FIELDS(number, passed, of, box, measure);
+};
+
 /// The smallest rectangle around the points' projection along a direction, with a side on the hull's edge from edge_a
 /// to edge_b, and the box on that rectangle.
 template <class Scalar, int Dim>
@@ -119,10 +130,11 @@ struct EdgeSearched {
 };
 
 template <class Scalar, int Dim>
-using ObbStep = Step<Obb<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>,
-                     PairChosen, ExtentsFound<Scalar, Dim>, BallFound<Scalar, Dim>, HullFound,
-                     SurfaceFound<Scalar, Dim>, ProductsAdded<Scalar, Dim>, PointsChosen, BoxTried<Scalar, Dim>,
-                     RectangleFound<Scalar, Dim>, CalipersTurned<Scalar, Dim>, EdgeSearched, Finished>;
+using ObbStep =
+    Step<Obb<Scalar, Dim>, MeanFound<Scalar, Dim>, CovarianceFound<Scalar, Dim>, AxesFound<Scalar, Dim>, PairChosen,
+         ExtentsFound<Scalar, Dim>, BallFound<Scalar, Dim>, HullFound, SurfaceFound<Scalar, Dim>,
+         ProductsAdded<Scalar, Dim>, PointsChosen, BoxTried<Scalar, Dim>, RectangleFound<Scalar, Dim>,
+         CalipersTurned<Scalar, Dim>, EdgeSearched, Finished, RotationTried<Scalar, Dim>>;
 
 /// What fits oriented boxes.
 [[nodiscard]] std::span<const Algorithm> rows_of(const Obb<double, 3>*);

@@ -9,6 +9,7 @@
 #include "core/fit/volume_hash.hpp"
 #include "core/query/volume_pairs.hpp"
 #include "fit/obb/obb_pca_rectangle.hpp"
+#include "fit/obb/obb_rotations.hpp"
 #include "geometry/convert.hpp"
 #include "geometry/tolerance.hpp"
 #include "query/overlap/overlaps.hpp"
@@ -404,6 +405,7 @@ double stated_steps(const fit::Algorithm& algorithm, int n, int dim) {
       {"obb/pca_one_pass", n + 5},
       {"obb/pca_rectangle", fit::kMostRectangles + static_cast<double>(fit::kMostTurnsTold) + 8},
       {"obb/face_aligned", 2 * n + 4},
+      {"obb/rotations", fit::kRotations<3> + 4},
       {"obb/dito", 32},
       {"obb/exact", fit::kMostRectangles + 6 * n},  // twice 3 n - 6 edges: a smaller box on it, and what was searched
   };

@@ -122,6 +122,20 @@ struct Entry<fit::BoxTried<double, 3>> : FitEntry {
 };
 
 template <>
+struct Entry<fit::RotationTried<double, 3>> : FitEntry {
+  using Fact = fit::RotationTried<double, 3>;
+  static std::string sentence(const Fact& fact, const FitWhere& where) {
+    const std::string measure = where.size_word() + number_text(fact.measure);
+    if (fact.number == 0) return "Along the world's axes, the box has " + measure + ".";
+    const std::string passed =
+        fact.passed == 0 ? "" : " after " + counted(fact.passed, "rotation") + " that brought no smaller one";
+    return "Rotation " + count_text(fact.number) + " of " + count_text(fact.of) + " has the smallest box so far" +
+           passed + ": " + measure + '.';
+  }
+  static std::optional<Mark::Kind> mark(const Fact&, const FitWhere& where) { return best_if(true, where); }
+};
+
+template <>
 struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
   using Fact = fit::RectangleFound<double, 3>;
   static constexpr std::array kAskings{kHullEdge, kGrows};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "core/at_random.hpp"
@@ -11,6 +12,7 @@
 #include "fit/catalogue.hpp"
 #include "fit/obb/certify_obb.hpp"
 #include "fit/obb/obb_pca_rectangle.hpp"
+#include "fit/obb/obb_rotations.hpp"
 #include "geometry/turn.hpp"
 
 using namespace snug;
@@ -89,6 +91,40 @@ TEST_CASE("on a regular tetrahedron the best box with a face on a face is twice 
     CHECK(fit::on_edges<3>(fit::contacts(smallest, std::get_if<PointSet<double, 3>>(&set)->span())));
     CHECK(run.steps < 1000);
   }
+}
+
+TEST_CASE("no rotation is more than 11 degrees from a fixed one, yet a thin stick gets a box many times too large") {
+  std::vector<Matrix<double, 3>> fixed{Matrix<double, 3>::Identity()};
+  for (fit::FixedRotations<3> all; fixed.size() <= static_cast<std::size_t>(fit::kRotations<3>);)
+    fixed.push_back(all.next());
+  /// The cosine of the least angle that turns one box's axes onto another's, whatever their order and signs.
+  const auto nearness = [](const Matrix<double, 3>& a, const Matrix<double, 3>& b) {
+    constexpr std::array<std::array<int, 3>, 6> kOrders{
+        {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+    const Matrix<double, 3> cosines = a.transpose() * b;
+    double most = -1;
+    for (std::size_t i = 0; i < kOrders.size(); ++i)
+      for (const int x : {-1, 1})
+        for (const int y : {-1, 1})
+          most = std::max(most, x * cosines(0, kOrders[i][0]) + y * cosines(1, kOrders[i][1]) +
+                                    (i < 3 ? 1 : -1) * x * y * cosines(2, kOrders[i][2]));
+    return (most - 1) / 2;
+  };
+  Random random(5);
+  double farthest = 1, worst = 1;
+  for (int round = 0; round < 2000; ++round) {
+    const Matrix<double, 3> pose = turn(test::any_direction(random), random.between(-3, 3));
+    double nearest = -1;
+    for (const Matrix<double, 3>& one : fixed) nearest = std::max(nearest, nearness(pose, one));
+    farthest = std::min(farthest, nearest);
+    if (round % 20 != 0) continue;
+    const auto stick = in_box(pose, {1, 0.01, 0.01}, 0, random);
+    worst = std::max(worst, volume_of("rotations", stick) / 8e-4);
+    CHECK(volume_of("rotations", stick) <= volume_of("aabb", stick) * (1 + 1e-14));
+  }
+  CHECK(farthest > std::cos(11 * std::acos(-1) / 180));
+  CHECK(farthest < std::cos(8 * std::acos(-1) / 180));
+  CHECK(worst > 10);
 }
 
 TEST_CASE("rectangles that shrink a box by less and less come to an end") {
