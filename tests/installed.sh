@@ -45,7 +45,8 @@ snug=$work/all/bin/snug window=$work/all/libexec/snug/snug-window
 for program in "$snug" "$window"; do
     ! grep -aqF -e "$clone/" -e "$(realpath "$build")" "$program" || fail "$program knows where it was built"
 done
-as_stranger env LD_TRACE_LOADED_OBJECTS=1 "$window" | grep -E 'glfw|epoxy|libpng' | while read -r _ _ path _; do
+system='^[[:space:]]*lib(c|m|dl|pthread|rt|GL[^.]*|X[^.]*|xcb[^.]*|bsd|md)[.]so' # C's, OpenGL's and X's, which stay the system's
+as_stranger env LD_TRACE_LOADED_OBJECTS=1 "$window" | grep '=>' | grep -vE "$system" | while read -r _ _ path _; do
     [[ $(realpath "$path") == "$work/all/lib/snug/"* ]] || fail "$path is not the folder's own"
 done
 passed "nothing leads to the folder that it was built in, and the window takes the libraries it comes with"

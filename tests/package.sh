@@ -50,7 +50,7 @@ tries snug
 ! here dpkg-query -W libglfw3 libgl1 libepoxy0 libx11-6 2>/dev/null | grep -q . || fail "the command brings what a window needs"
 says=$(student snug render sphere-ritter -o /tmp/x.png 2>&1) && fail "it drew without a window" || true
 [[ $says == *"the window is not installed"* ]] || fail "$says"
-apt purge snug
+apt purge --auto-remove snug
 files | diff "$work/before" - || fail "files were left behind"
 passed "the command installs, runs and goes on a bare system, without a library of a screen"
 
