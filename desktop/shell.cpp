@@ -28,16 +28,21 @@ std::size_t Shell::course_size() const {
   return first - lessons_.begin();
 }
 
+void Shell::begin_panels() {
+  hint_of = code_seen = -1, typed = {}, unread = true, task_wanted = false;
+  side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear();
+}
+
 tl::expected<void, InputError> Shell::open(const std::string& id, bool anew) {
   for (const LessonFile& file : lessons_) {
     if (file.lesson.id != id) continue;
     auto mesh = mesh_of(file.lesson);
     if (!tell(mesh)) return tl::unexpected(mesh.error());
     auto opened = app_.open(file.lesson, *std::move(mesh), anew);
-    hint_of = -1, typed = {}, cover_seen_ = -1, measured_shown_.clear();
+    cover_seen_ = -1, measured_shown_.clear();
     if (opened) {
-      open_ = static_cast<std::size_t>(&file - lessons_.data()), unread = true, task_wanted = false;
-      side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear();
+      open_ = static_cast<std::size_t>(&file - lessons_.data());
+      begin_panels();
       waited_for_.clear();
       if (drafts_) opened_version_ = drafts_->find(id)->version, drafts_->play(file.lesson.id);
       if (open_ == 0) app_.invite(drafts_ ? lesson::Invitations::kAll : kept_.invited);

@@ -250,6 +250,8 @@ class Shell {
   /// The hash of the file of a lesson of one's own; 0 for the course's.
   [[nodiscard]] std::uint64_t hash_of(const std::string& id) const;
   std::string recorded_;  // the file of the demo that record() adds to; empty before the first state
+  /// What is shown beside another stage begins anew.
+  void begin_panels();
   void take_files();
   void keep_exercise();
   void see_measured(const lesson::Sheet& sheet);

@@ -30,8 +30,8 @@ tl::expected<void, InputError> Shell::open_exercise(const std::string& id, std::
       app_.open_exercise(std::make_shared<const lesson::Exercise>(at_level(*known, level)), own, practises);
   if (!tell(opened)) return opened;
   watches_ = counted_ = false;
-  hint_of = -1, typed = {}, unread = true, task_wanted = false, course_shown = false;
-  side_tab = SideTab::kStored, figures_most = 0, stored_before.clear(), stored_lit.clear(), tab = Tab::kLesson;
+  begin_panels();
+  course_shown = false, tab = Tab::kLesson;
   kept_revision_ = session().revision();
   const KeptExercise* const kept = kept_.exercise(id);
   const bool goes_on = kept != nullptr && kept->now && kept->now->seed == own && kept->now->level == level;
