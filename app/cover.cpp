@@ -7,8 +7,8 @@
 namespace snug::app {
 
 CoverRoom cover_room(const Look& look, const Rect& rect, float below) {
-  constexpr float kLow = 300, kBeside = 24;
-  if (rect.height > kLow || rect.width < rect.height) {
+  constexpr float kLow = 300, kWide = 1.5f, kBeside = 24;
+  if (rect.height > kLow || rect.width < kWide * rect.height) {
     const float above = look.fingers ? 60 : look.px(44);
     return {{rect.x, rect.y + above, rect.width, rect.height - above - below}};
   }

@@ -336,7 +336,7 @@ void lead_on(Shell& shell, const std::string& command) {
 }
 
 /// Whether the card stands beside the stage, of which there is too little to cover any.
-bool stands_beside(const Shell& shell) { return shell.presenting || shell.narrow; }
+bool stands_beside(const Shell& shell) { return shell.presenting || shell.asks_beside; }
 
 /// Where the card stands that was so high in the last frame. most: the share of the stage that it covers at most.
 app::Rect card_in(const Shell& shell, const app::Rect& place, float measured, float most) {

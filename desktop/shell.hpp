@@ -209,6 +209,7 @@ class Shell {
   std::array<char, 96> typed{};  // what is typed to answer a question
   enum class Tab : std::uint8_t { kLesson, kPoints, kFile, kSheet, kSide } tab = Tab::kLesson;  // of the left column
   bool narrow = false;       // whether it has numbers and pseudocode as well, under a tab: two columns leave no stage
+  bool asks_beside = false;  // whether it has the question as well: the stage is too small for a card on it
   bool file_typing = false;  // whether the scene's file has the keys
   std::string file_text;     // what is typed as the scene's file
   enum class SideTab : std::uint8_t { kStored, kNumbers, kCode } side_tab = SideTab::kStored;  // of the right column

@@ -143,7 +143,7 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
                                              : side_width(extent.width, 0.22f, 280, 290, 0.175f, 336, scale);
   constexpr float kLowScreen = 690, kLeastSide = 400;  // kLowScreen: for words of the size that they are made for
   // Where two columns leave the stage next to nothing, the left one has what stands in both.
-  constexpr float kLeastStage = 240;
+  constexpr float kLeastStage = 240, kLeastHigh = 480;  // kLeastHigh: of a stage that a question's card may cover
   shell.narrow = !lecture && extent.width - column - inspector < look.px(kLeastStage);
   const bool side_shown = shell.narrow && shell.tab == Shell::Tab::kSide;
   if (shell.narrow) inspector = 0;
@@ -157,20 +157,21 @@ Parts parts_of(const Extent& extent, const app::Look& look, Shell& shell) {
   parts.strip = {0, bar, extent.width, strip};
   const float pinned = cover && !side_shown ? std::min(shell.pinned_height, height - look.px(164)) : 0;
   const float tabs = side_shown ? look.px(44) : 0;
-  // What a question leaves of the left column, where it stands there, and below that at least a few lines.
-  const float asked = shell.narrow ? std::min(shell.question_height, height - pinned) : 0;
-  const float left = height - pinned - asked;
-  parts.column = {0, header + asked, column, lecture ? height : side_shown ? tabs : left < look.px(72) ? 0 : left};
-  if (cover && !lecture && !side_shown) parts.cover = {0, header + height - pinned, column, pinned};
   const float middle = right - column - 1;  // and a line
   const float controls = controls_height(shell, look, middle);
   parts.app.stage = {column, header, middle, height - timeline - controls};
+  shell.asks_beside = shell.narrow || (!lecture && parts.app.stage.height < look.px(kLeastHigh));
+  // What a question leaves of the left column, where it stands there, and below that at least a few lines.
+  const float asked = shell.asks_beside ? std::min(shell.question_height, height - pinned) : 0;
+  const float left = height - pinned - asked;
+  parts.column = {0, header + asked, column, lecture ? height : side_shown ? tabs : left < look.px(72) ? 0 : left};
+  if (cover && !lecture && !side_shown) parts.cover = {0, header + height - pinned, column, pinned};
   parts.controls = {column, header + height - timeline - controls, middle, controls};
   parts.app.timeline = {column, header + height - timeline, parts.app.stage.width, timeline};
   const float title = lecture && beside.any() ? title_height(shell, look, inspector) : 0;
   if (lecture) parts.title = {right, header, inspector, title};
   // The whole stage is the question's figure: the question stands beside it.
-  const float question = lecture ? std::min(shell.question_height, height - title) : asked;
+  const float question = lecture ? std::min(shell.question_height, height - title) : shell.narrow ? asked : 0;
   parts.question =
       lecture ? app::Rect{right, header + title, inspector, question} : app::Rect{0, header, column, asked};
   const float side = std::max(0.0f, height - title - question - tabs);  // what numbers and pseudocode have
@@ -228,7 +229,7 @@ void draw_stage_and_panels(Shell& shell, const Parts& parts, double now) {
   app.frame(parts.app, now);
   if (const float wanted = app.figures_height(); wanted > shell.figures_most)
     shell.figures_most = wanted, shell.measured_anew = true;
-  draw_question_card(shell, shell.presenting || shell.narrow ? parts.question : parts.app.stage);
+  draw_question_card(shell, shell.presenting || shell.asks_beside ? parts.question : parts.app.stage);
   if (!shell.presenting) draw_invitation(app, parts.app.stage);
   else if (!shell.demo) draw_presentation(shell, parts.app.stage);
   for (const float x : {parts.column.width, parts.app.inspector.x}) {

@@ -73,3 +73,14 @@ close_window
 open_window --size 900x600 --lesson break-float
 until_state 's.text_scale === 2'
 for name in "Hand in" Numbers Points Lesson; do tab_to "$name"; done
+close_window
+
+# There, at the usual text: the names of small pictures have room beside each other, and a question stands beside the
+# stage, whose figure fills it.
+rm -f "$work/snug/course.json"
+open_window --size 900x600 --lesson which-volume
+until_state 's.text_scale === 1 && s.handles.every(({ x, y }, i, all) =>
+    i === 0 || Math.abs(y - all[i - 1].y) > 30 || x - all[i - 1].x > 60)'
+close_window
+open_window --size 900x600 exercise play be-welzl --seed 3
+until_state 's.asked !== null && Math.max(...s.handles.map(({ y }) => y)) - Math.min(...s.handles.map(({ y }) => y)) > 180'

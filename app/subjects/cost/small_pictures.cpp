@@ -26,7 +26,7 @@ struct PictureWords {
   [[nodiscard]] float in_one_line() const { return mark + name + gap + figure; }
 };
 
-/// How the pictures stand: in as many columns as make them largest.
+/// How the pictures stand: in as many columns as make them largest, if their words have room in a cell.
 struct Grid {
   int columns = 1;
   float width = 0, height = 0;  // of a cell
@@ -36,13 +36,17 @@ struct Grid {
 
 Grid grid_of(const Look& look, const Rect& room, const std::vector<SmallPicture>& pictures) {
   const int count = static_cast<int>(pictures.size());
-  float widest = 0;
-  for (const SmallPicture& picture : pictures) widest = std::max(widest, PictureWords(look, picture).in_one_line());
+  float widest = 0, widest_name = 0;
+  for (const SmallPicture& picture : pictures) {
+    const PictureWords words(look, picture);
+    widest = std::max(widest, words.in_one_line()), widest_name = std::max(widest_name, words.mark + words.name);
+  }
   Grid best;
   float largest = 0;
   for (int columns = 1; columns <= count; ++columns) {
     const int rows = (count + columns - 1) / columns;
     Grid grid{columns, room.width / static_cast<float>(columns), room.height / static_cast<float>(rows)};
+    if (columns > 1 && widest_name > grid.width - 4) break;
     grid.folded = widest > grid.width - 8;
     grid.words = look.px(kPictureName + 8) + (grid.folded ? look.px(kPictureFigure + 4) : 0);
     const float picture = std::min(grid.width, grid.height - grid.words);
