@@ -7,9 +7,12 @@ namespace {
 std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& answer) {
   if (answer.kind == lesson::Answer::Kind::kPoint) return {answer.value};
   if (answer.kind == lesson::Answer::Kind::kPoints) return {answer.list.begin(), answer.list.end()};
-  const std::size_t choice = answer.value;
-  if (answer.kind != lesson::Answer::Kind::kChoice || choice >= asked.choice_handles.size()) return {};
-  return asked.choice_handles[choice];
+  std::vector<Index> handles;
+  if (answer.kind != lesson::Answer::Kind::kChoice) return handles;
+  for (std::size_t i = 0; i < asked.choice_handles.size(); ++i)
+    if (lesson::is_picked(asked, answer, static_cast<int>(i)))
+      handles.insert(handles.end(), asked.choice_handles[i].begin(), asked.choice_handles[i].end());
+  return handles;
 }
 
 void show_outcome(Shown& shown, const lesson::Session& session) {
