@@ -40,6 +40,7 @@ bool draw_answer_field(Shell& shell, Column& column, std::string_view label) {
   column.gap(ImGui::GetFrameHeight() + 10);
   ImGui::PopFont();
   if (!entered) return false;
+  ImGui::SetKeyboardFocusHere(-1);  // what is typed next is an answer as well: another try, or the next decision's
   if (shell.typed[0] == 0) return shell.app().command("commit_answer");  // one that was tapped
   if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
   shell.typed = {};
@@ -202,13 +203,18 @@ void draw_said(Column& column, const lesson::Session& session, const lesson::Out
   column.gap(4);
 }
 
+/// Where it stands among the questions, or the decisions.
+std::string place_of(Shell& shell, const lesson::Asked* asked) {
+  const lesson::Sitting* const sitting = shell.app().sitting();
+  if (sitting != nullptr) return decision_place(*sitting, shell.session()).first;
+  return asked != nullptr ? lesson::place_text(*asked, shell.session().questions()) : std::string();
+}
+
 /// The card while the steps up to the outcome are played: it tells nothing yet.
 void draw_deciding(Shell& shell, Column& column, const lesson::Outcome& outcome) {
   const lesson::Session& session = shell.session();
   const lesson::Asked* asked = session.question_of(outcome);
-  if (!shell.demo)
-    draw_kicker(column, lesson::kPredictionWord,
-                asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(), Standing::kOpen);
+  if (!shell.demo) draw_kicker(column, lesson::kPredictionWord, place_of(shell, asked), Standing::kOpen);
   lesson::ProseFigures figures(session);
   if (asked != nullptr) draw_prompt(column, asked->prompt, figures, kPromptWriting), column.gap(6);
   draw_said(column, session, outcome);
@@ -220,10 +226,9 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   const lesson::Asked* asked = session.question_of(outcome);
+  const lesson::Sitting* const sitting = shell.app().sitting();
   if (!shell.demo)
-    draw_kicker(column, lesson::verdict_text(outcome),
-                asked != nullptr ? lesson::place_text(*asked, session.questions()) : std::string(),
-                lesson::standing_of(&outcome));
+    draw_kicker(column, lesson::verdict_text(outcome), place_of(shell, asked), lesson::standing_of(&outcome));
   lesson::ProseFigures figures(session);
   if (asked != nullptr)
     draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
@@ -240,7 +245,6 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   }
   if (!as_list) column.words(outcome.says);
   if (!outcome.because.empty()) column.gap(4), draw_prompt(column, outcome.because, figures, {15, 22});
-  const lesson::Sitting* const sitting = shell.app().sitting();
   if (sitting != nullptr) draw_rule(column, *sitting, session);
   if (shell.demo) return;  // the next press goes on
   column.gap(12);

@@ -183,6 +183,7 @@ test("by finger on a phone, with targets large enough, and the summary leads to 
     await button.tap();
   }
   const over = await until(page, (now) => now.exercise.finished);
+  assert.ok((await page.getByRole("button", { name: "Go through your run" }).boundingBox()).height >= 44);
   const saved = page.waitForEvent("download");
   await page.getByRole("button", { name: "Hand in" }).tap();
   const file = await saved;

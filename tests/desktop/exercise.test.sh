@@ -62,3 +62,14 @@ until_state "s.trace !== '$trace'"
 xdotool key h
 until_state 's.exercise.hints.length === 1'
 [[ $(state 's.handles.map(h => h.id).join()') == P0,P1,P2 ]] || fail "a point that is to stay can be dragged"
+close_window
+
+# A number is typed after another, and the card that tells it does not say how many decisions there are.
+open_window exercise play radii-of-boxes --seed 9
+tab_to Number
+xdotool type 77
+xdotool key Return
+until_state 's.asked.says.startsWith("Not that one")'
+xdotool type 78
+xdotool key Return
+until_state 's.outcome !== null'

@@ -267,7 +267,8 @@ export class QuestionCard {
     const decided = outcome.ordered && outcome.rightChoices.length > 0
       ? this.#order(outcome, this.#words.decision)
       : [this.#said(outcome, this.#words.decision), element("p", {}, ...spelled(outcome.says))];
-    return this.#told({ ...outcome, canWatch: false }, [
+    const [place] = this.#exercise.place(exercise);
+    return this.#told({ ...outcome, place, canWatch: false }, [
       ...decided,
       exercise.rule ? element("p", { class: "rule" }, exercise.rule) : null,
     ], null, exercise.run === "own" && this.#exercise.in_own_run(exercise));
