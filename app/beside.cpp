@@ -48,11 +48,13 @@ bool has_beside(const lesson::Session& session) { return session.lesson().beside
 
 fit::Sphere3 ball_with_beside(const lesson::Session& session, const fit::Sphere3& shown) {
   constexpr double kMost = 3;  // what is farther off would leave the rest too small to see
+  constexpr double kPoint = 1e-6;
+  const bool is_point = shown.radius <= kPoint * (1 + shown.center.norm());
   fit::Sphere3 all = shown;
   if (!has_beside(session)) return all;
   for (const auto& [is, name, held] : *session.lesson().beside) {
     const fit::Sphere3 both = ball_around(all, ball_around(held.volume, held.dim));
-    if (both.radius <= kMost * shown.radius) all = both;
+    if (is_point || both.radius <= kMost * shown.radius) all = both;
   }
   return all;
 }

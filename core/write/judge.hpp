@@ -48,8 +48,10 @@ struct Judged {
 
 /// A step in the search for the shortest input that fails: valid inputs that are shorter than this one.
 [[nodiscard]] std::vector<Numbers> shorter(const Function& function, const Numbers& input);
-/// The first of them that fails; none if all are answered right.
+/// Whether a wrong answer differs from the right one so much that it is seen on the stage.
+[[nodiscard]] bool shows(const Function& function, const Numbers& input, const Answered& answer);
+/// The first of them that fails; shown: and shows it. None if all are answered right.
 [[nodiscard]] std::optional<std::size_t> first_wrong(const Function& function, const std::vector<Numbers>& inputs,
-                                                     const std::vector<Answered>& answers);
+                                                     const std::vector<Answered>& answers, bool shown);
 
 }  // namespace snug::write

@@ -175,7 +175,7 @@ constexpr std::array kSphereKinds{
     Kind{"random", "random points"},
     Kind{"one", "one point, or the same point more than once"},
     Kind{"few", "points that two or three of them support, also on a line"},
-    Kind{"on sphere", "more than four points on the sphere"},
+    Kind{"on sphere", "more than four points on the sphere, also with one just outside it"},
     Kind{"tiny", "points very near to each other"},
     Kind{"far", "points far from the origin"},
 };
@@ -196,6 +196,8 @@ void make_spheres(Cases& cases) {
           const auto axis = static_cast<Eigen::Index>(k);
           points[corner][axis] = at[axis] + ((corner >> k & 1) != 0 ? 1 : -1) * way.vector[axis];
         }
+      constexpr double kJustOutside = 1e-7;  // far more than rounding, and than a contract's billionth
+      if (i % 4 == 0) points.emplace_back(at[0] + way.length * (1 + kJustOutside), at[1], at[2]);
     }
     cases.add(kind, points_input(points, scale));
   });

@@ -160,6 +160,8 @@ std::vector<Numbers> simpler(std::string_view shape, const Numbers& numbers) {
     const double value = numbers[i];
     for (const double other : {0.0, std::copysign(1.0, value), std::round(value), std::round(value / 2)}) {
       if (other == value && std::signbit(other) == std::signbit(value)) continue;
+      if (std::abs(other) > 2 * std::abs(value)) continue;                    // what is tiny stays so
+      if (std::abs(value) > 0x1p30 && std::abs(other - value) > 1) continue;  // and what is far away
       found.push_back(numbers);
       found.back()[i] = other;
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "fit/obb/obb_frame.hpp"
 #include "fit/obb/principal_axes.hpp"
 #include "geometry/aabb_forms.hpp"
 #include "io/text.hpp"
@@ -85,7 +86,11 @@ std::string obb_at(const Vector3& center, const Matrix<double, 3>& axes, const V
 std::string obb(Take& take) {
   const Vector3 center = take.vector();
   const Matrix<double, 3> axes = take.rows().transpose();
-  return obb_at(center, axes, take.vector());
+  const Vector3 half_extents = take.vector();
+  const bool quarter_turns = (axes.array() == 0 || axes.array().abs() == 1).all();
+  if (!quarter_turns) return obb_at(center, axes, half_extents);
+  // Degrees would round: boxes that only touch would not.
+  return obb_at(center, Matrix<double, 3>::Identity(), axes.cwiseAbs() * half_extents);
 }
 
 /// The volumes that numbers may be, by their shapes.
@@ -155,8 +160,11 @@ std::string point_and_segment(const Function&, const Numbers& input) {
   Take take(input);
   const std::string p = point(take);
   const Vector3 a = take.vector();
-  return pair(p, capsule_at<3>(a, take.vector()));
+  const std::string segment = capsule_at<3>(a, take.vector());
+  return pair(p, segment) + beside("given", "", segment);
 }
+std::string segment_names(const Numbers&) { return "On the stage A is the point p, and the ends of B are a and b."; }
+std::string sphere_names(const Numbers&) { return "On the stage A is the sphere, and B the point."; }
 
 // ---- points ------------------------------------------------------------------------------------------------------
 
@@ -220,8 +228,10 @@ std::string vertices(const Function&, const Numbers& input) {
   const Vector3 view = take.vector().stableNormalized(), center = box.min + (box.max - box.min) / 2;
   const double radius = (box.max - box.min).norm() / 2, size = radius > 0 ? radius : 1;
   const Camera camera{.apex = center - 3 * size * view, .view = view, .near = 2 * size, .far = 3 * size};
-  return box_and_frustum(box, camera, 1.5 * size);
+  return box_and_frustum(box, camera, 1.5 * size) +
+         beside("given", "normal", capsule_at<3>(center, center + 1.5 * size * view));
 }
+std::string normal_names(const Numbers&) { return "The frustum's far plane has this normal."; }
 
 // ---- a body that has rotated ---------------------------------------------------------------------------------------
 
@@ -252,14 +262,14 @@ std::string tree_and_ray(const Function&, const Numbers& input) {
          "]\n\n[query]\nfrom = " + list(ray.origin) + "\nto = " + list(through) + "\ntree = \"top_down_median\"\n";
 }
 
-/// "On the stage node 1 is A, node 2 is B."
+/// "Node 1 is called A, node 2 is called B."
 std::string leaf_names(const Numbers& input) {
   const auto nodes = ray_input_of(input).nodes;
   std::string text;
   char name = 'A';
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].left >= 0) continue;
-    text += (text.empty() ? "On the stage node " : ", node ") + std::to_string(i) + " is " + name;
+    text += (text.empty() ? "Node " : ", node ") + std::to_string(i) + " is called " + name;
     ++name;
   }
   return text + '.';
@@ -278,11 +288,12 @@ struct Row {
   std::string (*names)(const Numbers& input) = nullptr;  // what the stage calls what the function was given
 };
 constexpr std::array kRows{
-    Row{"{p:3n,a:3n,b:3n}", point_and_segment},
+    Row{"{p:3n,a:3n,b:3n}", point_and_segment, nullptr, segment_names},
+    Row{"{sphere:{center:3n,radius:n},point:3n}", volumes, nullptr, sphere_names},
     Row{"{points:*3n}", points<3>},
     Row{"{points:*2n,a:i,b:i}", points_and_edge, point_named},
     Row{"{box:{center:3n,half_extents:3n},rotation:33n}", rotated},
-    Row{"{box:{min:3n,max:3n},normal:3n}", vertices},
+    Row{"{box:{min:3n,max:3n},normal:3n}", vertices, nullptr, normal_names},
     Row{"{planes:*{normal:3n,d:n},box:{min:3n,max:3n}}", culled},
     Row{"{nodes:*{min:2n,max:2n,parent:i,left:i,right:i},ray:{origin:2n,direction:2n}}", tree_and_ray, leaf,
         leaf_names},
@@ -316,13 +327,17 @@ std::string deviations(const Numbers& input, const Numbers& answer, const std::s
   const auto found = fit::principal_axes<double, 3>({mean, matrix});
   if (found.variances.minCoeff() < -enough) return {};
   const Vector3 half = (found.variances.array() > enough).select(found.variances.cwiseSqrt(), 0);
-  Matrix<double, 3> axes = found.axes;
-  if (axes.col(0).cross(axes.col(1)).dot(axes.col(2)) < 0) axes.col(0) = -axes.col(0);
+  const Matrix<double, 3> axes = fit::right_handed<double, 3>(found.axes);
   const auto flat = (half.array() == 0).count();
   if (flat == 3) return beside(is, is, sphere_at<3>(mean));
   // The edges of a box without width would fill the gaps between each other's dashes.
   const Vector3 along = axes * half;
   return beside(is, is, flat == 2 ? capsule_at<3>(mean - along, mean + along) : obb_at(mean, axes, half));
+}
+
+/// "right p", "your p"
+std::string named(const std::string& is, std::string_view part) {
+  return (is == "yours" ? "your" : is) + ' ' + std::string(part);
 }
 
 /// A row's projections of A and B as segments along the axis, beside the boxes: what is right next to them, then yours.
@@ -350,7 +365,7 @@ std::string projections(const Numbers& input, const Numbers& answer, const std::
     const double row = (is == "right" ? 2 : 4.5) + side, radius = answer[1 + side];
     const double along = side == 0 ? 0 : between.dot(axis) < 0 ? -answer[0] : answer[0];
     const Vector3 middle = a.center + down * (below + row * step) + axis * along;
-    text += beside(is, is + (side == 0 ? " A" : " B"),
+    text += beside(is, named(is, side == 0 ? "A" : "B"),
                    radius == 0 ? sphere_at<3>(middle) : capsule_at<3>(middle - axis * radius, middle + axis * radius));
   }
   return text;
@@ -360,16 +375,16 @@ std::string projections(const Numbers& input, const Numbers& answer, const std::
 struct Drawn {
   std::string_view gives;
   std::string (*beside)(const Numbers& input, const Numbers& answer, const std::string& is);
-  std::string_view says;  // what it is that is drawn
-  std::string_view lacks;
+  std::string_view says;   // what it is that is drawn
+  std::string_view both;   // how right and yours stand there
+  std::string_view lacks;  // why yours is not there
 };
 constexpr std::array kDrawn{
     Drawn{"33n", deviations,
-          "A matrix is drawn as a box around the mean, along its eigenvectors, as far as one standard deviation.",
+          "A matrix is drawn as a box around the mean, along its eigenvectors, as far as one standard deviation", "",
           ": it is not symmetric, or a variance is negative"},
-    Drawn{"{distance:n,r_a:n,r_b:n}", projections,
-          "Beside the boxes stand the projections of A and B on the axis, first as they are and then as you have them.",
-          ""},
+    Drawn{"{distance:n,r_a:n,r_b:n}", projections, "Beside the boxes stand the projections of A and B on the axis",
+          ", first as they are and then as you have them", ""},
 };
 /// Null for other answers.
 const Drawn* drawn_of(const Function& function) {
@@ -397,8 +412,7 @@ std::string answers_beside(const Function& function, const Row& row, const Numbe
   Take take(*answer);
   if (const std::string whole = volume(function.gives, take); !whole.empty()) return beside(is, is, whole);
   for (const auto& [name, shape] : fields_of(function.gives))
-    if (const std::string part = volume(shape, take); !part.empty())
-      text += beside(is, is + ' ' + std::string(name), part);
+    if (const std::string part = volume(shape, take); !part.empty()) text += beside(is, named(is, name), part);
   return text;
 }
 
@@ -424,18 +438,26 @@ std::string words_of(const Function& function, const Numbers& input, const Answe
   if (right) text += "what is right has dashes or a ring; ";
   if (yours) text += "yours has dots or a cross.";
   const stage::Drawn* drawn = stage::drawn_of(function);
-  if (right && !yours)
+  const bool is_none = function.gives == "i" && stage::is_of_numbers(function, answer) && answer->front() == -1;
+  if (right && is_none) text += "yours is -1: none.";
+  else if (right && !yours)
     text += "yours cannot be drawn" +
             std::string(drawn != nullptr && stage::is_of_numbers(function, answer) ? drawn->lacks : "") + '.';
-  if (drawn != nullptr && (right || yours)) text += ' ' + std::string(drawn->says);
+  if (yours && !right && function.gives == "i")
+    text = "What is right is -1: none. On the stage yours has dots or a cross.";
+  if (drawn != nullptr && (right || yours))
+    text += ' ' + std::string(drawn->says) + std::string(right && yours ? drawn->both : "") + '.';
   return row.names != nullptr ? text + (text.empty() ? "" : " ") + row.names(input) : text;
 }
 
 std::string lesson_of(const Function& function, const Numbers& input, const Answered& answer, std::string_view told) {
   const stage::Row& row = stage::row_of(function);
+  const std::string table = row.table(function, input), method = '"' + std::string(function.stage) + '"';
+  // What the stage computes is no smallest volume to compare with: right and yours stand there.
+  const bool fits = table.starts_with("[points]") && table.find("[body]") == std::string::npos;
   return "version = 2\ntitle = \"A case on which your function differs\"\n"
-         "summary = \"What it was given, on the stage.\"\nminutes = 1\nalgorithms = [\"" +
-         std::string(function.stage) + "\"]\n\n" + row.table(function, input) +
+         "summary = \"What it was given, on the stage.\"\nminutes = 1\nalgorithms = [" +
+         method + "]\n" + (fits ? "reference = " + method + '\n' : "") + '\n' + table +
          stage::answers_beside(function, row, input, function.right(input), "right") +
          stage::answers_beside(function, row, input, answer, "yours") +
          "\n[[section]]\ntitle = \"What your function was given\"\ntext = \"\"\"\n" + stage::plain(told) + "\n\n" +

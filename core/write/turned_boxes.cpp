@@ -225,13 +225,29 @@ Boxes parallel_boxes(Cases& cases, Relation relation, const Rotation& rotation) 
   return boxes;
 }
 
+/// Rods that cross at a small angle, each on an edge: the cross product of the long edges is short, and it alone
+/// separates them.
+Boxes crossing_rods(Cases& cases) {
+  const double half_angle = cases.random.between(0.01, 0.15);
+  const double eighth = std::sqrt(2.0) - 1;  // the tangent of an eighth of a half turn
+  const Rotation rotation = random_rotation(cases), on_edge = matrix_of(normalized({1, eighth, 0, 0}));
+  Boxes boxes;
+  for (const double side : {-1.0, 1.0}) {
+    const Rotation axes = rotation * matrix_of(normalized({1, 0, 0, side * half_angle})) * on_edge;
+    const Vector3 center = rotation.col(2) * side * (std::sqrt(2.0) + 0.01);
+    boxes[side > 0 ? 1 : 0] = {center, axes, Vector3(20, 1, 1)};
+  }
+  return boxes;
+}
+
 Boxes box_pair(Cases& cases, int kind, bool overlaps) {
   if (kind == kSatTouching)
     return parallel_boxes(cases, overlaps ? Relation::kTouching : Relation::kAlmost, Rotation::Identity());
   if (kind == kParallel)
     return parallel_boxes(cases, overlaps ? Relation::kCrossing : Relation::kApart, random_rotation(cases));
   for (;;) {
-    Boxes boxes = random_boxes(cases, kind == kSatInside && overlaps ? 2 : 10);
+    const bool rods = kind == kEdges && !overlaps && cases.coin();
+    Boxes boxes = rods ? crossing_rods(cases) : random_boxes(cases, kind == kSatInside && overlaps ? 2 : 10);
     if (kind == kSatInside && overlaps) {
       boxes[0].half_extents.array() += 12;
       boxes[1].half_extents.array() = 1;

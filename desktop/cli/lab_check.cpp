@@ -151,7 +151,7 @@ void shorten(const write::Function& function, Program& program, CounterExample& 
     const std::vector<write::Numbers> inputs = write::shorter(function, found.input);
     if (inputs.empty()) return;
     const std::vector<write::Answered> answers = program.answers(inputs);
-    const auto wrong = write::first_wrong(function, inputs, answers);
+    const auto wrong = write::first_wrong(function, inputs, answers, write::shows(function, found.input, found.answer));
     if (!wrong) return;
     found.input = inputs[*wrong], found.answer = answers[*wrong];
   }

@@ -83,8 +83,11 @@ test("on a phone: a mistake is shown at its line, variables are told, three trie
   const bottoms = await page.locator(".write-actions > :is(a, button)").evaluateAll((all) =>
     all.map((one) => one.getBoundingClientRect()).map(({ right, height }) => right <= innerWidth && height < 60));
   assert.deepEqual(bottoms, [true, true, true, true]);
-  await runs("const first = a.min[0] * 2;\nreturn first > 1e9;");
-  assert.match(await page.locator(".write").textContent(), /Your variables, at their last *first-?[0-9]/);
+  await runs("let sum = 0;\nfor (const x of a.min) sum += x * x + 1;\n" +
+    "const first = ((v) => { const own = v; return own; })(sum);\nreturn first > 1e9;");
+  const told = await page.locator(".write").textContent();
+  const [, sum, first] = told.match(/Your variables, at their last *sum([0-9.e+]+).*first([0-9.e+]+)/);
+  assert.ok(Number(sum) >= 3 && Number(first) === Number(sum), told);
   assert.ok(await solution.isHidden());
   await runs("return false;");
   await runs("let x = ;");

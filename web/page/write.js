@@ -348,7 +348,7 @@ class Write {
     if (!best?.decisions.length) return;
     const { kept, version } = this.#around;
     save_file(result_text(kept.student, [best], version), `${this.#file.id}.json`);
-    set_text(this.#keys, "The result file is saved. It has your code: `snug grade` runs it again.");
+    set_text(this.#keys, "The result file is saved. It has your code, which is run again when it is graded.");
   }
 }
 

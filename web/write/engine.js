@@ -296,13 +296,18 @@ class Reader {
     this.#numbers.push(place);
   }
 
+  #none_or(/** @type {any} */ value, /** @type {string} */ words) {
+    const type = this.#context.typeof(value);
+    return type === "undefined" || type === "object" ? "missing" : `${words}, but ${said(type)}`;
+  }
+
   #is_object(/** @type {any} */ value) {
     return this.#context.typeof(value) === "object" && !this.#context.sameValue(value, this.#context.null);
   }
 
   /** @param {any} value @param {string} key @param {string} named */
   #within(value, key, named) {
-    if (!this.#is_object(value)) throw new Wrong(`${named} is missing`);
+    if (!this.#is_object(value)) throw new Wrong(`${named} is ${this.#none_or(value, "no object")}`);
     const own = this.#context.getProp(value, key);
     try {
       this.#type(own, named);
@@ -325,7 +330,7 @@ class Reader {
   /** @param {any} value @param {string} named */
   #list(value, named) {
     const count = this.#take(/^(\*|\d)/);
-    if (!this.#is_object(value)) throw new Wrong(`${named} is not a list`);
+    if (!this.#is_object(value)) throw new Wrong(`${named} is ${this.#none_or(value, "no list")}`);
     const length = this.#context.getProp(value, "length");
     const has = this.#context.typeof(length) === "number" ? this.#context.getNumber(length) : -1;
     length.dispose();

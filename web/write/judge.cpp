@@ -69,7 +69,8 @@ class Trial {
   /// Goes on to the first of these that is answered wrong. Returns it, or null.
   val narrow(const std::string& lines) {
     const std::vector<write::Answered> answers = write::read_answers(lines, inputs_.size());
-    const auto wrong = write::first_wrong(*function_, inputs_, answers);
+    const auto wrong =
+        write::first_wrong(*function_, inputs_, answers, write::shows(*function_, found_->input, found_->answer));
     if (!wrong) return val::null();
     found_ = {inputs_[*wrong], answers[*wrong]};
     return found("");

@@ -93,11 +93,11 @@ TEST_CASE("the first case of each kind opens on a stage, and so does what is sho
       {"b", {}},
       {"inside|intersecting|outside", {}},
       {"33n", {"right", "yours"}},
-      {"{distance:n,r_a:n,r_b:n}", {"right A", "right B", "yours A", "yours B"}},
+      {"{distance:n,r_a:n,r_b:n}", {"right A", "right B", "your A", "your B"}},
       {"3n", {"right", "yours"}},
       {"{center:3n,radius:n}", {"right", "yours"}},
       {"{center:3n,half_extents:3n}", {"right", "yours"}},
-      {"{p:3n,n:3n}", {"right p", "right n", "yours p", "yours n"}},
+      {"{p:3n,n:3n}", {"right p", "right n", "your p", "your n"}},
       {"i", {"right", "yours"}},
   };
   for (const write::Function* function : write::all_functions()) {
