@@ -89,7 +89,7 @@ struct App::State {
   /// Seconds per step while playing at speed 1: of frames the time that one simulates. watched: the least time per step
   /// while the steps up to an outcome are played, in which a frame would be too short to see; otherwise 0.
   [[nodiscard]] double seconds_of_step(double watched) const {
-    const lesson::HasFrames* const frames = session->subject().frames();
+    const lesson::HasFrames* const frames = session->stage().subject().frames();
     return frames != nullptr ? std::max(frames->seconds_of_frame(), watched) : kSecondsOfStep;
   }
   /// Seconds from one playing step to the next.
@@ -153,12 +153,12 @@ void App::State::refresh_look(bool fingers) {
 /// After an answer: plays the skipped steps, fast enough to show all of them in time. With reduced motion, they are
 /// played only on request.
 void App::State::watch() {
-  session->play_answers(!settings.reduced_motion);
-  const lesson::Outcome* const outcome = session->deciding();
+  session->conversation().play_answers(!settings.reduced_motion);
+  const lesson::Outcome* const outcome = session->conversation().deciding();
   if (outcome == nullptr) watched_pause = 0;
   if (outcome == nullptr || (watched_pause > 0 && now < watched_until)) return;
   if (watched_pause > 0) return end_watching();  // without one more step, which would continue
-  const int steps = std::max(1, outcome->step - session->step());
+  const int steps = std::max(1, outcome->step - session->player().step());
   watched_pause = std::min(seconds_of_step(kWatchedSeconds / steps), kLongestWatched / steps);
   watched_until = now + kLongestWatched;
   playing = true;
@@ -166,7 +166,7 @@ void App::State::watch() {
 }
 
 void App::State::end_watching() {
-  session->decide();
+  session->conversation().decide();
   playing = false;
   watched_pause = 0;
   settle = std::max(settle, 1);
@@ -180,22 +180,23 @@ void App::State::play_on() {
   while (playing && now >= next_step_at) {
     session->forward();
     next_step_at += pause();
-    if (session->outcome() != nullptr || session->asked() != nullptr || session->step() == session->steps())
+    if (session->conversation().outcome() != nullptr || session->conversation().asked() != nullptr ||
+        session->player().step() == session->player().steps())
       playing = false;
   }
-  if (session->deciding() == nullptr) watched_pause = 0;
+  if (session->conversation().deciding() == nullptr) watched_pause = 0;
 }
 
 void App::State::toggle_play() {
-  playing = !playing && session->asked() == nullptr;
+  playing = !playing && session->conversation().asked() == nullptr;
   if (!playing) return;
-  if (session->step() == session->steps() && !session->previewing()) session->first();
-  next_step_at = now + (session->previewing() ? 0 : pause());
+  if (session->player().step() == session->player().steps() && !session->player().previewing()) session->go(0);
+  next_step_at = now + (session->player().previewing() ? 0 : pause());
 }
 
 void App::State::next_mark() {
-  if (session->previewing()) session->forward();
-  else session->go(session->next_mark());
+  if (session->player().previewing()) session->forward();
+  else session->go(session->player().next_mark());
 }
 
 /// The "next" keys and buttons: they continue from an outcome, and skip a question at their second press.
@@ -208,28 +209,29 @@ bool App::State::go_on(std::string_view name) {
   }
   if (name == "other_run") return sitting && sitting->change_run(*session);
   if (steps || name == "play" || name == "commit_answer" || name == "continue")
-    if (session->acknowledge()) return true;
-  const lesson::Asked* const asked = session->asked();
+    if (session->conversation().acknowledge()) return true;
+  const lesson::Asked* const asked = session->conversation().asked();
   const bool gate = asked != nullptr && (asked->step != lesson::Asked::kAnytime || name == "next_mark");
-  if (steps && gate) return session->pass_by();
+  if (steps && gate) return session->conversation().pass_by();
   if (name == "hint") return sitting && sitting->take_hint(*session);
-  if (name == "take_back") return session->take_back();
+  if (name == "take_back") return session->conversation().take_back();
   if (name == "back_to_best") return sitting && sitting->back_to_best(*session);
   if (name == "finish") return sitting && sitting->finish();
   if (name == "show_model") return sitting && sitting->show_model(*session);
   if (name == "predict_again") {
     if (sitting) return false;
     forget();
-    if (session->lesson().subject->asks_of_steps) session->first();
+    if (session->lesson().subject->asks_of_steps) session->go(0);
     return true;
   }
-  if (name == "practise") return session->practise();
-  if (name == "close_summary" || ((name == "continue" || name == "commit_answer") && session->at_summary()))
-    return session->at_summary() && (session->close_summary(), true);
-  if (name == "show_answer") return session->show_answer();
-  if (name == "watch_outcome") return session->watch_outcome() && (watch(), true);
+  if (name == "practise") return session->conversation().practise();
+  if (name == "close_summary" ||
+      ((name == "continue" || name == "commit_answer") && session->conversation().at_summary()))
+    return session->conversation().at_summary() && (session->conversation().close_summary(), true);
+  if (name == "show_answer") return session->conversation().show_answer();
+  if (name == "watch_outcome") return session->conversation().watch_outcome() && (watch(), true);
   constexpr std::string_view kReview = "review:";
-  return name.starts_with(kReview) && session->review(name.substr(kReview.size()));
+  return name.starts_with(kReview) && session->conversation().review(name.substr(kReview.size()));
 }
 
 void App::State::set_speed(int by) {
@@ -238,65 +240,68 @@ void App::State::set_speed(int by) {
 }
 
 bool App::State::player(std::string_view name) {
-  const int before = session->step();
-  const bool previewing = session->previewing(), asks = session->asked() != nullptr;
-  if (go_on(name)) return playing = session->deciding() != nullptr, true;
+  const int before = session->player().step();
+  const bool previewing = session->player().previewing(), asks = session->conversation().asked() != nullptr;
+  if (go_on(name)) return playing = session->conversation().deciding() != nullptr, true;
   if (name == "play") return toggle_play(), true;
   if (name == "slower") return set_speed(-1), true;
   if (name == "faster") return set_speed(1), true;
-  if (name == "first") session->first();
-  else if (name == "back") session->back();
+  if (name == "first") session->go(0);
+  else if (name == "back") session->go(session->player().step() - 1);
   else if (name == "step") session->forward();
   else if (name == "last") session->last();
   else if (name == "next_mark") next_mark();
-  else if (name == "previous_mark") session->go(session->previous_mark());
-  else if (name == "skip_question") return session->skip();
-  else if (name == "commit_answer") return session->commit();
+  else if (name == "previous_mark") session->go(session->player().previous_mark());
+  else if (name == "skip_question") return session->conversation().give({}, false);
+  else if (name == "commit_answer") return session->conversation().commit();
   else return false;
   playing = false;
-  return session->step() != before || session->previewing() != previewing || (session->asked() != nullptr) != asks;
+  return session->player().step() != before || session->player().previewing() != previewing ||
+         (session->conversation().asked() != nullptr) != asks;
 }
 
 /// Starts what decides the predictions about the cover, once all of them are given and one waits for it.
 void App::State::decide_by_measuring() {
   const auto waits = [](const lesson::Outcome& outcome) { return outcome.pending && !outcome.skipped; };
-  if (cover == nullptr || cover->running() || session->to_predict() != nullptr) return;
-  if (std::any_of(session->outcomes().begin(), session->outcomes().end(), waits)) cover->command(*session, "measure");
+  if (cover == nullptr || cover->running() || session->conversation().to_predict() != nullptr) return;
+  if (std::any_of(session->log().outcomes().begin(), session->log().outcomes().end(), waits))
+    cover->command(*session, "measure");
 }
 
 bool App::State::edit(std::string_view name) {
   if (name == "undo" || name == "redo") {
-    if (name == "undo" ? !session->can_undo() : !session->can_redo()) return false;
-    name == "undo" ? session->undo() : session->redo();
+    if (name == "undo" ? !session->stage().can_undo() : !session->stage().can_redo()) return false;
+    name == "undo" ? session->stage().undo() : session->stage().redo();
     return true;
   }
   if (name == "add_point") return stage.add_point(*session);
   if (name == "delete_point") return stage.delete_point(*session);
-  if (name == "push") return session->asked() == nullptr && session->push(stage.selected());
-  if (name == "scatter") return session->scatter(session->seed() + 1), true;
-  if (name == "reset_points") return session->reset(), true;
+  if (name == "push") return session->conversation().asked() == nullptr && session->player().push(stage.selected());
+  if (name == "scatter") return session->stage().scatter(session->stage().subject().origin().seed + 1), true;
+  if (name == "reset_points") return session->stage().reset(), true;
   return false;
 }
 
 /// Selects the next or previous possible answer among the handles; false if the question is not answered on the stage.
 bool App::State::choose_target(int by) {
-  const std::vector<Index> targets = session->targets();
-  if (targets.empty() || session->asked()->many) return false;  // of many, each is tapped or named
+  const std::vector<Index> targets = session->conversation().targets();
+  if (targets.empty() || session->conversation().asked()->many) return false;  // of many, each is tapped or named
   const auto n = static_cast<std::ptrdiff_t>(targets.size());
-  const lesson::Answer* picked = session->picked();
-  if (picked == nullptr) picked = session->tried();
+  const lesson::Answer* picked = session->conversation().picked();
+  if (picked == nullptr) picked = session->conversation().tried();
   const bool any = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
   const std::ptrdiff_t at = any ? std::find(targets.begin(), targets.end(), picked->value) - targets.begin() : -1;
   const std::ptrdiff_t next = at < 0 ? (by > 0 ? 0 : n - 1) : (at + by + n) % n;
-  if (next != at) static_cast<void>(session->pick({lesson::Answer::Kind::kPoint, targets[next]}, false));
+  if (next != at) static_cast<void>(session->conversation().pick({lesson::Answer::Kind::kPoint, targets[next]}, false));
   return true;
 }
 
 bool App::State::select(std::string_view name) {
   const bool next = name == "select_next";
   if ((next || name == "select_previous") && choose_target(next ? 1 : -1)) return true;
-  if (name == "select_none" && session->picked() != nullptr) return session->unpick(), true;
-  const Index n = session->size(), at = stage.selected();
+  if (name == "select_none" && session->conversation().picked() != nullptr)
+    return session->conversation().unpick(), true;
+  const Index n = session->stage().subject().size(), at = stage.selected();
   const auto select_from = [&](Index to, Index by) {
     while (!stage.shows(*session, to)) to = (to + n + by) % n;
     stage.select(to);
@@ -428,10 +433,10 @@ tl::expected<void, InputError> App::open_exercise(std::shared_ptr<const lesson::
 lesson::Sitting* App::sitting() { return state_->sitting ? &*state_->sitting : nullptr; }
 
 void App::State::open(lesson::Session next, bool anew) {
-  if (session && !sitting) answers[session->lesson().id] = {session->outcomes(), session->done_tasks()};
+  if (session && !sitting) answers[session->lesson().id] = {session->log().outcomes(), session->done_tasks()};
   sitting.reset();
   session.emplace(std::move(next));
-  session->give_way(platform.gives_way);
+  session->stage().give_way(platform.gives_way);
   subject = &subject_of(session->lesson());
   view = subject->view();
   cover = subject->cover != nullptr ? subject->cover(platform) : nullptr;
@@ -453,7 +458,7 @@ void App::forget_answers() {
 }
 
 tl::expected<void, InputError> App::load(const io::PointFile& file, std::string_view name) {
-  return state_->cover ? state_->cover->load(*state_->session, file, name) : state_->session->load(file, name);
+  return state_->cover ? state_->cover->load(*state_->session, file, name) : state_->session->stage().load(file, name);
 }
 std::string_view App::subject() const {
   return state_->subject != nullptr ? state_->subject->name : std::string_view();
@@ -467,25 +472,32 @@ lesson::Session* App::session() { return state_->session ? &*state_->session : n
 Settings& App::settings() { return state_->settings; }
 const Look& App::look() const { return state_->look; }
 
+bool App::end_playing() {
+  const bool plays = state_->session && state_->session->conversation().deciding() != nullptr;
+  if (plays) state_->end_watching();
+  return plays;
+}
+
 bool App::command(std::string_view name) {
   State& s = *state_;
   if (!s.session) return false;
-  if (s.session->deciding() != nullptr) return s.end_watching(), true;
+  if (end_playing()) return true;
   if (s.cover && s.cover->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   if (s.view->command(*s.session, name)) return s.settle = std::max(s.settle, 1), true;
   constexpr std::string_view kTurn = "turn:";
   if (name == "pass_questions") return lesson::pass_questions(*s.session), s.playing = false, true;
   if (name == "reveal_answer") return lesson::reveal_answer(*s.session), s.playing = false, true;
-  const int step = s.session->step();
+  const int step = s.session->player().step();
   const auto turn = [&](std::string_view part) {
-    for (const lesson::Switch& one : s.session->switches())
-      if (one.name == part) return s.session->toggle(one);
+    for (const lesson::Switch& one : s.session->player().switches())
+      if (one.name == part) return s.session->player().toggle(one);
     return false;
   };
   const bool done = name.starts_with(kTurn)
                         ? turn(name.substr(kTurn.size()))
                         : s.player(name) || s.edit(name) || s.select(name) || s.look_around(name) || s.move(name);
-  if (s.covered() && (s.playing || s.session->step() != step)) s.cover->show(false);  // a step is shown on the stage
+  if (s.covered() && (s.playing || s.session->player().step() != step))
+    s.cover->show(false);  // a step is shown on the stage
   if (done) s.settle = std::max(s.settle, 1);
   if (done && name == "commit_answer") s.decide_by_measuring();
   return done;
@@ -493,32 +505,32 @@ bool App::command(std::string_view name) {
 
 bool App::pick_choice(int choice) {
   if (!state_->session) return false;
-  const bool done = state_->session->pick({lesson::Answer::Kind::kChoice, choice});
+  const bool done = state_->session->conversation().pick({lesson::Answer::Kind::kChoice, choice});
   if (done) state_->decide_by_measuring();
   return done;
 }
 
 std::string_view App::command_of_key(std::string_view key, bool shift, bool control) const {
   if (state_->session && !control) {
-    if (state_->session->deciding() != nullptr) return "continue";  // any key ends it
-    if (key == "Enter" && state_->session->picked() != nullptr) return "commit_answer";
+    if (key == "Enter" && state_->session->conversation().picked() != nullptr) return "commit_answer";
     if (state_->sitting && key == "Backspace") return "take_back";
     if (state_->sitting && (key == "h" || key == "H")) return "hint";
     if (state_->sitting && (key == "r" || key == "R")) return "other_run";
-    if (key == "Escape" && state_->session->at_summary()) return "close_summary";
+    if (key == "Escape" && state_->session->conversation().at_summary()) return "close_summary";
   }
   if (const std::string_view own = state_->cover ? state_->cover->command_of_key(key) : ""; !own.empty() && !control)
     return own;
   const Stage& stage = state_->stage;
   // After a drag the arrows step; with Shift they move what it left selected.
   const bool little = shift && key.starts_with("Arrow") && stage.selected() != kNoIndex && state_->session &&
-                      state_->session->asked() == nullptr && state_->session->may_move(stage.selected());
+                      state_->session->conversation().asked() == nullptr &&
+                      state_->session->stage().may_move(stage.selected());
   return command_for(key, shift, control, stage.arrows_move() || little);
 }
 
 Index App::selected() const { return state_->stage.selected(); }
 void App::select(Index point) {
-  const bool valid = state_->session && point >= 0 && point < state_->session->size();
+  const bool valid = state_->session && point >= 0 && point < state_->session->stage().subject().size();
   state_->stage.select(valid ? point : kNoIndex);
   state_->settle = std::max(state_->settle, 1);
 }
@@ -536,7 +548,7 @@ bool App::look_from(const std::vector<double>& view) {
 std::string_view App::lit() const { return state_->stage.lit(); }
 std::vector<std::string_view> App::marks_in_hand() const {
   const Index hovered = state_->stage.hovered();
-  if (!state_->session || hovered == kNoIndex || hovered >= state_->session->size()) return {};
+  if (!state_->session || hovered == kNoIndex || hovered >= state_->session->stage().subject().size()) return {};
   return lesson::marks_at(*state_->session, hovered);
 }
 void App::invite(int followed) {
@@ -570,7 +582,7 @@ void App::frame(const Layout& layout, double now) {
   const lesson::WithDecimals wished(s.session->lesson().view.decimals);
   const ImGuiIO& io = ImGui::GetIO();
   const auto any = [](const bool(&of)[5]) { return std::any_of(std::begin(of), std::end(of), std::identity{}); };
-  if (any(io.MouseClicked) && s.session->deciding() != nullptr) s.end_watching(), s.press_ends = true;
+  if (any(io.MouseClicked) && end_playing()) s.press_ends = true;
   const auto shows = [](const Rect& rect) { return rect.width >= 1 && rect.height >= 1; };
   // The timeline and the stage change the session; the inspector comes last, with the figures of the same frame.
   if (shows(layout.timeline)) {
@@ -639,7 +651,7 @@ bool App::wants_frame(double now) const {
 double App::seconds_until_due(double now) const { return wants_frame(now) ? 0 : seconds_until_step(now); }
 
 double App::seconds_until_step(double now) const {
-  if (state_->session && state_->session->deciding() != nullptr && !state_->playing) return 0;
+  if (state_->session && state_->session->conversation().deciding() != nullptr && !state_->playing) return 0;
   return state_->playing ? std::max(0.0, state_->next_step_at - now) : std::numeric_limits<double>::infinity();
 }
 
@@ -649,7 +661,7 @@ void App::note_words(std::vector<DrawnWords>* drawn, bool apart) {
 long App::frames_drawn() const { return state_->frames; }
 std::string App::caption() const {
   if (state_->covered()) return state_->cover->caption(*state_->session);
-  return state_->session ? state_->session->caption() : std::string();
+  return state_->session ? state_->session->telling().caption() : std::string();
 }
 std::vector<PanelWords> App::panel_words() const {
   if (!state_->session || state_->covered()) return {};

@@ -55,7 +55,7 @@ struct Platform {
   double (*clock)() = nullptr;
   /// How long one run may take on the growth chart, ns: a page must not delay a frame, a window may for a moment.
   double longest_run = 12e6;
-  /// Whether an edit that takes long goes in pieces, which the door goes on with between frames (Session::go_on).
+  /// Whether an edit that takes long goes in pieces, which the door goes on with between frames (Stage::go_on).
   bool gives_way = false;
   /// Describes this program and machine for measurements; what was measured and the clock's step are added here.
   cost::Provenance here;
@@ -116,7 +116,7 @@ class App {
   /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.
   void keep_answers(const std::string& lesson, lesson::KeptAnswers answers);
   void forget_answers();
-  /// Loads a file's points into the open lesson. Errors: those of Session::load and of the cover.
+  /// Loads a file's points into the open lesson. Errors: those of Stage::load and of the cover.
   tl::expected<void, InputError> load(const io::PointFile& file, std::string_view name);
   /// The name of the open lesson's subject, as in app/subjects; "" before the first open.
   [[nodiscard]] std::string_view subject() const;
@@ -136,6 +136,9 @@ class App {
   /// The fonts and palette of the last frame, for a door that draws more (app/look.hpp).
   [[nodiscard]] const Look& look() const;
 
+  /// While the way to an outcome is played, any press ends that and does nothing else: a click and a command see to it
+  /// themselves, a door's keys by this. Returns false if none is played.
+  bool end_playing();
   /// Runs the command of a button or key. Names: those of the cover and of the panels' buttons, and first back step
   /// play last next_mark previous_mark faster slower undo redo add_point delete_point push scatter reset_points
   /// reset_view skip_question commit_answer select_next select_previous select_none move_left move_right move_up
@@ -143,15 +146,15 @@ class App {
   /// orbit_left orbit_right orbit_up orbit_down toggle_optimum watch_outcome continue show_answer close_summary;
   /// predict_again, which forgets the lesson's answers and starts it over; practise, which asks on another example;
   /// review:QUESTION, which shows its outcome again; in an exercise hint, which takes the next one, and take_back;
-  /// other_run, which at its end changes between the student's run and the right one; and
-  /// turn:EFFECT, which does with an effect of the scene what Session::toggle does. push lets the selected body of a
-  /// scene hop. At a question, next_mark and step announce that a second press skips it, because a clicker has no other
-  /// key. At an outcome, they, play and commit_answer continue. While the way to an outcome is played, any command ends
-  /// that. watch_outcome goes back to the question and plays up to the outcome; it fails if no steps lie between.
-  /// Returns false if the name is unknown or the command impossible now (undo with nothing to undo).
+  /// other_run, which at its end changes between the student's run and the right one; and turn:EFFECT, which does with
+  /// an effect of the scene what Player::toggle does. push lets the selected body of a scene hop. At a question,
+  /// next_mark and step announce that a second press skips it, because a clicker has no other key. At an outcome, they,
+  /// play and commit_answer continue. watch_outcome goes back to the question and plays up to the outcome; it fails if
+  /// no steps lie between. Returns false if the name is unknown or the command impossible now (undo with nothing to
+  /// undo).
   bool command(std::string_view name);
-  /// Chooses an answer to the open question by its number, as Session::pick does. Where the last prediction about a
-  /// cover was given, by this or by a command, measuring begins: it is what decides it.
+  /// Chooses an answer to the open question by its number, as Conversation::pick does. Where the last prediction about
+  /// a cover was given, by this or by a command, measuring begins: it is what decides it.
   bool pick_choice(int choice);
   /// The command of a key, as the browser names keys ("ArrowRight", "PageDown", " ", "Home", "z"); empty for none.
   /// Arrow keys move the selected point if it was selected by a key, by select() or by a click without a drag.

@@ -44,7 +44,9 @@ ImVec2 side_of(const Brush& brush, const std::vector<Beside>& all, const Beside&
 
 }  // namespace
 
-bool has_beside(const lesson::Session& session) { return session.lesson().beside != nullptr && session.is_own(); }
+bool has_beside(const lesson::Session& session) {
+  return session.lesson().beside != nullptr && session.stage().is_own();
+}
 
 fit::Sphere3 ball_with_beside(const lesson::Session& session, const fit::Sphere3& shown) {
   constexpr double kMost = 3;  // what is farther off would leave the rest too small to see

@@ -29,7 +29,7 @@ void draw_knob(Brush& brush, const Point3& foot, const Point3& knob, bool turns)
 void draw_knobs(Brush& brush, const lesson::BoxPair& pair, int i) {
   for (int axis = 0; axis < pair.dim - 1; ++axis) {
     const Index knob = lesson::index_of(pair, {lesson::BoxHandle::Kind::kTurn, i, axis});
-    if (!brush.session.may_move(knob)) continue;
+    if (!brush.session.stage().may_move(knob)) continue;
     draw_knob(brush, lesson::beyond_face(pair, i, axis, 0), lesson::at_place(pair, knob), true);
   }
 }

@@ -66,7 +66,7 @@ struct Brush {
 
 /// Whether the open question is answered on the stage.
 [[nodiscard]] inline bool answered_on_stage(const lesson::Session& session) {
-  return session.asked() != nullptr && session.asked()->on_stage;
+  return session.conversation().asked() != nullptr && session.conversation().asked()->on_stage;
 }
 
 /// Whether a name consists of plus and minus signs, like a vertex's; a halo would make it unreadable.

@@ -104,11 +104,11 @@ float room_above(float words) { return 2 * kPanelMargin + kNarrowWidth * kPanelA
 std::optional<std::array<Point3, 2>> ends_of(const lesson::StagePlace& place, const SubjectView& view,
                                              const lesson::Session& session) {
   if (place.is_gap()) {
-    const lesson::HasVolumes* const own = session.subject().with_volumes();
+    const lesson::HasVolumes* const own = session.stage().subject().with_volumes();
     return own != nullptr ? own->gap() : std::nullopt;
   }
   if (place.handle.empty()) return std::array{Point3(place.at), Point3(place.at)};
-  const auto handle = lesson::handle_named(session.subject(), place.handle);
+  const auto handle = lesson::handle_named(session.stage().subject(), place.handle);
   if (!handle) return std::nullopt;
   const Point3 at = view.place_of(session, *handle);
   return std::array{at, at};

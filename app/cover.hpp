@@ -89,7 +89,7 @@ class Cover {
   virtual std::optional<tl::expected<void, InputError>> lay_over(lesson::Session& session, std::string_view text,
                                                                  std::string_view name) = 0;
 
-  /// Loads a file's points. Errors: those of Session::load.
+  /// Loads a file's points. Errors: those of Stage::load.
   virtual tl::expected<void, InputError> load(lesson::Session& session, const io::PointFile& file,
                                               std::string_view name) = 0;
   /// Continues its work for budget nanoseconds, or by one indivisible piece.

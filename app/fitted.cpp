@@ -29,10 +29,10 @@ void draw_radius(Brush& brush, const Shown& shown, const fit::Sphere3& ball) {
   Point3 rim = ball.center + canvas.camera.right() * ball.radius;
   double best = -2;
   for (const Index i : shown.support) {
-    const Point3 way = brush.session.point(i) - ball.center;
+    const Point3 way = brush.session.stage().subject().at(i) - ball.center;
     const double right = way.dot(canvas.camera.right()) / ball.radius;
     if (std::abs(way.norm() - ball.radius) < 0.02 * ball.radius && right > best)
-      best = right, rim = brush.session.point(i);
+      best = right, rim = brush.session.stage().subject().at(i);
   }
   draw_line(canvas, ball.center, rim, {Stroke::kSolid, p.current, brush.stroke(0.65f)});
   const ImVec2 end = brush.at(rim);
@@ -74,7 +74,8 @@ void draw_compared(Brush& brush, const Shown& shown) {
     draw_volume(canvas, *shown.rival, {Stroke::kLongDashed, p.previous, brush.stroke(), dim == 3 ? 0.03f : 0.0f});
     if (fit::size_of(*shown.rival, dim) > 0)
       brush.label(brush.at(top_of(canvas.camera, *shown.rival, -0.5)), 6, {-0.6f, -1},
-                  lesson::title_in(brush.session.lesson(), *brush.session.method(1)) + ": " + size(*shown.rival),
+                  lesson::title_in(brush.session.lesson(), *brush.session.player().method(1)) + ": " +
+                      size(*shown.rival),
                   p.previous_text);
   }
   if (!shown.optimum) return;

@@ -115,18 +115,19 @@ constexpr std::array<std::string_view, 16> kCompared{
 
 /// Whether another method stands beside the main one, and not the same once more.
 bool has_another_beside(const lesson::Session& session) {
-  return session.method(1) != nullptr && session.method(1) != session.method(0);
+  return session.player().method(1) != nullptr && session.player().method(1) != session.player().method(0);
 }
 
 }  // namespace
 
 std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
   if (!has_another_beside(session)) return {};
-  const std::string step = std::to_string(session.step_of(1)) + " of " + std::to_string(session.run(1).steps());
+  const std::string step =
+      std::to_string(session.player().step_of(1)) + " of " + std::to_string(session.player().run(1).steps());
   std::string word(session.lesson().subject->step_word);
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
-  std::vector<lesson::Figure> figures{{word, "step", step, static_cast<double>(session.step_of(1)), ""}};
-  for (lesson::Figure& figure : session.figures(1))
+  std::vector<lesson::Figure> figures{{word, "step", step, static_cast<double>(session.player().step_of(1)), ""}};
+  for (lesson::Figure& figure : session.telling().figures(1))
     if (std::find(kCompared.begin(), kCompared.end(), figure.key) != kCompared.end())
       figures.push_back(std::move(figure));
   return figures;
@@ -134,7 +135,7 @@ std::vector<lesson::Figure> figures_beside(const lesson::Session& session) {
 
 float draw_inspector(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect) {
   Column column(look, rect);
-  if (const auto figures = session.figures(); !figures.empty()) {
+  if (const auto figures = session.telling().figures(); !figures.empty()) {
     column.heading(view.figures_are(session));
     for (const lesson::Figure& figure : figures)
       if (!view.in_panels(figure)) column.figure(figure);
@@ -145,28 +146,29 @@ float draw_inspector(const Look& look, lesson::Session& session, const SubjectVi
   const float own = column.height(rect);
 
   if (has_another_beside(session)) {
-    column.heading("Compared: " + lesson::title_in(session.lesson(), *session.method(1)));
+    column.heading("Compared: " + lesson::title_in(session.lesson(), *session.player().method(1)));
     for (const lesson::Figure& figure : figures_beside(session)) column.figure(figure);
     column.gap(look.px(28));
   }
 
-  if (session.rivals().size() > 1) {
+  if (session.player().rivals().size() > 1) {
     column.heading(lesson::kComparedWord);
     double widest = 0;
-    for (const auto& rival : session.rivals()) widest = std::max(widest, rival.size);
-    for (const auto& rival : session.rivals()) {
-      const bool chosen = rival.method == session.method(0);
+    for (const auto& rival : session.player().rivals()) widest = std::max(widest, rival.size);
+    for (const auto& rival : session.player().rivals()) {
+      const bool chosen = rival.method == session.player().method(0);
       column.rival(lesson::title_in(session.lesson(), *rival.method), rival, widest * 1.08, chosen,
-                   rival.method == session.method(1), session.hides_result(*rival.method));
+                   rival.method == session.player().method(1), session.telling().hides_result(*rival.method));
     }
     column.gap(look.px(20));
   }
 
-  const bool at_end = session.step() == session.steps();
-  column.proofs(at_end ? "Proof" : "Proof so far", session.proofs());
+  const bool at_end = session.player().step() == session.player().steps();
+  column.proofs(at_end ? "Proof" : "Proof so far", session.player().proofs());
   if (has_another_beside(session))
-    column.proofs((at_end ? "Proof: " : "Proof so far: ") + lesson::title_in(session.lesson(), *session.method(1)),
-                  session.proofs(1));
+    column.proofs((at_end ? "Proof: " : "Proof so far: ") +
+                      lesson::title_in(session.lesson(), *session.player().method(1)),
+                  session.player().proofs(1));
   column.finish();
   fade_foot(ImGui::GetWindowDrawList(), rect, look->panel);
   return own;

@@ -19,10 +19,12 @@ std::vector<PanelBar> bars_of_methods(const lesson::Session& session, std::strin
   std::vector<PanelBar> bars;
   for (const std::string& name : session.lesson().algorithms) {
     const lesson::Method& method = *lesson::find_method(session.lesson(), name);
-    PanelBar one{
-        lesson::title_in(session.lesson(), method), {}, &method == session.method(0), &method == session.method(1)};
-    if (lesson::may_tell_result(session, method, key))
-      for (const lesson::Figure& figure : session.result(method))
+    PanelBar one{lesson::title_in(session.lesson(), method),
+                 {},
+                 &method == session.player().method(0),
+                 &method == session.player().method(1)};
+    if (lesson::may_tell_result(session.conversation(), method, key))
+      for (const lesson::Figure& figure : session.player().result(method))
         if (figure.key == key && figure.known) one.value = figure.value;
     bars.push_back(std::move(one));
   }

@@ -36,7 +36,7 @@ void draw_examined(Brush& brush, const Shown& shown, bool marked) {
 }
 
 PointNames::PointNames(Brush& on, const Point3& middle)
-    : brush(on), named_(on.session.size(), false), middle_(on.at(middle)) {}
+    : brush(on), named_(on.session.stage().subject().size(), false), middle_(on.at(middle)) {}
 
 void PointNames::name(Index i, std::string words, Color color, Face face, float gap, float size, bool optional) {
   if (i == kNoIndex || named_[i]) return;
@@ -49,7 +49,7 @@ void PointNames::name(Index i, std::string words, Color color, Face face, float 
 
 void PointNames::plain(Index i) {
   if (i == kNoIndex) return;
-  name(i, brush.session.name_of(i), brush.p.support_text, Face::kSemiBold, 11 * brush.p.mark);
+  name(i, brush.session.stage().subject().name_of(i), brush.p.support_text, Face::kSemiBold, 11 * brush.p.mark);
 }
 
 void PointNames::plain(const std::vector<Index>& all) {
@@ -60,7 +60,7 @@ void PointNames::plain(const std::vector<Index>& all) {
 
 void PointNames::on_plate(Index i) {
   if (i == kNoIndex || named_[i]) return;
-  name(i, brush.session.name_of(i), brush.p.ink, Face::kSemiBold, 11 * brush.p.mark, 13);
+  name(i, brush.session.stage().subject().name_of(i), brush.p.ink, Face::kSemiBold, 11 * brush.p.mark, 13);
   brush.labels.back().plate = true;
 }
 

@@ -16,17 +16,18 @@ std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& 
 }
 
 void show_outcome(Shown& shown, const lesson::Session& session) {
-  if (const lesson::Answer* tried = session.tried()) shown.guessed_wrong = handles_of(*session.asked(), *tried);
-  const lesson::Outcome* outcome = session.outcome();
+  if (const lesson::Answer* tried = session.conversation().tried())
+    shown.guessed_wrong = handles_of(*session.conversation().asked(), *tried);
+  const lesson::Outcome* outcome = session.conversation().outcome();
   if (outcome == nullptr || outcome->skipped) return;
-  for (const lesson::Asked& asked : session.questions()) {
+  for (const lesson::Asked& asked : session.conversation().questions()) {
     if (asked.question->id != outcome->question) continue;
     const std::vector<Index> given = handles_of(asked, outcome->given);
     if (!outcome->right) shown.guessed_wrong = given;
     // If several answers are right, marks the one that was given; after a wrong one, marks the right one on request.
     if (outcome->right && !given.empty()) shown.right = given;
-    else if (outcome->right || session.answer_shown())
-      shown.right = handles_of(asked, lesson::model_answer(asked, session.run(0)));
+    else if (outcome->right || session.conversation().answer_shown())
+      shown.right = handles_of(asked, lesson::model_answer(asked, session.player().run(0)));
   }
 }
 
@@ -34,21 +35,23 @@ void show_outcome(Shown& shown, const lesson::Session& session) {
 
 Shown shown_at(const lesson::Session& session) {
   Shown shown;
-  const fit::Volume3* rival = session.method(1) != session.method(0) ? session.volume(1) : nullptr;
+  const fit::Volume3* rival =
+      session.player().method(1) != session.player().method(0) ? session.player().volume(1) : nullptr;
   if (rival != nullptr) shown.rival = *rival;
-  if (session.step() > 0) {
-    if (const fit::Volume3* own = session.volume(0)) shown.volume = *own;
-    shown.support = session.support(0);
-    shown.finished = session.step() == session.steps();
+  if (session.player().step() > 0) {
+    if (const fit::Volume3* own = session.player().volume(0)) shown.volume = *own;
+    shown.support = session.player().support(0);
+    shown.finished = session.player().step() == session.player().steps();
   }
   show_outcome(shown, session);
   // An exact method's result is the optimum, so no second run is needed.
-  if (shown.finished && session.method(0)->exact) shown.optimum = shown.volume;
+  if (shown.finished && session.player().method(0)->exact) shown.optimum = shown.volume;
   return shown;
 }
 
 std::vector<Index> named_now(const lesson::Session& session) {
-  return session.step() > 0 ? session.run(0).handles(session.step() - 1) : std::vector<Index>();
+  return session.player().step() > 0 ? session.player().run(0).handles(session.player().step() - 1)
+                                     : std::vector<Index>();
 }
 
 }  // namespace snug::app

@@ -33,7 +33,8 @@ float radius_for(Index points, bool has_surface) {
 Camera camera_of(const lesson::Session& session) {
   constexpr double kDegree = std::numbers::pi / 180;
   const auto& angles = session.lesson().view.camera;
-  return angles ? Camera(session.dim(), (*angles)[0] * kDegree, (*angles)[1] * kDegree) : Camera(session.dim());
+  return angles ? Camera(session.stage().subject().dim(), (*angles)[0] * kDegree, (*angles)[1] * kDegree)
+                : Camera(session.stage().subject().dim());
 }
 
 std::array<float, 16> matrix_of(const Camera& camera, const Frame& frame) {
@@ -73,7 +74,7 @@ void Stage::open(const lesson::Session& session, SubjectView& view) {
   has_close_up_ = session.lesson().view.inset.has_value();
   camera_ = camera_of(session);
   framed_ball_ = aimed_at(session);
-  situation_ = session.situation();
+  situation_ = session.stage().situation();
   seen_ = session.revision() - 1;
 }
 
@@ -83,9 +84,9 @@ void Stage::open_anew(const lesson::Session& session, SubjectView& view) {
   const std::string situation = situation_;
   open(session, view);
   situation_ = situation;  // the session may stand in another one, in which that handle is not selected
-  camera_kept_ = !camera.framed() && camera.dim() == session.dim();
+  camera_kept_ = !camera.framed() && camera.dim() == session.stage().subject().dim();
   if (camera_kept_) camera_ = camera.with_home_of(camera_);
-  if (hands.selected < session.size()) hands_.selected = hands.selected, hands_.arrows = hands.arrows;
+  if (hands.selected < session.stage().subject().size()) hands_.selected = hands.selected, hands_.arrows = hands.arrows;
 }
 
 void Stage::reset_view(const lesson::Session& session) {
@@ -103,7 +104,7 @@ void Stage::reset_view(const lesson::Session& session) {
 }
 
 bool Stage::look_from(const lesson::Session& session, const std::vector<double>& view) {
-  Camera camera = camera_.dim() == session.dim() ? camera_ : camera_of(session);
+  Camera camera = camera_.dim() == session.stage().subject().dim() ? camera_ : camera_of(session);
   if (!camera.look_from(view)) return false;
   camera_ = camera;
   camera_kept_ = scene_.points.empty();
@@ -163,7 +164,7 @@ void Stage::ease_foot(const Look& look, double dt) {
 
 /// Updates what changed in the session since the last frame.
 void Stage::sync(const lesson::Session& session, const Settings& settings) {
-  if (camera_.dim() != session.dim()) {
+  if (camera_.dim() != session.stage().subject().dim()) {
     const Rect stage = camera_.stage();
     camera_ = camera_of(session);
     set_room(stage, settings);
@@ -179,7 +180,7 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
   seen_ = session.revision();
   seen_in_frame_ = in_frame;
   seen_optimum_ = settings.show_optimum;
-  view_->refresh(session, settings.show_optimum && !session.predicting());
+  view_->refresh(session, settings.show_optimum && !session.telling().predicting());
   if (!view_->can_move(session)) hands_.arrows = false;
   if (first) {
     framed_ball_ = aimed_at(session);
@@ -189,20 +190,20 @@ void Stage::sync(const lesson::Session& session, const Settings& settings) {
       camera_.frame(framed_ball_, true);
     }
   }
-  const bool elsewhere = std::exchange(situation_, session.situation()) != session.situation();
+  const bool elsewhere = std::exchange(situation_, session.stage().situation()) != session.stage().situation();
   keep_framed(session, elsewhere);
-  const bool gone =
-      hands_.selected >= session.size() || (hands_.selected != kNoIndex && !view_->draws(session, hands_.selected));
+  const bool gone = hands_.selected >= session.stage().subject().size() ||
+                    (hands_.selected != kNoIndex && !view_->draws(session, hands_.selected));
   if (elsewhere || gone) select(kNoIndex);  // another handle would have its number
   upload_points(session);
 }
 
 void Stage::upload_points(const lesson::Session& session) {
   std::vector<Point3f> points;
-  points.reserve(session.size());
-  for (Index i = 0; i < session.size(); ++i)
+  points.reserve(session.stage().subject().size());
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
     if (view_->is_point(session, i)) points.push_back(frame_.to_stage(view_->place_of(session, i)));
-  const lesson::HasPoints* const own = session.subject().with_points();
+  const lesson::HasPoints* const own = session.stage().subject().with_points();
   const auto triangles = own != nullptr ? own->triangles() : std::span<const std::array<Index, 3>>();
   points_moved_ = points != scene_.points || triangles.size() != scene_.triangles.size();
   if (!points_moved_) return;
@@ -248,10 +249,10 @@ void Stage::keep_outline_framed(const lesson::Session& session) {
 }
 
 void Stage::project_points(const lesson::Session& session) {
-  screen_.resize(session.size());
+  screen_.resize(session.stage().subject().size());
   const bool surface = !scene_.normals.empty();
   const Point3f eye = surface ? frame_.to_stage(camera_.eye()) : Point3f::Zero();
-  for (Index i = 0; i < session.size(); ++i) {
+  for (Index i = 0; i < session.stage().subject().size(); ++i) {
     const std::size_t k = i;
     screen_[k] = camera_.project(view_->place_of(session, i));
     // A vertex on the far side of a closed surface can be neither seen nor picked.
@@ -294,11 +295,12 @@ void Stage::fill_scene(const Look& look, const Rect& rect, float point_radius, b
 
 /// The volume, possibly moving towards the step's volume.
 std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::Session& session, double now) {
-  const bool stepped = session.step() != seen_step_ && seen_run_ == session.method(0) && !points_moved_;
+  const bool stepped =
+      session.player().step() != seen_step_ && seen_run_ == session.player().method(0) && !points_moved_;
   const bool jump =
-      session.subject().frames() != nullptr || look.still || hands_.dragging || (!stepped && !motion_.moving());
-  seen_step_ = session.step();
-  seen_run_ = session.method(0);
+      session.stage().subject().frames() != nullptr || look.still || hands_.dragging || (!stepped && !motion_.moving());
+  seen_step_ = session.player().step();
+  seen_run_ = session.player().method(0);
   return motion_.at(view_->shown().volume, jump, now);
 }
 
@@ -306,9 +308,9 @@ std::optional<fit::Volume3> Stage::volume_drawn(const Look& look, const lesson::
 Stage::Taken Stage::taken_now(const Look& look, const lesson::Session& session, const Rect& rect) const {
   Taken taken{.inset_right = is_low(rect) ? inset_.x + inset_.width - rect.x : 0};
   if (inset_.width <= 0) taken.inset_right = 0;
-  if (camera_.dim() == session.dim()) taken.above = view_->room_of_inset(look, session, rect);
+  if (camera_.dim() == session.stage().subject().dim()) taken.above = view_->room_of_inset(look, session, rect);
   taken.wide_tools = look.tools_right > 0 || view_->local_frame(session) != nullptr ||
-                     (!view_->optimum_button().empty() && !session.predicting());
+                     (!view_->optimum_button().empty() && !session.telling().predicting());
   return taken;
 }
 
@@ -324,7 +326,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   if ((foot_ != foot || taken_ != taken) && camera_.framed() && framed_ball_.radius > 0)
     camera_.frame(framed_ball_, !camera_.moving());
   if (view_->take_room(rect, camera_.shape_of_room())) --seen_;  // it is framed anew
-  if (camera_.dim() == session.dim()) {
+  if (camera_.dim() == session.stage().subject().dim()) {
     project_points(session);
     take(session, look, rect);
   }
@@ -335,7 +337,7 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
   auto volume = volume_drawn(look, session, now);
 
   project_points(session);
-  const float radius = radius_for(lesson::count_of(session.subject()), !scene_.triangles.empty()) *
+  const float radius = radius_for(lesson::count_of(session.stage().subject()), !scene_.triangles.empty()) *
                        static_cast<float>(session.lesson().view.point_size);
   fill_scene(look, rect, radius, view_->shows_points(session));
   if (!settings.ground) scene_.ground = scene_.grid = 0;
@@ -363,9 +365,10 @@ void Stage::draw(const Look& look, Settings& settings, lesson::Session& session,
 
 /// Draws the lines that join the points in their order.
 void Stage::draw_outline(Brush& brush) {
-  if (!brush.session.lesson().view.outline || brush.session.subject().points() == nullptr) return;
+  if (!brush.session.lesson().view.outline || brush.session.stage().subject().points() == nullptr) return;
   std::vector<ImVec2> corners;
-  for (Index i = 0; i < lesson::count_of(brush.session.subject()); ++i) corners.push_back(brush.at(brush.point(i)));
+  for (Index i = 0; i < lesson::count_of(brush.session.stage().subject()); ++i)
+    corners.push_back(brush.at(brush.point(i)));
   path(brush.list, corners, true, Stroke::kSolid, with_alpha(brush.p.point, 0.8f), brush.stroke(0.6f));
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const ImVec2 a = corners[i], b = corners[(i + 1) % corners.size()];
@@ -386,7 +389,7 @@ void Stage::draw_picture(Brush& brush) const {
 
 std::optional<Handle> Stage::place_named(const lesson::Session& session, std::string_view name) const {
   for (std::size_t i = 0; i < screen_.size(); ++i)
-    if (screen_[i].visible && session.name_of(static_cast<Index>(i)) == name)
+    if (screen_[i].visible && session.stage().subject().name_of(static_cast<Index>(i)) == name)
       return Handle{std::string(name), screen_[i].x, screen_[i].y};
   return std::nullopt;
 }
@@ -395,8 +398,8 @@ std::vector<Handle> Stage::handles(const lesson::Session& session) const {
   std::vector<Handle> handles;
   if (!view_->can_move(session)) return handles;
   for (std::size_t i = 0; i < screen_.size(); ++i)
-    if (screen_[i].visible && (session.conduct().decides || session.may_move(static_cast<Index>(i))))
-      handles.push_back({session.name_of(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
+    if (screen_[i].visible && (session.stage().conduct().decides || session.stage().may_move(static_cast<Index>(i))))
+      handles.push_back({session.stage().subject().name_of(static_cast<Index>(i)), screen_[i].x, screen_[i].y});
   return handles;
 }
 

@@ -67,7 +67,7 @@ void Stage::draw_close_up(const Brush& brush, float top) {
   camera.magnify(close_up_->times, {close_up_->x, close_up_->y},
                  {picture.x + picture.width / 2, picture.y + picture.height / 2});
   std::vector<ScreenPoint> handles;
-  for (Index i = 0; i < brush.session.size(); ++i) {
+  for (Index i = 0; i < brush.session.stage().subject().size(); ++i) {
     handles.push_back(camera.project(brush.point(i)));
     if (!brush.handles[i].visible) handles.back().visible = false;
   }
@@ -99,7 +99,7 @@ void Stage::draw_in_close_up(Brush& close) const {
   view_->draw(close);
   const ImVec2 low = close.list->GetClipRectMin(), high = close.list->GetClipRectMax();
   const Rect seen{low.x - 9, low.y - 9, high.x - low.x + 18, high.y - low.y + 18};  // with the halves of points
-  for (Index i = 0; i < close.session.size(); ++i) {
+  for (Index i = 0; i < close.session.stage().subject().size(); ++i) {
     const ScreenPoint& handle = close.handles[i];
     if (handle.visible && view_->shows_points(close.session) && view_->is_point(close.session, i) &&
         inside(seen, {handle.x, handle.y}))

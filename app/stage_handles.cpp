@@ -60,8 +60,8 @@ void Stage::draw_handles(Brush& brush) const {
 void Stage::draw_invitation(Brush& brush) const {
   if (!answered_on_stage(brush.session)) return;
   const Palette& p = brush.p;
-  const std::vector<Index> targets = brush.session.targets();
-  const lesson::Answer* picked = brush.session.picked();
+  const std::vector<Index> targets = brush.session.conversation().targets();
+  const lesson::Answer* picked = brush.session.conversation().picked();
   for (const Index i : targets) {
     const ScreenPoint& point = brush.handles[i];
     const bool chosen = picked != nullptr && names_handle(*picked, i);
@@ -77,7 +77,7 @@ void Stage::draw_invitation(Brush& brush) const {
 void Stage::draw_verdict(Brush& brush) const {
   const Palette& p = brush.p;
   const auto badge = [&](Index i, bool right) {
-    if (i < 0 || i >= brush.session.size()) return;
+    if (i < 0 || i >= brush.session.stage().subject().size()) return;
     const ImVec2 point = brush.at(brush.point(i));
     const float away = 13 * p.mark, radius = 9 * p.mark;
     const ImVec2 at{point.x + away, point.y - away};
@@ -96,7 +96,7 @@ void Stage::draw_hovered(Brush& brush) const {
   const Palette& p = brush.p;
   const Shown& shown = view_->shown();
   const Index i = hands_.hovered;
-  if (i == kNoIndex || i >= brush.session.size()) return;
+  if (i == kNoIndex || i >= brush.session.stage().subject().size()) return;
   const ImVec2 at = brush.at(brush.point(i));
   if (among(shown.support, i)) diamond(brush.list, at, kDiamond * p.mark + 2, p.support, p.ground);
   else disc(brush.list, at, std::max(brush.point_radius, 3.0f) + 2, i == shown.examined ? p.examined : p.ink);
@@ -129,7 +129,7 @@ void Stage::draw_lit(Brush& brush) const {
 /// Draws the selected handle with its ring and, while it is dragged, its coordinates.
 void Stage::draw_selected(Brush& brush) const {
   const Palette& p = brush.p;
-  if (hands_.selected == kNoIndex || hands_.selected >= brush.session.size()) return;
+  if (hands_.selected == kNoIndex || hands_.selected >= brush.session.stage().subject().size()) return;
   const Point3 place = brush.point(hands_.selected);
   const ImVec2 at = brush.at(place);
   const float radius = std::max(brush.point_radius, 4.0f) + 6;
@@ -140,8 +140,8 @@ void Stage::draw_selected(Brush& brush) const {
   if (!hands_.dragging) return;
   // A finger covers what is below it, so the label is above.
   const bool finger = brush.look.fingers;
-  brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f}, coordinates(place, brush.session.dim()),
-              p.ink, Face::kMono, 13);
+  brush.label(at, radius + (finger ? 26 : 4), {0.3f, finger ? -1.0f : 1.0f},
+              coordinates(place, brush.session.stage().subject().dim()), p.ink, Face::kMono, 13);
   brush.labels.back().request.clear_of_points = true;
 }
 
@@ -151,27 +151,27 @@ void Stage::name_handles(Brush& brush) const {
   const lesson::Session& session = brush.session;
   PointNames names(brush, brush.volume ? ball_around(*brush.volume, brush.dim()).center : framed_ball_.center);
   view_->name_marks(names);
-  const lesson::Answer* picked = session.picked();
+  const lesson::Answer* picked = session.conversation().picked();
   if (picked != nullptr)
-    for (Index i = 0; i < session.size(); ++i)
-      if (names_handle(*picked, i)) names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+    for (Index i = 0; i < session.stage().subject().size(); ++i)
+      if (names_handle(*picked, i)) names.name(i, session.stage().subject().name_of(i), p.ink, Face::kSemiBold, 13);
   for (const Index i : {hands_.selected, hands_.hovered})
-    if (i != kNoIndex && i < session.size() && !view_->writes_name(session, i))
-      names.name(i, session.name_of(i), p.ink, Face::kSemiBold, 13);
+    if (i != kNoIndex && i < session.stage().subject().size() && !view_->writes_name(session, i))
+      names.name(i, session.stage().subject().name_of(i), p.ink, Face::kSemiBold, 13);
   if (!lit_.empty())
     for (const Index i : lesson::marked_handles(session, lit_))
       if (view_->draws(session, i) && !view_->writes_name(session, i))
-        names.name(i, session.name_of(i), p.current_text, Face::kSemiBold, 13);
+        names.name(i, session.stage().subject().name_of(i), p.current_text, Face::kSemiBold, 13);
   names.plain(view_->shown().spoken_of);
-  if (session.size() > kNameAll) return;
+  if (session.stage().subject().size() > kNameAll) return;
   const bool all = session.lesson().view.named;
   const bool asked = answered_on_stage(session), alone = asked && view_->names_answers_alone();
-  const std::vector<Index> targets = alone || (asked && !all) ? session.targets() : std::vector<Index>{};
-  for (Index i = 0; i < session.size(); ++i) {
+  const std::vector<Index> targets = alone || (asked && !all) ? session.conversation().targets() : std::vector<Index>{};
+  for (Index i = 0; i < session.stage().subject().size(); ++i) {
     const bool must = among(targets, i);  // the possible answers are always named
     if (!view_->draws(session, i) || !view_->bears_name(session, i) || ((alone || !all) && !must)) continue;
-    const bool signs = is_of_signs(session.name_of(i));  // signs are thin strokes on a volume's fill
-    names.name(i, session.name_of(i),
+    const bool signs = is_of_signs(session.stage().subject().name_of(i));  // signs are thin strokes on a volume's fill
+    names.name(i, session.stage().subject().name_of(i),
                must    ? p.current_text
                : signs ? p.ink
                        : p.muted,

@@ -35,14 +35,16 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   if (over && view_->can_move(session) && !answered_on_stage(session) && hands_.hovered == kNoIndex && !travelled_ &&
       ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     const Point3 at = camera_.unproject(io.MousePos.x, io.MousePos.y, camera_.view().target);
-    if (session.add(at)) hands_.selected = lesson::count_of(session.subject()) - 1, hands_.arrows = false;
+    if (session.stage().add(at))
+      hands_.selected = lesson::count_of(session.stage().subject()) - 1, hands_.arrows = false;
   }
 }
 
 /// The handle that a tap at a place means; while a question is answered on the stage, only possible answers.
 Index Stage::meant_at(const lesson::Session& session, float x, float y, float reach) const {
-  if (!answered_on_stage(session) || session.asked()->stage_points.empty()) return pick(screen_, x, y, reach);
-  const std::vector<Index> targets = session.targets();
+  if (!answered_on_stage(session) || session.conversation().asked()->stage_points.empty())
+    return pick(screen_, x, y, reach);
+  const std::vector<Index> targets = session.conversation().targets();
   std::vector<ScreenPoint> places;
   for (const Index i : targets) places.push_back(screen_[i]);
   const Index found = pick(places, x, y, reach);
@@ -52,8 +54,8 @@ Index Stage::meant_at(const lesson::Session& session, float x, float y, float re
 /// The handle that a press at a place would drag.
 Index Stage::grabbed(const lesson::Session& session, const Look& look, float x, float y) const {
   if (!view_->can_move(session)) return kNoIndex;
-  const Index found = grab(screen_, session.dim() == 3, hands_.selected, x, y, look.fingers);
-  return found != kNoIndex && session.may_move(found) ? found : kNoIndex;
+  const Index found = grab(screen_, session.stage().subject().dim() == 3, hands_.selected, x, y, look.fingers);
+  return found != kNoIndex && session.stage().may_move(found) ? found : kNoIndex;
 }
 
 void Stage::press(lesson::Session& session, const Look& look) {
@@ -67,7 +69,7 @@ void Stage::press(lesson::Session& session, const Look& look) {
   tapped_ = means_points ? meant_at(session, press_x_, press_y_, reach) : kNoIndex;
   if (means_points && tapped_ == kNoIndex) tapped_ = pick(screen_, press_x_, press_y_, reach);
   pressed_ = means_points ? grabbed(session, look, press_x_, press_y_) : kNoIndex;
-  panning_ = !left || io.KeyShift || session.dim() == 2;
+  panning_ = !left || io.KeyShift || session.stage().subject().dim() == 2;
   if (pressed_ == kNoIndex) return;
   const ScreenPoint& point = screen_[pressed_];
   grab_x_ = point.x - press_x_, grab_y_ = point.y - press_y_;
@@ -87,21 +89,21 @@ void Stage::drag(lesson::Session& session) {
     return;
   }
   if (begins) {
-    session.begin_drag();
+    session.stage().begin_drag();
     hands_.dragging = true;
     hands_.selected = pressed_;  // shows its numbers; the arrow keys still step the player
     hands_.arrows = false;
   }
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !begins) return;
-  const Point3 at = shown_at(session, session.point(pressed_));
+  const Point3 at = shown_at(session, session.stage().subject().at(pressed_));
   const Point3 to = camera_.unproject(io.MousePos.x + grab_x_, io.MousePos.y + grab_y_, at);
   // If refused, beyond the largest coordinate, the point stays.
-  static_cast<void>(session.move(pressed_, meant_by(session, to)));
+  static_cast<void>(session.stage().move(pressed_, meant_by(session, to)));
 }
 
 void Stage::release(lesson::Session& session) {
   if (hands_.dragging) {
-    session.end_drag();
+    session.stage().end_drag();
     seen_ = session.revision() - 1;  // the view may follow now
   } else if (!travelled_) {
     tap(session);
@@ -114,17 +116,18 @@ void Stage::release(lesson::Session& session) {
 /// keys then move the point only if no question is open; otherwise they still step.
 void Stage::tap(lesson::Session& session) {
   if (answered_on_stage(session)) {
-    if (tapped_ != kNoIndex) static_cast<void>(session.pick({lesson::Answer::Kind::kPoint, tapped_}));
+    if (tapped_ != kNoIndex) static_cast<void>(session.conversation().pick({lesson::Answer::Kind::kPoint, tapped_}));
     hands_.selected = kNoIndex;
     return;
   }
-  if (tapped_ != kNoIndex && session.asked() == nullptr && session.push(tapped_)) {  // where it cannot be moved
+  if (tapped_ != kNoIndex && session.conversation().asked() == nullptr &&
+      session.player().push(tapped_)) {  // where it cannot be moved
     hands_.selected = kNoIndex;
     return;
   }
   hands_.selected = tapped_;
-  hands_.arrows =
-      tapped_ != kNoIndex && session.asked() == nullptr && view_->can_move(session) && session.may_move(tapped_);
+  hands_.arrows = tapped_ != kNoIndex && session.conversation().asked() == nullptr && view_->can_move(session) &&
+                  session.stage().may_move(tapped_);
 }
 
 void Stage::steer_camera() {
@@ -149,11 +152,12 @@ Point3 Stage::meant_by(const lesson::Session& session, const Point3& shown) cons
 }
 
 bool Stage::nudge(lesson::Session& session, int right, int up, int away, bool fine) {
-  if (hands_.selected == kNoIndex || !view_->can_move(session) || (away != 0 && session.dim() == 2)) return false;
-  const Point3 from = shown_at(session, session.point(hands_.selected));
+  if (hands_.selected == kNoIndex || !view_->can_move(session) || (away != 0 && session.stage().subject().dim() == 2))
+    return false;
+  const Point3 from = shown_at(session, session.stage().subject().at(hands_.selected));
   const double step = nice_at_least(kNudgePixels / camera_.scale_at(from)) * (fine ? 0.1 : 1);
   const Point3 by = camera_.right() * right + camera_.up() * up + camera_.forward() * away;
-  return session.move(hands_.selected, meant_by(session, from + by * step)).has_value();
+  return session.stage().move(hands_.selected, meant_by(session, from + by * step)).has_value();
 }
 
 bool Stage::add_point(lesson::Session& session) {
@@ -162,14 +166,14 @@ bool Stage::add_point(lesson::Session& session) {
   const bool over = view_->can_move(session) && mouse.x >= stage.x && mouse.y >= stage.y &&
                     mouse.x < stage.x + stage.width && mouse.y < stage.y + stage.height;
   const Point3 at = over ? camera_.unproject(mouse.x, mouse.y, camera_.view().target) : Point3(camera_.view().target);
-  if (!session.add(at)) return false;
-  hands_.selected = lesson::count_of(session.subject()) - 1;
+  if (!session.stage().add(at)) return false;
+  hands_.selected = lesson::count_of(session.stage().subject()) - 1;
   hands_.arrows = false;
   return true;
 }
 
 bool Stage::delete_point(lesson::Session& session) {
-  if (hands_.selected == kNoIndex || !session.remove(hands_.selected)) return false;
+  if (hands_.selected == kNoIndex || !session.stage().remove(hands_.selected)) return false;
   hands_.selected = kNoIndex;
   return true;
 }

@@ -89,7 +89,7 @@ void Stage::draw_tools(Brush& brush, Settings& settings, float y, float height) 
   right -= height + 8;
 
   // A cover's button takes its place.
-  if (!view_->optimum_button().empty() && !brush.session.predicting() && look.tools_right == 0)
+  if (!view_->optimum_button().empty() && !brush.session.telling().predicting() && look.tools_right == 0)
     draw_toggle(brush, settings, right, y, height);
   if (LocalFrame* const frame = view_->local_frame(brush.session)) {
     const std::string id(frame->button());
@@ -132,7 +132,7 @@ void Stage::draw_notes(Brush& brush, Settings& settings) {
     keep_free(brush.canvas.obstacles,
               {brush.rect.x, brush.rect.y + brush.rect.height - look.foot, brush.rect.width, look.foot});
   else if (settings.prose_in_canvas)
-    sentence = draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.caption());
+    sentence = draw_sentence(brush.list, look, brush.canvas.obstacles, brush.rect, brush.session.telling().caption());
   else if (is_wide(brush.rect)) keep_free(brush.canvas.obstacles, sentence_of_page(look, brush.rect));
   if (camera_.dim() == 3) draw_axis_cross(brush, inset, sentence);
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// On the button for one step.
 std::string_view step_word(const lesson::Session& session) {
-  return session.subject().frames() != nullptr ? "Next" : "Step";
+  return session.stage().subject().frames() != nullptr ? "Next" : "Step";
 }
 
 using Kind = lesson::Mark::Kind;
@@ -76,18 +76,18 @@ void draw_mark(ImDrawList* list, const Look& look, Kind kind, ImVec2 at, const F
   }
 }
 
-bool is_over(const lesson::Session& session) { return session.conduct().decides && all_decided(session); }
+bool is_over(const lesson::Session& session) { return session.stage().conduct().decides && all_decided(session); }
 
 /// In an exercise a flag says whether the decision was right, once that is told: so the student's run and the right one
 /// stand on one timeline.
 Standing marked_as(const lesson::Session& session, const lesson::Asked& asked, bool over) {
-  if (!session.conduct().decides || !(session.conduct().told || over)) return Standing::kOpen;
-  return standing_of(session.outcome_of(asked));
+  if (!session.stage().conduct().decides || !(session.stage().conduct().told || over)) return Standing::kOpen;
+  return standing_of(session.conversation().outcome_of(asked));
 }
 
 /// Where both runs of an exercise first differ, once it is over; null for nowhere.
 const lesson::Asked* first_difference(const lesson::Session& session) {
-  return session.conduct().decides ? first_wrong(session) : nullptr;
+  return session.stage().conduct().decides ? first_wrong(session) : nullptr;
 }
 
 void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, const TimelineMap& map, float y) {
@@ -97,14 +97,14 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   const Touch touch = pointer_area("track", {map.left - 12, y - reach, map.width + 24, 2 * reach});
   if (touch.held) {
     const int step = map.step_at(ImGui::GetIO().MousePos.x);
-    if (step != session.step()) session.go(step);
+    if (step != session.player().step()) session.go(step);
   }
-  const float thumb = map.x_of(session.step());
+  const float thumb = map.x_of(session.player().step());
   list->AddRectFilled({map.left, y - half}, {map.left + map.width, y + half}, p.track, half);
   list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
   const std::vector<lesson::Mark> marks = marks_with_room(marks_to_show(session), map, kMarksApart);
   const std::vector<float> flags = flag_places(marks, map, kFlagWidth + 2);
-  auto asked = std::find_if(session.questions().begin(), session.questions().end(),
+  auto asked = std::find_if(session.conversation().questions().begin(), session.conversation().questions().end(),
                             [](const lesson::Asked& one) { return one.step != lesson::Asked::kAnytime; });
   const lesson::Asked* const first = first_difference(session);
   const bool over = is_over(session);
@@ -185,15 +185,18 @@ constexpr float kButtonSize = 14, kButtonEdges = 8;
 
 void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& session, const std::array<Rect, 5>& rects,
                   const PlayerView& player, PlayerWish& wish) {
-  const bool gate = session.asked() != nullptr;
-  const bool chosen = session.picked() != nullptr && answers(*session.asked(), *session.picked());
-  const bool told = session.outcome() != nullptr;
-  const bool at_end = session.step() == session.steps() && !session.previewing();
+  const bool gate = session.conversation().asked() != nullptr;
+  const bool chosen = session.conversation().picked() != nullptr &&
+                      answers(*session.conversation().asked(), *session.conversation().picked());
+  const bool told = session.conversation().outcome() != nullptr;
+  const bool at_end = session.player().step() == session.player().steps() && !session.player().previewing();
   // The student's run, which goes from decision to decision.
-  const bool own = told && is_over(session) && session.question_of(*session.outcome()) != &session.questions().back();
+  const bool own = told && is_over(session) &&
+                   session.conversation().question_of(*session.conversation().outcome()) !=
+                       &session.conversation().questions().back();
   const std::string_view step = own ? lesson::kNextDecisionWord : step_words(session);
   const bool short_of_room = measure(look, Face::kSemiBold, kButtonSize, step).x > rects[2].width - kButtonEdges;
-  const bool at_start = session.step() == 0;
+  const bool at_start = session.player().step() == 0;
   const auto press = [&](const Button& b, std::string_view command) {
     if (button(list, look, b)) wish.command = command;
     return b.rect;
@@ -207,9 +210,9 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
                               : told          ? lesson::kContinueWord
                               : short_of_room ? step_word(session)
                                               : step,
-                     .icon = chosen || told || session.previewing() ? Icon::kNone
-                             : gate                                 ? Icon::kLock
-                                                                    : Icon::kStep,
+                     .icon = chosen || told || session.player().previewing() ? Icon::kNone
+                             : gate                                          ? Icon::kLock
+                                                                             : Icon::kStep,
                      .kind = ButtonKind::kPrimary,
                      .enabled = chosen || told || (!gate && !at_end)},
                     gate           ? "commit_answer"
@@ -227,7 +230,7 @@ void draw_buttons(ImDrawList* list, const Look& look, const lesson::Session& ses
 }  // namespace
 
 std::string_view step_words(const lesson::Session& session) {
-  return session.previewing() ? "From the start" : step_word(session);
+  return session.player().previewing() ? "From the start" : step_word(session);
 }
 
 PlayerWish draw_timeline(const Look& look, lesson::Session& session, const SubjectView& view, const Rect& rect,
@@ -239,12 +242,13 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Subje
   rule(list, rect.x, rect.y, rect.width, p.line);
 
   const TimelineButtons buttons = timeline_buttons(look, rect);
-  const TimelineMap map{buttons.left, buttons.width, session.steps()};
+  const TimelineMap map{buttons.left, buttons.width, session.player().steps()};
   draw_track(list, look, session, map, buttons.track);
   const Rect& at = buttons.speed;
   if (!buttons.low) {
-    const std::string step = std::string(session.lesson().subject->step_word) + " " + std::to_string(session.step()) +
-                             " of " + std::to_string(session.steps());
+    const std::string step = std::string(session.lesson().subject->step_word) + " " +
+                             std::to_string(session.player().step()) + " of " +
+                             std::to_string(session.player().steps());
     text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(buttons.words, look.px(kSize))}, p.muted, step);
     const float said = measure(look, Face::kRegular, kSize, step).x;
     const float legend = buttons.speed_among_words ? at.x - 8 : map.left + map.width;

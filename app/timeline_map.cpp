@@ -15,19 +15,20 @@ int TimelineMap::step_at(float x) const {
 }
 
 bool is_open(const lesson::Session& session, const lesson::Asked& asked) {
-  const auto& outcomes = session.outcomes();
+  const auto& outcomes = session.log().outcomes();
   const auto own = std::find_if(outcomes.begin(), outcomes.end(),
                                 [&](const lesson::Outcome& outcome) { return outcome.question == asked.question->id; });
   return own == outcomes.end() || own->passed;
 }
 
 std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
-  int known = session.previewing() ? 0 : session.step();  // up to here the trace was shown to the student
-  int gate = session.steps();
-  for (const lesson::Asked& asked : session.questions())
+  int known =
+      session.player().previewing() ? 0 : session.player().step();  // up to here the trace was shown to the student
+  int gate = session.player().steps();
+  for (const lesson::Asked& asked : session.conversation().questions())
     if (is_open(session, asked)) gate = std::min(gate, asked.step);
   known = std::max(known, gate);
-  std::vector<lesson::Mark> shown = session.marks();
+  std::vector<lesson::Mark> shown = session.player().marks();
   std::erase_if(
       shown, [&](const lesson::Mark& mark) { return mark.kind != lesson::Mark::Kind::kQuestion && mark.step > known; });
   return shown;

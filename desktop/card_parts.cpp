@@ -81,10 +81,10 @@ std::string draw_lines(Shell& shell, Column& column, const std::vector<lesson::M
   const app::Look& look = column.look();
   std::string command;
   int number = 0;
-  lesson::ProseFigures figures(session);
-  for (const lesson::Asked& asked : session.questions()) {
+  lesson::ProseFigures figures(session.conversation());
+  for (const lesson::Asked& asked : session.conversation().questions()) {
     const std::string prompt = plain_now(asked.prompt, figures);
-    const lesson::Outcome* outcome = session.outcome_of(asked);
+    const lesson::Outcome* outcome = session.conversation().outcome_of(asked);
     const float height = look.px(32), middle = column.y() + height / 2;
     const std::string id = "line " + std::to_string(number++);
     app::rule(column.list(), column.x(), column.y(), column.width(), look->line);

@@ -50,18 +50,18 @@ void draw_algorithms(Shell& shell, Column& column) {
   for (const std::string& name : session.lesson().algorithms) {
     const lesson::Method* algorithm = lesson::find_method(session.lesson(), name);
     if (algorithm == nullptr) continue;
-    if (algorithm == session.method(0)) main = static_cast<int>(titles.size());
+    if (algorithm == session.player().method(0)) main = static_cast<int>(titles.size());
     titles.push_back(lesson::title_in(session.lesson(), *algorithm)), names.push_back(name);
-    if (algorithm == session.method(0)) continue;
-    if (algorithm == session.method(1)) second = static_cast<int>(beside.size());
+    if (algorithm == session.player().method(0)) continue;
+    if (algorithm == session.player().method(1)) second = static_cast<int>(beside.size());
     beside.push_back(lesson::title_in(session.lesson(), *algorithm)), beside_names.push_back(name);
   }
   const bool above = stand_above(column, titles);
   if (const int chosen = draw_labelled(column, lesson::kAlgorithmWord, titles, main, above); chosen >= 0)
-    shell.tell(session.choose(0, names[chosen]));
+    shell.tell(session.player().choose(0, names[chosen]));
   if (names.size() < 2) return;
   if (const int chosen = draw_labelled(column, lesson::kCompareWord, beside, second, above); chosen >= 0)
-    shell.tell(session.choose(1, beside_names[chosen]));
+    shell.tell(session.player().choose(1, beside_names[chosen]));
 }
 
 /// The pseudocode, the line of the step lit. Lines too long for the column are broken, and set in.
@@ -69,10 +69,10 @@ void draw_pseudocode(Shell& shell, Column& column) {
   constexpr float kSize = 12, kLeading = 22;
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  const int lit = session.line();
+  const int lit = session.player().line();
   const float advance = app::measure(look, Face::kMono, kSize, " ").x;
   int number = 0;
-  for (const std::string_view line : session.pseudocode(0)) {
+  for (const std::string_view line : session.player().pseudocode(0)) {
     const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
     const bool on = number++ == lit;
     float inset = advance * static_cast<float>(indent) + 4;

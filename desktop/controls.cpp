@@ -56,7 +56,7 @@ Places places_of(Shell& shell, const app::Look& look, float width) {
   places.buttons = laid_out(shell, look, widths, inside, 4);
   const float end = places.buttons.empty() ? 0 : places.buttons.back().x + places.buttons.back().width + kApart;
   float top = places.buttons.empty() ? 0 : places.buttons.back().y;
-  const auto sliders = static_cast<float>(shell.session().sliders().size());
+  const auto sliders = static_cast<float>(shell.session().stage().sliders().size());
   const bool beside = end + sliders * look.px(kLeastSlider) <= inside;  // in one row with the situations
   if (!beside && !places.buttons.empty() && sliders > 0) top += row_height(shell, look) + row_gap(shell);
   const float from = beside ? end : 0, room = inside - from;
@@ -102,9 +102,9 @@ void draw_slider(Shell& shell, const lesson::ShownSlider& slider, const app::Rec
   ImGui::SetNextItemWidth(width);
   int place = slider.place;
   const bool moved = ImGui::SliderInt("##slider", &place, 0, slider.places, "", ImGuiSliderFlags_NoInput);
-  if (ImGui::IsItemActivated()) session.begin_drag();
-  if (moved) shell.tell(session.slide_to_place(slider.number, place));
-  if (ImGui::IsItemDeactivated()) shell.tell(session.end_drag());
+  if (ImGui::IsItemActivated()) session.stage().begin_drag();
+  if (moved) shell.tell(session.stage().slide_to_place(slider.number, place));
+  if (ImGui::IsItemDeactivated()) shell.tell(session.stage().end_drag());
   shell.tracks.emplace_back(slider.number, app::Rect{at.x, at.y, width, height});
   if (app::offer_slider(title)) shell.slider = static_cast<int>(slider.number);
   ImGui::PopStyleVar(4);
@@ -138,7 +138,7 @@ void draw_controls(Shell& shell, const app::Rect& rect) {
   std::string_view chosen;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const std::string id = "situation " + std::to_string(i);
-    const bool on = names[i] == session.situation();
+    const bool on = names[i] == session.stage().situation();
     if (app::button(pane.list(), look,
                     {.id = id.c_str(),
                      .rect = there(places.buttons[i]),
@@ -146,14 +146,14 @@ void draw_controls(Shell& shell, const app::Rect& rect) {
                      .kind = on ? app::ButtonKind::kChosen : app::ButtonKind::kOutlined}))
       chosen = names[i];
   }
-  const std::vector<lesson::ShownSlider> sliders = session.sliders();
+  const std::vector<lesson::ShownSlider> sliders = session.stage().sliders();
   for (std::size_t i = 0; i < sliders.size(); ++i) draw_slider(shell, sliders[i], there(places.sliders[i]));
-  if (!chosen.empty()) shell.tell(session.show_situation(chosen));
+  if (!chosen.empty()) shell.tell(session.stage().show_situation(chosen));
 }
 
 bool slide_by_key(Shell& shell, const std::string& key) {
   if (shell.slider < 0) return false;
-  for (const lesson::ShownSlider& slider : shell.session().sliders()) {
+  for (const lesson::ShownSlider& slider : shell.session().stage().sliders()) {
     if (static_cast<int>(slider.number) != shell.slider) continue;
     constexpr int kPage = 10;
     const int by = key == "ArrowRight" || key == "ArrowUp"    ? 1
@@ -165,7 +165,7 @@ bool slide_by_key(Shell& shell, const std::string& key) {
                                                               : 0;
     if (by == 0) return false;
     const int to = std::clamp(slider.place + by, 0, slider.places);
-    if (to != slider.place) shell.tell(shell.session().slide_to_place(slider.number, to));
+    if (to != slider.place) shell.tell(shell.session().stage().slide_to_place(slider.number, to));
     return true;
   }
   return false;

@@ -74,7 +74,7 @@ void draw_outcome(Column& column, const lesson::Outcome& outcome, lesson::ProseF
 
 /// How what was predicted came out; of a run's steps, the card on the stage says it.
 void draw_score(Shell& shell, Column& column) {
-  const std::string score = shell.session().score();
+  const std::string score = shell.session().conversation().score();
   if (score.empty()) return;
   column.begin_card();
   column.words(score, Face::kSemiBold, 14);
@@ -97,10 +97,11 @@ void draw_cover_panel(Shell& shell, const app::Rect& rect) {
     column.words(cover.status(session), Face::kRegular, 13, column.look()->muted);
     column.gap(8);
     if (shell.tab == Shell::Tab::kSheet) return;  // which needs the room
-    lesson::ProseFigures figures(session);
-    if (session.asked() == nullptr && !cover.running() && cover.decided(session))
-      for (const lesson::Asked& asked : session.questions())  // those of this situation: the score counts no others
-        if (const lesson::Outcome* outcome = session.outcome_of(asked))
+    lesson::ProseFigures figures(session.conversation());
+    if (session.conversation().asked() == nullptr && !cover.running() && cover.decided(session))
+      for (const lesson::Asked& asked :
+           session.conversation().questions())  // those of this situation: the score counts no others
+        if (const lesson::Outcome* outcome = session.conversation().outcome_of(asked))
           draw_outcome(column, *outcome, figures), column.gap(8);
     if (!session.lesson().subject->asks_of_steps) draw_score(shell, column);
   });

@@ -44,8 +44,8 @@ void DemoPlay::reveal(Shell& shell, const std::string& what, bool played) {
   lesson::Session& session = shell.session();
   if (what == lesson::kRevealSteps && !shell.app().playing()) lesson::pass_questions(session);
   if (what == lesson::kRevealSteps && played && !shell.app().playing()) shell.app().command("play");
-  if (what == lesson::kRevealSteps && !played) session.jump(session.steps());
-  if (what != lesson::kRevealAnswer || session.asked() == nullptr) return;
+  if (what == lesson::kRevealSteps && !played) session.jump(session.player().steps());
+  if (what != lesson::kRevealAnswer || session.conversation().asked() == nullptr) return;
   shell.app().command("reveal_answer");
   if (played) shell.app().command("watch_outcome");
 }
@@ -83,9 +83,9 @@ const lesson::Vote* DemoPlay::vote() const {
 /// A vote begins with its first key while its question stands open.
 bool DemoPlay::vote_by_key(Shell& shell, const std::string& key) {
   const lesson::Session& session = shell.session();
-  if (vote_told() || session.asked() == nullptr) return false;
+  if (vote_told() || session.conversation().asked() == nullptr) return false;
   if (!votes_.contains(at_)) {
-    lesson::Vote fresh(session.asked()->choices, session.target_names());
+    lesson::Vote fresh(session.conversation().asked()->choices, session.conversation().target_names());
     if (!fresh.take_key(key)) return false;
     votes_.emplace(at_, std::move(fresh));
     return true;

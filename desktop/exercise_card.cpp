@@ -57,8 +57,8 @@ std::pair<std::string, std::string> decision_place(const lesson::Sitting& sittin
 }
 
 void draw_before(Column& column, const lesson::Sitting& sitting, const lesson::Session& session) {
-  if (!sitting.tells_at_once() || session.outcomes().empty() || session.tried() != nullptr) return;
-  const lesson::Outcome& last = session.outcomes().back();
+  if (!sitting.tells_at_once() || session.log().outcomes().empty() || session.conversation().tried() != nullptr) return;
+  const lesson::Outcome& last = session.log().outcomes().back();
   if (!last.right) return;
   const app::Look& look = column.look();
   app::tick(column.list(), {column.x() + 6, column.y() + look.px(10)}, 5, look->optimum, 2);
@@ -139,7 +139,7 @@ std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitt
   const bool breaks = !exercise.build->claim.empty();
   draw_kicker(column, breaks ? lesson::kBreakWord : lesson::kBuildWord,
               sitting.practises() ? std::string(lesson::kPracticeSays) : mark, Standing::kOpen);
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   if (breaks) draw_prompt(column, "“" + exercise.build->claim + "”", figures, kClaimWriting), column.gap(6);
   draw_prompt(column, exercise.stage.tasks.front().prompt, figures, kPromptWriting);
   draw_levels(column, sitting, session);

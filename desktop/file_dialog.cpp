@@ -99,7 +99,7 @@ std::string take_picture(Shell& shell, const std::string& path) {
   PictureHow how = shell.file_card.how;
   if (ending_of(path) == "gif") {
     how.steps = steps_of(shell.file_card.steps);
-    const int steps = shell.session().steps();
+    const int steps = shell.session().player().steps();
     if (shows_chart(shell)) return "A chart has no steps: the name must end in .png or .svg.";
     if (!how.steps || (*how.steps)[1] > steps || (*how.steps)[1] - (*how.steps)[0] >= kMost)
       return "Steps are a range such as 0-12, up to " + std::to_string(steps) + ", and at most " +
@@ -119,7 +119,7 @@ bool draw_how(Shell& shell, Column& column) {
   const bool chart = shows_chart(shell), gif = ending == "gif";
   const auto at = std::find(endings.begin(), endings.end(), ending);
   const int format = column.buttons("format", {"PNG", "SVG", "GIF"}, static_cast<int>(at - endings.begin()),
-                                    {true, true, !chart && shell.session().steps() > 0});
+                                    {true, true, !chart && shell.session().player().steps() > 0});
   if (format >= 0) {
     card.path = std::filesystem::path(card.path).replace_extension(endings[static_cast<std::size_t>(format)]).string();
     card.replaces = false, card.wrong.clear();
@@ -188,7 +188,7 @@ void ask_path(Shell& shell, What what) {
   shell.file_card = {.what = what, .path = path, .opened = true};
   if (what == What::kSavePicture) {  // the system's dialog would not ask how it is drawn
     shell.file_card.how.theme = shell.app().settings().theme;
-    shell.file_card.steps = "0-" + std::to_string(shell.session().steps());
+    shell.file_card.steps = "0-" + std::to_string(shell.session().player().steps());
     return;
   }
   if (open_portal(card_title(what), endings_of(what), saves(what), path))

@@ -29,14 +29,14 @@ void draw_file_text(Shell& shell, Column& column, const lesson::StageFile& file,
   ImGui::PopID();
   ImGui::PopFont();
   column.gap(height);
-  if (typed) shell.tell(shell.session().set_file(text));
-  if (left) shell.session().end_typing();
+  if (typed) shell.tell(shell.session().stage().set_file(text));
+  if (left) shell.session().stage().end_typing();
 }
 
 }  // namespace
 
 void draw_file(Shell& shell, Column& column, float height) {
-  const auto file = shell.session().subject().file();
+  const auto file = shell.session().stage().subject().file();
   if (!file) return;
   const app::Look& look = column.look();
   const float top = column.y();

@@ -131,7 +131,7 @@ fs::path beside(fs::path path, const char* ending) { return path += ending; }
 }  // namespace
 
 std::uint64_t text_of_stage(const lesson::Session& session) {
-  const auto file = session.own().file();
+  const auto file = session.stage().own().file();
   return file ? hash_of(file->own) : 0;
 }
 
@@ -222,7 +222,7 @@ void Kept::keep(const lesson::Session& session, std::uint64_t hash, std::vector<
   now.hash = hash;
   now.place = lesson::NamedStages().place_of(session);
   now.place.camera = std::move(camera);
-  now.place.step = now.step = session.step(), now.steps = session.steps();
+  now.place.step = now.step = session.player().step(), now.steps = session.player().steps();
   now.answered = progress.answered;
   // A lesson once done stays done, even if it is opened again.
   now.done = progress.done || (before != nullptr && before->done);

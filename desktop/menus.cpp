@@ -43,7 +43,7 @@ struct Menu {
 
 bool has_points(Shell& shell) {
   return !shell.course_shown && shell.app().session() != nullptr &&
-         shell.app().session()->subject().points() != nullptr;
+         shell.app().session()->stage().subject().points() != nullptr;
 }
 
 /// Whether a lesson is on the screen, and no exercise, whose stage nobody may replace.
@@ -80,8 +80,8 @@ Items file_items(Shell& shell) {
 
 Items edit_items(Shell& shell) {
   const bool lesson = !shell.course_shown && shell.app().session() != nullptr;
-  return {item_of(shell, "Undo", "undo", lesson && shell.session().can_undo()),
-          item_of(shell, "Redo", "redo", lesson && shell.session().can_redo()),
+  return {item_of(shell, "Undo", "undo", lesson && shell.session().stage().can_undo()),
+          item_of(shell, "Redo", "redo", lesson && shell.session().stage().can_redo()),
           {"Copy picture", "", lesson, [&] { shell.wish = "copy_picture"; }, true},
           {"Copy points", "Ctrl c", has_points(shell), [&] { shell.copy_points(); }},
           {"Paste points", "Ctrl v", is_open_lesson(shell) && has_points(shell), [&] { shell.paste_points(); }}};

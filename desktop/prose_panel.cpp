@@ -25,7 +25,7 @@ constexpr double kReads = 6;  // seconds for which a student counts as reading a
 void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app::Rect& rect) {
   float x = rect.x + kMargin;
   using Tab = Shell::Tab;
-  if (!shell.session().subject().file() && shell.tab == Tab::kFile) shell.tab = Tab::kLesson;
+  if (!shell.session().stage().subject().file() && shell.tab == Tab::kFile) shell.tab = Tab::kLesson;
   if (shell.sheet() == nullptr && shell.tab == Tab::kSheet) shell.tab = Tab::kLesson;
   if (!shell.narrow && shell.tab == Tab::kSide) shell.tab = Tab::kLesson;
   struct Word {
@@ -35,8 +35,8 @@ void draw_tabs(Shell& shell, const app::Look& look, ImDrawList* list, const app:
   };
   std::vector<Word> all{{Tab::kLesson, "tab lesson", "Lesson"}};
   if (shell.app().sitting() == nullptr || shell.app().sitting()->adds())
-    all.push_back({Tab::kPoints, "tab points", shell.session().subject().tools().word});
-  if (shell.session().subject().file()) all.push_back({Tab::kFile, "tab file", lesson::kFileWord});
+    all.push_back({Tab::kPoints, "tab points", shell.session().stage().subject().tools().word});
+  if (shell.session().stage().subject().file()) all.push_back({Tab::kFile, "tab file", lesson::kFileWord});
   if (shell.sheet() != nullptr) all.push_back({Tab::kSheet, "tab sheet", lesson::kHandInWord});
   if (shell.narrow) all.push_back({Tab::kSide, "tab side", "Numbers"});
   constexpr float kSize = 14, kApart = 28, kLeastApart = 16;
@@ -68,7 +68,7 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
   const app::Look& look = column.look();
   column.begin_card();
   column.heading(lesson::task_heading(number, session.lesson().tasks.size()), look->current_text);
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   draw_prompt(column, task.prompt, figures, {.leading = 22, .ground = look->panel});
   column.gap(10);
   const float middle = column.y() + look.px(11);
@@ -86,7 +86,7 @@ void draw_task(Shell& shell, Column& column, std::size_t number) {
   if (back >= 0) buttons.emplace_back(lesson::kBackToSolutionWord);
   const std::string id = "task " + std::to_string(number);
   const int clicked = column.buttons(number == 0 ? "task" : id.c_str(), buttons, hint_shown ? 1 : -1);
-  if (clicked == 0) session.start_task(number);
+  if (clicked == 0) session.stage().start_task(number);
   if (clicked == back && back >= 0) shell.tell(session.solve_again(number));
   else if (clicked == 1) shell.hint_of = hint_shown ? -1 : static_cast<int>(number);
   if (hint_shown) draw_prompt(column, task.hint, figures, {13, 20, Face::kRegular, look->muted, look->panel});
@@ -124,9 +124,9 @@ void follow(Shell& shell, const lesson::Link& link) {
   switch (link.kind) {
     case lesson::Link::Kind::kLesson: shell.open_at_place(link.target); break;
     case lesson::Link::Kind::kMesh: shell.use_mesh(link.target); break;
-    case lesson::Link::Kind::kAlgorithm: shell.tell(shell.session().choose(0, link.target)); break;
+    case lesson::Link::Kind::kAlgorithm: shell.tell(shell.session().player().choose(0, link.target)); break;
     case lesson::Link::Kind::kStep: shell.session().go(std::stoi(link.target)); break;  // of digits, as it was read
-    case lesson::Link::Kind::kSituation: shell.tell(shell.session().show_situation(link.target)); break;
+    case lesson::Link::Kind::kSituation: shell.tell(shell.session().stage().show_situation(link.target)); break;
     case lesson::Link::Kind::kMark: break;  // lights while it is pointed at, or has the keyboard
   }
 }
@@ -152,12 +152,12 @@ void follow_step(Shell& shell, int now, float top, float bottom, bool reads) {
 /// The button that brings the situation that a section is about to the stage.
 void draw_show(Shell& shell, Column& column, const lesson::Section& section, int number) {
   if (section.situation.empty()) return;
-  const bool on = section.situation == shell.session().situation();
+  const bool on = section.situation == shell.session().stage().situation();
   const std::string& title = lesson::situation_title(shell.session().lesson(), section.situation);
   const std::string id = "situation of section " + std::to_string(number) + " ";
   column.gap(4);
   if (column.buttons(id.c_str(), {"Show: " + title}, on ? 0 : -1) == 0)
-    shell.tell(shell.session().show_situation(section.situation));
+    shell.tell(shell.session().stage().show_situation(section.situation));
 }
 
 void draw_lesson(Shell& shell, Column& column) {
@@ -166,7 +166,8 @@ void draw_lesson(Shell& shell, Column& column) {
   const int now = lesson::section_at(shell.session()).value_or(-1);
   if (shell.unread) {
     ImGui::SetScrollY(0);
-    const bool begins = shell.session().step() == 0 || shell.session().previewing();  // who begins reads from the top
+    const bool begins =
+        shell.session().player().step() == 0 || shell.session().player().previewing();  // who begins reads from the top
     shell.section = begins ? now : -1, shell.scroll_to = -1, shell.unread = false, shell.measured_anew = true;
   }
   if (const float by = std::exchange(shell.scroll_by, 0.0f); by != 0) {
@@ -177,7 +178,7 @@ void draw_lesson(Shell& shell, Column& column) {
   const float beginning = column.y() + ImGui::GetScrollY();
   float top = 0, bottom = 0;
   ProseTouch touch;
-  lesson::ProseFigures figures(shell.session());
+  lesson::ProseFigures figures(shell.session().conversation());
   for (int i = 0; const lesson::Section& section : lesson.sections) {
     if (i > 0) column.gap(16);
     const float from = column.y();

@@ -42,7 +42,8 @@ bool draw_answer_field(Shell& shell, Column& column, std::string_view label) {
   if (!entered) return false;
   ImGui::SetKeyboardFocusHere(-1);  // what is typed next is an answer as well: another try, or the next decision's
   if (shell.typed[0] == 0) return shell.app().command("commit_answer");  // one that was tapped
-  if (shell.session().pick(std::string_view(shell.typed.data()))) shell.session().commit();
+  if (shell.session().conversation().pick(std::string_view(shell.typed.data())))
+    shell.session().conversation().commit();
   shell.typed = {};
   return true;
 }
@@ -55,7 +56,7 @@ struct Choices {
 };
 
 Choices choices_of(const lesson::Session& session, const lesson::Asked& asked) {
-  const lesson::Answer *picked = session.picked(), *tried = session.tried();
+  const lesson::Answer *picked = session.conversation().picked(), *tried = session.conversation().tried();
   std::vector<std::string> words = asked.choices, room;
   int chosen = -1;
   if (asked.many || asked.ordered)
@@ -81,7 +82,7 @@ Choices choices_of(const lesson::Session& session, const lesson::Asked& asked) {
 void draw_right_choices(Column& column, const lesson::Session& session, const lesson::Asked& asked,
                         const lesson::Outcome& outcome) {
   const app::Look& look = column.look();
-  const std::vector<int> right = session.right_choices();
+  const std::vector<int> right = session.conversation().right_choices();
   const float height = look.px(32), gap = 8;
   float x = 0;
   for (std::size_t i = 0; i < asked.choices.size(); ++i) {
@@ -111,7 +112,7 @@ void draw_right_choices(Column& column, const lesson::Session& session, const le
 void draw_order(Column& column, const lesson::Session& session, const lesson::Asked& asked,
                 const lesson::Outcome& outcome) {
   const app::Look& look = column.look();
-  const std::string_view what = session.conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
+  const std::string_view what = session.stage().conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
   const bool answered = !outcome.given.list.empty();
   const float own = answered ? app::measure(look, Face::kSemiBold, 13, what).x + 8 : 0;
   if (answered)
@@ -121,7 +122,8 @@ void draw_order(Column& column, const lesson::Session& session, const lesson::As
   heading.words(outcome.says.substr(0, outcome.says.find(':') + 1), Face::kRegular, 15);
   column.gap(heading.y() - column.y() + 2);
   const float number = look.px(24), mark = look.px(18);
-  for (int line = 1; const auto& [words, place, right] : order_told(asked, outcome, session.right_choices())) {
+  for (int line = 1;
+       const auto& [words, place, right] : order_told(asked, outcome, session.conversation().right_choices())) {
     const float top = column.y();
     column.list()->AddLine({column.x(), top}, {column.x() + column.width(), top}, look->line);
     const float middle = top + look.px(15);
@@ -146,25 +148,26 @@ void draw_order(Column& column, const lesson::Session& session, const lesson::As
 void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, bool low) {
   lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   const lesson::Sitting* const sitting = shell.app().sitting();
-  const auto [words, place] = sitting != nullptr ? decision_place(*sitting, session)
-                                                 : std::pair(std::string(lesson::kPredictionWord),
-                                                             lesson::place_text(asked, session.questions()));
+  const auto [words, place] = sitting != nullptr
+                                  ? decision_place(*sitting, session)
+                                  : std::pair(std::string(lesson::kPredictionWord),
+                                              lesson::place_text(asked, session.conversation().questions()));
   low = low && sitting == nullptr;
   if (!shell.demo && !low) draw_kicker(column, words, place, Standing::kOpen);
   if (sitting != nullptr) draw_before(column, *sitting, session);
   draw_prompt(column, asked.prompt, figures, kPromptWriting);
   if (sitting != nullptr) draw_hints(column, *sitting, session);
   column.gap(10);
-  const bool ready = session.picked() != nullptr && answers(asked, *session.picked());
+  const bool ready = session.conversation().picked() != nullptr && answers(asked, *session.conversation().picked());
   const std::string hint = sitting != nullptr ? sitting->hint_words(session) : std::string();
   std::vector<RowButton> row;
   // A choice is given by choosing it.
   if (sitting == nullptr || asked.on_stage || asked.many || asked.ordered || asked.number)
     row.push_back({"commit_answer", lesson::kAnswerWord, ButtonKind::kPrimary, ready});
   if (sitting == nullptr) row.push_back({"skip_question", lesson::kSkipWord, ButtonKind::kQuiet});
-  if (sitting != nullptr && !session.conduct().told && !session.given().empty())
+  if (sitting != nullptr && !session.stage().conduct().told && !session.log().given().empty())
     row.push_back({"take_back", lesson::kTakeBackWord, ButtonKind::kQuiet});
   if (!hint.empty()) row.push_back({"hint", hint, ButtonKind::kQuiet});
   Choices choices = choices_of(session, asked);
@@ -180,11 +183,15 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, boo
   const float beside = column.row_taken();
   const std::string_view field = lesson::field_word(asked);
   if (!field.empty() && draw_answer_field(shell, column, field)) return;
-  std::string says = session.answer_says().empty() ? lesson::how_to_answer(asked) : session.answer_says();
-  if (low && !place.empty() && session.answer_says().empty()) says = place + " · " + says;
-  const bool wrong = session.tried() != nullptr && session.picked() == nullptr;
-  if (shell.presenting && session.answer_says().empty()) (says += ' ') += lesson::kSkipHint;  // a clicker has no other
-  const app::Color color = session.answer_says().empty() ? look->muted : wrong ? look->wrong_text : look->current_text;
+  std::string says = session.conversation().answer_says().empty() ? lesson::how_to_answer(asked)
+                                                                  : session.conversation().answer_says();
+  if (low && !place.empty() && session.conversation().answer_says().empty()) says = place + " · " + says;
+  const bool wrong = session.conversation().tried() != nullptr && session.conversation().picked() == nullptr;
+  if (shell.presenting && session.conversation().answer_says().empty())
+    (says += ' ') += lesson::kSkipHint;  // a clicker has no other
+  const app::Color color = session.conversation().answer_says().empty() ? look->muted
+                           : wrong                                      ? look->wrong_text
+                                                                        : look->current_text;
   // What is said of the choices and gives the answer stands after the last of them, where a row has room for it: the
   // figure needs the height.
   const bool flows = beside > 0 && beside + look.px(kLeastText + kAnswerAndSkip) < column.width();
@@ -198,7 +205,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, boo
 
 void draw_said(Column& column, const lesson::Session& session, const lesson::Outcome& outcome) {
   if (outcome.skipped) return;
-  const std::string_view what = session.conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
+  const std::string_view what = session.stage().conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
   column.words(std::string(what) + ": " + outcome.predicted, Face::kSemiBold, 15);
   column.gap(4);
 }
@@ -207,15 +214,15 @@ void draw_said(Column& column, const lesson::Session& session, const lesson::Out
 std::string place_of(Shell& shell, const lesson::Asked* asked) {
   const lesson::Sitting* const sitting = shell.app().sitting();
   if (sitting != nullptr) return decision_place(*sitting, shell.session()).first;
-  return asked != nullptr ? lesson::place_text(*asked, shell.session().questions()) : std::string();
+  return asked != nullptr ? lesson::place_text(*asked, shell.session().conversation().questions()) : std::string();
 }
 
 /// The card while the steps up to the outcome are played: it tells nothing yet.
 void draw_deciding(Shell& shell, Column& column, const lesson::Outcome& outcome) {
   const lesson::Session& session = shell.session();
-  const lesson::Asked* asked = session.question_of(outcome);
+  const lesson::Asked* asked = session.conversation().question_of(outcome);
   if (!shell.demo) draw_kicker(column, lesson::kPredictionWord, place_of(shell, asked), Standing::kOpen);
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   if (asked != nullptr) draw_prompt(column, asked->prompt, figures, kPromptWriting), column.gap(6);
   draw_said(column, session, outcome);
   column.words(lesson::kWatching, Face::kRegular, 13, column.look()->muted);
@@ -225,19 +232,19 @@ void draw_deciding(Shell& shell, Column& column, const lesson::Outcome& outcome)
 void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  const lesson::Asked* asked = session.question_of(outcome);
+  const lesson::Asked* asked = session.conversation().question_of(outcome);
   const lesson::Sitting* const sitting = shell.app().sitting();
   if (!shell.demo)
     draw_kicker(column, lesson::verdict_text(outcome), place_of(shell, asked), lesson::standing_of(&outcome));
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   if (asked != nullptr)
     draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
-  const bool as_list = asked != nullptr && asked->ordered && !session.right_choices().empty();
+  const bool as_list = asked != nullptr && asked->ordered && !session.conversation().right_choices().empty();
   if (as_list) draw_order(column, session, *asked, outcome);
   else draw_said(column, session, outcome);
-  if (session.answer_shown() && asked != nullptr && !asked->choices.empty() && !asked->ordered) {
+  if (session.conversation().answer_shown() && asked != nullptr && !asked->choices.empty() && !asked->ordered) {
     draw_right_choices(column, session, *asked, outcome);
-  } else if (session.answer_shown() && !as_list) {
+  } else if (session.conversation().answer_shown() && !as_list) {
     app::tick(column.list(), {column.x() + 6, column.y() + look.px(11)}, 6, look->optimum, 2.25f);
     Column beside(look, column.x() + 22, column.y(), column.width() - 22);
     beside.words(outcome.happened, Face::kSemiBold, 15, look->optimum_text);
@@ -254,14 +261,14 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
     row.push_back(one), commands.push_back(command);
   };
   if (sitting != nullptr && sitting->looks_at(session) == lesson::Sitting::Looked::kOwn) {
-    const bool last = sitting->at(session) + 1 == session.questions().size();
+    const bool last = sitting->at(session) + 1 == session.conversation().questions().size();
     offer({"mark", lesson::kYourMarkWord, last ? ButtonKind::kPrimary : ButtonKind::kQuiet}, "continue");
     offer({"other_run", lesson::kRightRunWord}, "other_run");
     if (!last) offer({"next", lesson::kNextDecisionWord, ButtonKind::kPrimary}, "step");
   } else {
-    if (session.can_show_answer() && !session.answer_shown() && !as_list)
+    if (session.conversation().can_show_answer() && !session.conversation().answer_shown() && !as_list)
       offer({"show", lesson::kShowMeWord}, "show_answer");
-    if (session.can_watch_outcome()) offer({"watch", lesson::kWatchWord}, "watch_outcome");
+    if (session.conversation().can_watch_outcome()) offer({"watch", lesson::kWatchWord}, "watch_outcome");
     offer({"continue", lesson::kContinueWord, ButtonKind::kPrimary}, "continue");
   }
   if (const int clicked = draw_row(column, {}, 0, row); clicked >= 0) shell.app().command(commands[clicked]);
@@ -274,9 +281,9 @@ struct Waiting {
 
 std::vector<Waiting> waiting_in(const lesson::Session& session) {
   std::vector<Waiting> all;
-  for (const lesson::Method* method : session.waiting())
+  for (const lesson::Method* method : session.conversation().waiting())
     all.push_back({lesson::title_in(session.lesson(), *method), "ask:" + lesson::name_in(session.lesson(), *method)});
-  for (const std::string& name : session.situations_waiting())
+  for (const std::string& name : session.log().situations_waiting(session.stage().situation()))
     all.push_back({lesson::situation_title(session.lesson(), name), "situation:" + name});
   return all;
 }
@@ -287,7 +294,7 @@ std::string draw_summary(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
   draw_kicker(column, lesson::kSummaryWord, {}, Standing::kOpen);
-  column.words(session.score(), Face::kRegular, 16);
+  column.words(session.conversation().score(), Face::kRegular, 16);
   column.gap(8);
   std::string command = draw_lines(shell, column, {});
   // While questions wait, the main button leads to them, and not to the next lesson.
@@ -306,7 +313,7 @@ std::string draw_summary(Shell& shell, Column& column) {
       session.tasks_done() ? "✓ " + std::string(lesson::kTaskWord) : std::string(lesson::kToTaskWord);
   std::vector<RowButton> row{{"close_summary", lesson::kCloseWord, ButtonKind::kQuiet},
                              {"predict_again", lesson::kPredictAgainWord, ButtonKind::kQuiet}};
-  if (session.can_practise()) row.push_back({"practise", lesson::kPractiseWord, ButtonKind::kQuiet});
+  if (session.conversation().can_practise()) row.push_back({"practise", lesson::kPractiseWord, ButtonKind::kQuiet});
   const std::size_t back = row.size();
   if (grade) row.push_back({"task", task});
   const auto next = waiting.empty() ? ButtonKind::kPrimary : ButtonKind::kOutlined;
@@ -328,9 +335,9 @@ std::string draw_summary(Shell& shell, Column& column) {
 void lead_on(Shell& shell, const std::string& command) {
   constexpr std::string_view kAsk = "ask:", kSituation = "situation:";
   if (command.starts_with(kAsk))
-    shell.tell(shell.session().choose(0, command.substr(kAsk.size()))), shell.app().command("first");
+    shell.tell(shell.session().player().choose(0, command.substr(kAsk.size()))), shell.app().command("first");
   else if (command.starts_with(kSituation))
-    shell.tell(shell.session().show_situation(command.substr(kSituation.size())));
+    shell.tell(shell.session().stage().show_situation(command.substr(kSituation.size())));
   else if (command == "hand_in") shell.hand_in();
   else if (command == "another" || command == "harder" || command == "other_terms") shell.next_instance(command);
   else if (command == "to_lesson") shell.open_at_place(std::string(shell.app().sitting()->exercise().lesson));
@@ -358,11 +365,12 @@ float covered_by_question(const Shell& shell) {
 
 void draw_question_card(Shell& shell, const app::Rect& place) {
   const lesson::Session& session = shell.session();
-  const lesson::Asked* asked = session.asked();
-  const lesson::Outcome *deciding = session.deciding(), *outcome = session.outcome();
+  const lesson::Asked* asked = session.conversation().asked();
+  const lesson::Outcome *deciding = session.conversation().deciding(), *outcome = session.conversation().outcome();
   const float before = std::exchange(shell.question_height, 0);
   const lesson::Sitting* const sitting = shell.app().sitting();
-  const bool over = sitting != nullptr ? sitting->finished(session) : session.at_summary() && !shell.demo;
+  const bool over =
+      sitting != nullptr ? sitting->finished(session) : session.conversation().at_summary() && !shell.demo;
   const bool builds = sitting != nullptr && sitting->exercise().build.has_value();
   if (asked == nullptr && deciding == nullptr && outcome == nullptr && !over && !builds) {
     shell.measured_anew = shell.measured_anew || before != 0;
@@ -371,7 +379,7 @@ void draw_question_card(Shell& shell, const app::Rect& place) {
   const app::Look& look = shell.app().look();
   // An order of lines, with its hints, needs the room more than the stage does.
   const lesson::Asked* const about = asked != nullptr     ? asked
-                                     : outcome != nullptr ? session.question_of(*outcome)
+                                     : outcome != nullptr ? session.conversation().question_of(*outcome)
                                                           : nullptr;
   const app::Rect card = card_in(shell, place, before, about != nullptr && about->ordered ? 0.9f : 0.66f);
   std::string command;

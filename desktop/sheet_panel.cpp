@@ -74,7 +74,7 @@ std::string built_says(Shell& shell, std::size_t task) {
            io::counted(static_cast<std::int64_t>(lesson::letters_of(rows)), "letter");
   };
   std::string says = "The smallest so far has " + size(found->second) + ".";
-  const lesson::Rows rows = shell.session().subject().rows();
+  const lesson::Rows rows = shell.session().stage().subject().rows();
   if (!now.done) says += " On the stage: " + now.says;
   else if (rows != found->second) says += " On the stage is another, of " + size(rows) + ".";
   return says;
@@ -112,7 +112,7 @@ void draw_sheet(Shell& shell, Column& column) {
   for (std::size_t i = 0; i < sheet.lesson.tasks.size(); ++i) {
     draw_part(column, "An example of your own", work.built.count(i) > 0, built_says(shell, i));
     if (work.built.count(i) > 0 && column.buttons("back to built", {"Show it"}) == 0)
-      shell.tell(shell.session().set_rows(work.built[i]));
+      shell.tell(shell.session().stage().set_rows(work.built[i]));
   }
   bool typed = false;
   for (std::size_t i = 0; i < sheet.written.size(); ++i) {

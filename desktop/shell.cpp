@@ -77,12 +77,12 @@ std::pair<std::size_t, std::string> Shell::lead() const {
 void Shell::go_to_kept_place() {
   const KeptLesson* const kept = kept_lesson(session().lesson().id);
   if (kept == nullptr) return;
-  const lesson::AtOnce at_once(session());  // each part is of what the last one left
+  const lesson::AtOnce at_once(session().stage());  // each part is of what the last one left
   lesson::Place place = kept->place;
   if (text_of_stage(session()) != kept->text) place.file.clear(), place.draft.clear();
   // What the lesson no longer has is left out.
   for (lesson::WayTo way(place, mesh_named); !way.done();) static_cast<void>(way.go_on(session()));
-  session().jump(std::min(kept->step, session().steps()));
+  session().jump(std::min(kept->step, session().player().steps()));
   if (!place.camera.empty()) app_.look_from(place.camera);
 }
 
@@ -231,7 +231,7 @@ void Shell::use_dropped(const std::vector<std::string>& paths) {
   if (paths.empty()) return;
   const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
   open_points(paths.front());
-  if (notice.empty() && loading_ == nullptr && session().preparing() == nullptr)
+  if (notice.empty() && loading_ == nullptr && session().stage().preparing() == nullptr)
     say(name_of(paths.front()) + " is open.");
   if (paths.size() == 1) return;
   std::string others;
@@ -277,7 +277,8 @@ void Shell::save_cover(std::string_view format) {
 }
 
 void Shell::save_stage(std::string_view format) {
-  picture_wanted = new_file(session().lesson().id + '-' + std::to_string(session().step()), '.' + std::string(format));
+  picture_wanted =
+      new_file(session().lesson().id + '-' + std::to_string(session().player().step()), '.' + std::string(format));
 }
 
 void Shell::record() {
@@ -291,7 +292,7 @@ void Shell::record() {
                           : "version = 1\ntitle = \"My demo\"\nlecture = \"My lecture\"\n";
   if (!tell(before)) return;
   const std::string text =
-      *before + '\n' + lesson::state_text(*place, session().lesson().title, session().trace_hash());
+      *before + '\n' + lesson::state_text(*place, session().lesson().title, session().player().trace_hash());
   const std::size_t states = lesson::read_demo(text, recorded_).demo.states.size();
   if (tell(write_file(recorded_, text)))
     say("Saved in " + recorded_ + ", with " +

@@ -19,8 +19,8 @@ constexpr std::size_t kMostRecent = 5;
 /// The points as rows of numbers that read back to the same bits.
 std::string points_text(const lesson::Session& session, char between) {
   std::string text;
-  for (const lesson::Point3& point : lesson::all_points(session.subject().with_points()->unrounded_points())) {
-    for (int axis = 0; axis < session.dim(); ++axis)
+  for (const lesson::Point3& point : lesson::all_points(session.stage().subject().with_points()->unrounded_points())) {
+    for (int axis = 0; axis < session.stage().subject().dim(); ++axis)
       text += (axis > 0 ? std::string(1, between) : "") + io::shortest_text(point[axis]);
     text += '\n';
   }

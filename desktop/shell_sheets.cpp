@@ -17,7 +17,7 @@ SheetWork& Shell::sheet_work() { return kept_.sheet(sheet()->lesson.id); }
 /// Keeps what stands on the stage, if it solves a task and is smaller than what was kept.
 void Shell::see_built() {
   for (std::size_t i = 0; i < sheet()->lesson.tasks.size(); ++i) {
-    const lesson::Rows rows = session().subject().rows();
+    const lesson::Rows rows = session().stage().subject().rows();
     const auto found = sheet_work().built.find(i);
     if (found != sheet_work().built.end() && !lesson::is_smaller(rows, found->second)) continue;
     if (!session().grade(i).done) continue;
@@ -45,13 +45,15 @@ void Shell::see_measured(const lesson::Sheet& sheet) {
 
 const MeasuredTable* Shell::measured_before() {
   const app::Cover* const cover = app_.cover();
-  if (sheet() == nullptr || cover == nullptr || cover->running() || session().asked() != nullptr) return nullptr;
+  if (sheet() == nullptr || cover == nullptr || cover->running() || session().conversation().asked() != nullptr)
+    return nullptr;
   const std::map<std::string, MeasuredTable>& all = sheet_work().measured;
   const auto asked = all.find(measured_shown_);
   if (asked != all.end()) return &asked->second;
   if (all.empty() || !cover->file("json").empty()) return nullptr;
   for (const auto& [part, one] : all)
-    if (const std::string points = one.table["provenance"]["points"].get<std::string>(); points == session().source())
+    if (const std::string points = one.table["provenance"]["points"].get<std::string>();
+        points == session().stage().subject().origin().source)
       return &one;
   return &all.begin()->second;
 }

@@ -75,24 +75,24 @@ Json course_state(Shell& shell) {
 
 void add_answers(Json& state, const lesson::Session& session) {
   state["asked"] = nullptr;
-  if (const lesson::Asked* asked = session.asked())
+  if (const lesson::Asked* asked = session.conversation().asked())
     state["asked"] = {{"id", asked->question->id},
                       {"choices", asked->choices},
-                      {"targets", session.target_names()},
-                      {"says", session.answer_says()}};
-  state["outcomes"] = session.outcomes().size();
-  const lesson::Outcome* told = session.outcome();
+                      {"targets", session.conversation().target_names()},
+                      {"says", session.conversation().answer_says()}};
+  state["outcomes"] = session.log().outcomes().size();
+  const lesson::Outcome* told = session.conversation().outcome();
   state["outcome"] = told != nullptr ? Json(told->question) : Json();
-  state["deciding"] = session.deciding() != nullptr;
-  state["summary"] = session.at_summary();
-  const lesson::Tally tally = session.tally();
+  state["deciding"] = session.conversation().deciding() != nullptr;
+  state["summary"] = session.conversation().at_summary();
+  const lesson::Tally tally = session.conversation().tally();
   state["tally"] = {{"right", tally.right}, {"wrong", tally.wrong}, {"skipped", tally.skipped}, {"open", tally.open}};
 }
 
 /// Adds the sliders, with the places of their tracks. scale: as for add_places.
 void add_sliders(Json& state, Shell& shell, float scale) {
   state["sliders"] = Json::array();
-  for (const lesson::ShownSlider& slider : shell.session().sliders()) {
+  for (const lesson::ShownSlider& slider : shell.session().stage().sliders()) {
     Json one{{"title", slider.slider->title}, {"value", slider.value}, {"text", slider.text}};
     for (const auto& [number, track] : shell.tracks)
       if (number == slider.number)
@@ -134,25 +134,25 @@ Json lesson_state(Shell& shell, float scale) {
   const app::App& app = shell.app();
   const lesson::Session& session = shell.session();
   Json state{{"lesson", session.lesson().id},
-             {"seed", session.seed()},
-             {"step", session.step()},
-             {"steps", session.steps()},
+             {"seed", session.stage().subject().origin().seed},
+             {"step", session.player().step()},
+             {"steps", session.player().steps()},
              {"caption", app.caption()},
-             {"trace", hex_of(session.trace_hash())},
-             {"points", lesson::count_of(session.subject())},
+             {"trace", hex_of(session.player().trace_hash())},
+             {"points", lesson::count_of(session.stage().subject())},
              {"selected", app.selected()}};
   add_answers(state, session);
   state["exercise"] = exercise_state(shell);
   state["sheet"] = shell.sheet() != nullptr ? json_of(shell.sheet()->lesson.id, 0, shell.sheet_work()) : Json();
   const MeasuredTable* const before = shell.measured_before();
   state["measured_before"] = before != nullptr ? Json(measured_says(*before)) : Json();
-  state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.situation());
+  state["situation"] = session.lesson().situations.empty() ? Json() : Json(session.stage().situation());
   add_sliders(state, shell, scale);
-  state["scalar"] = session.subject().in_float() ? "float" : "double";
-  if (const auto file = session.subject().file())
+  state["scalar"] = session.stage().subject().in_float() ? "float" : "double";
+  if (const auto file = session.stage().subject().file())
     state["file"] = {{"runs", file->runs}, {"typed", file->typed}, {"mistakes", file->mistakes}};
   state["notice"] = shell.notice;
-  const lesson::Preparation* const preparing = session.preparing();
+  const lesson::Preparation* const preparing = session.stage().preparing();
   state["preparing"] = preparing != nullptr ? Json{{"says", preparing->says()}, {"share", preparing->share()}} : Json();
   state["focus"] = shell.focus.name();
   state["text_scale"] = shell.app().settings().text_scale;
@@ -167,9 +167,9 @@ Json lesson_state(Shell& shell, float scale) {
   state["lit"] = app.lit();
   state["marks"] = app.marks_in_hand();
   state["scrolling"] = shell.scroll_to >= 0;
-  state["algorithm"] = lesson::name_in(session.lesson(), *session.method(0));
+  state["algorithm"] = lesson::name_in(session.lesson(), *session.player().method(0));
   state["readout"] = Json::object();
-  for (const auto& figure : session.figures())
+  for (const auto& figure : session.telling().figures())
     if (figure.known) state["readout"][figure.key] = figure.value;
   if (shell.demo) {
     const lesson::Vote* const vote = shell.demo->vote();

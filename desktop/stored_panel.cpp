@@ -68,7 +68,7 @@ std::string draw_form(Shell& shell, Column& column, const lesson::StoredForm& fo
   const app::Look& look = column.look();
   std::string meant;
   column.words(form.name, Face::kSemiBold, 14);
-  const bool asks = shell.demo && shell.session().asked() != nullptr;
+  const bool asks = shell.demo && shell.session().conversation().asked() != nullptr;
   if (!asks) column.words(form.bytes(), Face::kRegular, 12, look->muted);
   column.gap(2);
   for (const lesson::StoredMember& member : form.members)

@@ -83,8 +83,8 @@ bool draw_fields(Column& column, const std::string& id, std::span<const std::str
 void draw_edits(Shell& shell, Column& column) {
   const std::array<const char*, 4> commands{"add_point", "delete_point", "undo", "redo"};
   const lesson::Session& session = shell.session();
-  const bool can_delete = shell.app().selected() != kNoIndex && lesson::count_of(session.subject()) > 1;
-  const std::vector<bool> can{true, can_delete, session.can_undo(), session.can_redo()};
+  const bool can_delete = shell.app().selected() != kNoIndex && lesson::count_of(session.stage().subject()) > 1;
+  const std::vector<bool> can{true, can_delete, session.stage().can_undo(), session.stage().can_redo()};
   const int clicked = column.buttons("edit", {"Add", "Delete", "Undo", "Redo"}, -1, can);
   if (clicked >= 0) shell.app().command(commands[clicked]);
 }
@@ -92,12 +92,12 @@ void draw_edits(Shell& shell, Column& column) {
 /// The switch between float and double.
 void draw_scalar(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
-  if (session.subject().scalar() == nullptr) return;
-  const bool in_float = session.subject().in_float();
+  if (session.stage().subject().scalar() == nullptr) return;
+  const bool in_float = session.stage().subject().in_float();
   column.gap(12);
   column.heading(lesson::kScalarWord);
   const int clicked = column.buttons("scalar", {"double", "float"}, in_float ? 1 : 0);
-  if (clicked >= 0) shell.tell(session.set_float(clicked == 1));
+  if (clicked >= 0) shell.tell(session.stage().set_float(clicked == 1));
   if (in_float) column.words("Every number is rounded to float.", Face::kRegular, 14, column.look()->muted);
 }
 
@@ -106,17 +106,18 @@ void draw_selected(Shell& shell, Column& column) {
   const Index selected = shell.app().selected();
   column.gap(12);
   if (selected == kNoIndex) {
-    const std::string word(session.subject().handle_words()[0]);
+    const std::string word(session.stage().subject().handle_words()[0]);
     column.heading("No " + word + " selected");
     column.words("Click a " + word + " to type its coordinates, or drag it. Double-click the background to add one.",
                  Face::kRegular, 14, column.look()->muted);
     return;
   }
-  column.heading(session.name_of(selected));
+  column.heading(session.stage().subject().name_of(selected));
   constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
-  Vector<double, 3> at = session.point(selected);
-  if (draw_fields(column, "coordinates", kNames, {at.data(), static_cast<std::size_t>(session.dim())}))
-    shell.tell(session.move(selected, at));
+  Vector<double, 3> at = session.stage().subject().at(selected);
+  if (draw_fields(column, "coordinates", kNames,
+                  {at.data(), static_cast<std::size_t>(session.stage().subject().dim())}))
+    shell.tell(session.stage().move(selected, at));
 }
 
 /// Draws a button for each axis of rotation. Returns whether one was pressed.
@@ -132,7 +133,7 @@ bool draw_turns(Column& column, const std::string& id, lesson::NumberRow& row) {
 /// Draws the subject's number fields.
 void draw_numbers(Shell& shell, Column& column) {
   std::size_t g = 0;
-  for (lesson::NumberGroup& group : shell.session().subject().numbers()) {
+  for (lesson::NumberGroup& group : shell.session().stage().subject().numbers()) {
     column.gap(12);
     column.heading(group.heading);
     for (std::size_t r = 0; r < group.rows.size(); ++r) {
@@ -144,7 +145,7 @@ void draw_numbers(Shell& shell, Column& column) {
         column.words(words, Face::kRegular, 13, column.look()->muted);
       }
       if (turns ? draw_turns(column, id, row) : draw_fields(column, id, row.names, row.values))
-        shell.tell(shell.session().set_numbers(g, r, row.values));
+        shell.tell(shell.session().stage().set_numbers(g, r, row.values));
     }
     ++g;
   }
@@ -154,10 +155,10 @@ void draw_scatter(Shell& shell, Column& column) {
   lesson::Session& session = shell.session();
   column.gap(12);
   column.heading("Scatter");
-  std::uint64_t seed = session.seed();
+  std::uint64_t seed = session.stage().subject().origin().seed;
   {
     Fields fields(column, "scatter", 1);
-    if (fields.whole("Seed", seed)) session.scatter(seed);
+    if (fields.whole("Seed", seed)) session.stage().scatter(seed);
   }
   const int clicked = column.buttons("scatter", {"Scatter again", "The lesson's own"});
   if (clicked == 0) shell.app().command("scatter");
@@ -169,17 +170,19 @@ void draw_sources(Shell& shell, Column& column) {
   const lesson::Lesson& lesson = session.lesson();
   const auto now = [&](const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i] == session.source()) return static_cast<int>(i);
+      if (names[i] == session.stage().subject().origin().source) return static_cast<int>(i);
     return -1;
   };
   if (!lesson.generators.empty()) {
     column.gap(12);
     column.heading("Other points");
     constexpr int kUsual = 26;
-    const lesson::Points& own = lesson::points_in(lesson, session.situation());
+    const lesson::Points& own = lesson::points_in(lesson, session.stage().situation());
     const int count = own.count > 0 ? own.count : kUsual;
     const int clicked = column.buttons("generator", lesson.generators, now(lesson.generators));
-    if (clicked >= 0) shell.tell(session.set_generator(lesson.generators[clicked], count, own.dim, session.seed()));
+    if (clicked >= 0)
+      shell.tell(session.stage().set_generator(lesson.generators[clicked], count, own.dim,
+                                               session.stage().subject().origin().seed));
   }
   if (!lesson.meshes.empty()) {
     column.gap(12);
@@ -197,22 +200,24 @@ void draw_sources(Shell& shell, Column& column) {
 
 void draw_tools(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
-  const lesson::Tools tools = session.subject().tools();
+  const lesson::Tools tools = session.stage().subject().tools();
   if (!tools.points) {
     column.title(tools.title);
     draw_numbers(shell, column);
     draw_scalar(shell, column);
     return draw_scatter(shell, column);
   }
-  const std::string source = session.source().empty() ? "" : " · " + session.source();
-  const Index count = lesson::count_of(session.subject());
-  column.title(std::to_string(count) + " " + std::string(session.subject().handle_words()[count == 1 ? 0 : 1]));
-  column.words(std::to_string(session.dim()) + "-D" + source + (session.edited() ? " · changed by you" : ""),
+  const std::string source =
+      session.stage().subject().origin().source.empty() ? "" : " · " + session.stage().subject().origin().source;
+  const Index count = lesson::count_of(session.stage().subject());
+  column.title(std::to_string(count) + " " + std::string(session.stage().subject().handle_words()[count == 1 ? 0 : 1]));
+  column.words(std::to_string(session.stage().subject().dim()) + "-D" + source +
+                   (session.stage().edited() ? " · changed by you" : ""),
                Face::kRegular, 14, column.look()->muted);
   column.gap(10);
   draw_edits(shell, column);
   draw_selected(shell, column);
-  if (session.conduct().builds) return;
+  if (session.stage().conduct().builds) return;
   draw_scalar(shell, column);
   draw_scatter(shell, column);
   draw_sources(shell, column);

@@ -123,7 +123,8 @@ struct Beside {
 Beside beside_of(Shell& shell) {
   if (!shell.demo || shell.app().session() == nullptr) return {};
   const lesson::Session& session = *shell.app().session();
-  const bool asks = session.asked() != nullptr || session.deciding() != nullptr || session.outcome() != nullptr;
+  const bool asks = session.conversation().asked() != nullptr || session.conversation().deciding() != nullptr ||
+                    session.conversation().outcome() != nullptr;
   return {shell.demo->shows("numbers"), shell.demo->shows("code"), asks};
 }
 
@@ -392,7 +393,7 @@ app::Theme theme_of_environment(std::string_view otherwise = "") {
 
 /// Chooses an answer to the open question by a digit. Returns whether it did.
 bool choose(Shell& shell, const std::string& key) {
-  const lesson::Asked* asked = shell.session().asked();
+  const lesson::Asked* asked = shell.session().conversation().asked();
   if (asked == nullptr || key.size() != 1 || key[0] < '1' || key[0] > '9') return false;
   const int choice = key[0] - '1';
   if (choice >= static_cast<int>(asked->choices.size())) return false;
@@ -464,9 +465,7 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (menu_by_key(shell, key, shift, control)) return;
   const bool presents = key == "F5" || (key == "P" && ImGui::GetIO().KeyShift && !shell.presenting);
   if (presents && !shell.course_shown) return shell.present(!shell.presenting);
-  // Any key ends the way to an outcome, and does nothing else.
-  if (!shell.course_shown && shell.session().deciding() != nullptr)
-    return static_cast<void>(shell.app().command("continue"));
+  if (!shell.course_shown && shell.app().end_playing()) return;
   if (key == "Escape" && put_away(shell)) return;
   if (!control && move_focus(shell, key, shift)) return;
   if (shell.course_shown) return static_cast<void>(shell.course.answer_key(shell, control && key == "f" ? "/" : key));
@@ -483,7 +482,7 @@ int take_part(GlfwHost& host, Shell& shell, const PictureFile& file, const Pictu
   const std::string ending = ending_of(file.path);
   if (ending == "gif") {
     constexpr double kPause = 0.8;
-    const int step = shell.session().step();
+    const int step = shell.session().player().step();
     const int status = take_animation(host, shell, file.path, *how.steps, kPause, frame);
     shell.session().jump(step);
     return status;
@@ -684,9 +683,9 @@ int open_first(Shell& shell, const WindowOptions& options) {
     lesson::Place under{.situation = at.situation, .seed = at.seed};
     if (const auto gone = lesson::go_to(under, shell.session(), mesh_named); !gone)
       return stop(gone.error().error.message());
-    const bool gave_way = shell.session().give_way(options.at.is_bare());
+    const bool gave_way = shell.session().stage().give_way(options.at.is_bare());
     shell.use_points(*options.points, options.points_file);
-    shell.session().give_way(gave_way);
+    shell.session().stage().give_way(gave_way);
     if (!shell.notice.empty()) return stop(shell.notice);
     if (const auto gone = lesson::go_in_run(at, shell.session()); !gone) return stop(gone.error().message());
   } else if (const auto gone = lesson::go_to(at, shell.session(), mesh_named); !gone) {

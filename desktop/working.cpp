@@ -109,14 +109,16 @@ std::string time_so_far(double seconds, double left) {
   return words(std::floor(seconds)) + " so far" + (left > 0 ? ", about " + words(left) + " left" : "");
 }
 
-bool is_working(Shell& shell) { return shell.app().session() != nullptr && shell.session().preparing() != nullptr; }
+bool is_working(Shell& shell) {
+  return shell.app().session() != nullptr && shell.session().stage().preparing() != nullptr;
+}
 
 void work(GlfwHost& host, Shell& shell, StateFile& state) {
   bool cancelled = false;
   const OwnKeys keys(host, shell, cancelled);
   const double begun = host.now();
   while (host.open() && is_working(shell) && !cancelled) {
-    const lesson::Preparation& now = *shell.session().preparing();
+    const lesson::Preparation& now = *shell.session().stage().preparing();
     const double at = host.now(), left = now.left() / 1e9, share = now.share();
     Panel panel{now.says(), time_so_far(at - begun, left), share};
     host.begin_frame();
@@ -126,7 +128,7 @@ void work(GlfwHost& host, Shell& shell, StateFile& state) {
     std::atomic<bool> ready = false;
     std::future<lesson::Done> piece = std::async(std::launch::async, [&] {
       const AtEnd told{ready};
-      return shell.session().go_on(kPieces);
+      return shell.session().stage().go_on(kPieces);
     });
     for (host.wait(kBetweenFrames); !ready; host.wait(kBetweenFrames)) {  // at least once: somebody may press Cancel
       if (cancelled) panel.says = "Cancelling: it ends after this part";
@@ -146,7 +148,7 @@ void work(GlfwHost& host, Shell& shell, StateFile& state) {
 
 void cancel_working(Shell& shell) {
   if (!is_working(shell)) return;
-  shell.session().give_up();
+  shell.session().stage().give_up();
   shell.notice = "Cancelled: all is as it was.";
   shell.measured_anew = true;
 }

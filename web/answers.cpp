@@ -21,9 +21,9 @@ val answer_object(const lesson::Asked& asked, const lesson::Session& session, co
   for (std::size_t i = 0; answer->kind == Kind::kChoice && i < asked.choices.size(); ++i)
     if (lesson::is_picked(asked, *answer, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
   object.set("choices", chosen);
-  std::string typed = answer->kind == Kind::kPoint ? session.name_of(answer->value) : "";
+  std::string typed = answer->kind == Kind::kPoint ? session.stage().subject().name_of(answer->value) : "";
   for (const int handle : answer->kind == Kind::kPoints ? answer->list : std::vector<int>())
-    typed += (typed.empty() ? "" : ", ") + session.name_of(handle);
+    typed += (typed.empty() ? "" : ", ") + session.stage().subject().name_of(handle);
   if (answer->kind == Kind::kNumber) typed = lesson::plain_number(answer->number);
   object.set("handle", typed.empty() ? val::null() : val(typed));
   return object;
@@ -46,12 +46,13 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session, les
   object.set("ordered", asked->ordered);
   object.set("field", text(lesson::field_word(*asked)));
   object.set("onStage", asked->on_stage);
-  object.set("place", lesson::place_text(*asked, session.questions()));
+  object.set("place", lesson::place_text(*asked, session.conversation().questions()));
   object.set("how", lesson::how_to_answer(*asked));
-  object.set("picked", answer_object(*asked, session, session.picked()));
-  object.set("tried", answer_object(*asked, session, session.tried()));
-  object.set("ready", session.picked() != nullptr && lesson::answers(*asked, *session.picked()));
-  object.set("says", session.answer_says());
+  object.set("picked", answer_object(*asked, session, session.conversation().picked()));
+  object.set("tried", answer_object(*asked, session, session.conversation().tried()));
+  object.set("ready",
+             session.conversation().picked() != nullptr && lesson::answers(*asked, *session.conversation().picked()));
+  object.set("says", session.conversation().answer_says());
   return object;
 }
 
@@ -82,26 +83,27 @@ val outcome_object(const lesson::Outcome& outcome, lesson::ProseFigures& figures
 val told_object(const lesson::Session& session, const lesson::Outcome* outcome, lesson::ProseFigures& figures) {
   if (outcome == nullptr) return val::null();
   val object = outcome_object(*outcome, figures);
-  const lesson::Asked* asked = session.question_of(*outcome);
+  const lesson::Asked* asked = session.conversation().question_of(*outcome);
   if (asked == nullptr) return object;
   set_prompt(object, *asked, figures);
-  object.set("place", lesson::place_text(*asked, session.questions()));
+  object.set("place", lesson::place_text(*asked, session.conversation().questions()));
   object.set("choices", array_of(asked->choices, text));
   object.set("ordered", asked->ordered);
   object.set("given", answer_object(*asked, session, &outcome->given));
-  object.set("canWatch", session.can_watch_outcome());
-  object.set("canShow", session.can_show_answer());
-  object.set("shown", session.answer_shown());
-  object.set("rightChoices", session.answer_shown() || asked->ordered
-                                 ? array_of(session.right_choices(), [](int choice) { return val(choice); })
-                                 : val::array());
+  object.set("canWatch", session.conversation().can_watch_outcome());
+  object.set("canShow", session.conversation().can_show_answer());
+  object.set("shown", session.conversation().answer_shown());
+  object.set("rightChoices",
+             session.conversation().answer_shown() || asked->ordered
+                 ? array_of(session.conversation().right_choices(), [](int choice) { return val(choice); })
+                 : val::array());
   return object;
 }
 
 /// Every question of the run, in order, with its state.
 val predictions(const lesson::Session& session, lesson::ProseFigures& figures) {
-  return array_of(session.questions(), [&](const lesson::Asked& asked) {
-    const lesson::Outcome* outcome = session.outcome_of(asked);
+  return array_of(session.conversation().questions(), [&](const lesson::Asked& asked) {
+    const lesson::Outcome* outcome = session.conversation().outcome_of(asked);
     val object = val::object();
     object.set("id", asked.question->id);
     const std::string prompt = plain_now(asked.prompt, figures);
@@ -145,28 +147,29 @@ std::string_view kind_word(lesson::Standing standing) {
   return "open";
 }
 
-val target_names(const lesson::Session& session) { return array_of(session.target_names(), text); }
+val target_names(const lesson::Session& session) { return array_of(session.conversation().target_names(), text); }
 
 void set_answers(val& object, const lesson::Session& session) {
-  lesson::ProseFigures figures(session);
-  object.set("asked", asked_object(session.asked(), session, figures));
-  object.set("questions", static_cast<int>(session.questions().size()));
-  object.set("outcome", told_object(session, session.outcome(), figures));
-  object.set("deciding", told_object(session, session.deciding(), figures));
+  lesson::ProseFigures figures(session.conversation());
+  object.set("asked", asked_object(session.conversation().asked(), session, figures));
+  object.set("questions", static_cast<int>(session.conversation().questions().size()));
+  object.set("outcome", told_object(session, session.conversation().outcome(), figures));
+  object.set("deciding", told_object(session, session.conversation().deciding(), figures));
   object.set("predictions", predictions(session, figures));
-  object.set("tally", tally_object(session.tally()));
-  object.set("summary", session.at_summary());
-  object.set("waiting", array_of(session.waiting(), [&](const lesson::Method* method) {
+  object.set("tally", tally_object(session.conversation().tally()));
+  object.set("summary", session.conversation().at_summary());
+  object.set("waiting", array_of(session.conversation().waiting(), [&](const lesson::Method* method) {
                return text(lesson::name_in(session.lesson(), *method));
              }));
-  object.set("canPractise", session.can_practise());
-  object.set("situationsWaiting", array_of(session.situations_waiting(), text));
-  object.set("outcomes", array_of(session.outcomes(),
+  object.set("canPractise", session.conversation().can_practise());
+  object.set("situationsWaiting", array_of(session.log().situations_waiting(session.stage().situation()), text));
+  object.set("outcomes", array_of(session.log().outcomes(),
                                   [&](const lesson::Outcome& outcome) { return outcome_object(outcome, figures); }));
-  object.set("score", session.score());
+  object.set("score", session.conversation().score());
   object.set("grade", grade_object(session.grade()));
   val tasks = val::array();
-  const std::size_t count = session.conduct().builds ? 0 : session.lesson().tasks.size();  // as in lesson_object
+  const std::size_t count =
+      session.stage().conduct().builds ? 0 : session.lesson().tasks.size();  // as in lesson_object
   for (std::size_t i = 0; i < count; ++i) {
     val task = grade_object(session.grade(i));
     task.set("was", session.was_done(i));
@@ -175,7 +178,7 @@ void set_answers(val& object, const lesson::Session& session) {
     tasks.call<void>("push", task);
   }
   object.set("tasks", tasks);
-  object.set("task", static_cast<int>(session.task()));
+  object.set("task", static_cast<int>(session.stage().task()));
   object.set("tasksDone", session.tasks_done());
   const lesson::Progress progress = lesson::progress_of(session);
   val far = val::object();

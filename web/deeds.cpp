@@ -29,12 +29,12 @@ std::string sentence(const tl::expected<Value, InputError>& result) {
 
 /// Remembers how an address can describe the current state, once it is there.
 static void remember() {
-  door().remembers_later = session()->preparing() != nullptr;
+  door().remembers_later = session()->stage().preparing() != nullptr;
   if (!door().remembers_later) door().stages.remember(*session());
 }
 
 val preparing() {
-  const lesson::Preparation* now = session() ? session()->preparing() : nullptr;
+  const lesson::Preparation* now = session() ? session()->stage().preparing() : nullptr;
   if (now == nullptr) return val::null();
   val object = val::object();
   object.set("says", now->says());
@@ -43,14 +43,14 @@ val preparing() {
 }
 std::string go_on(double milliseconds) {
   if (!session()) return "";
-  const auto gone_on = session()->go_on(milliseconds * 1e6);
-  if (session()->preparing() != nullptr) return "";
+  const auto gone_on = session()->stage().go_on(milliseconds * 1e6);
+  if (session()->stage().preparing() != nullptr) return "";
   if (std::exchange(door().remembers_later, false) && gone_on) remember();
   return sentence(gone_on);
 }
 void give_up() {
   door().remembers_later = false;
-  if (session()) session()->give_up();
+  if (session()) session()->stage().give_up();
 }
 
 bool command(const std::string& name) {
@@ -66,9 +66,9 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
 void pick_choice(int choice) {
   if (door().app) door().app->pick_choice(choice);
 }
-bool pick_name(const std::string& name) { return session() && session()->pick(std::string_view(name)); }
+bool pick_name(const std::string& name) { return session() && session()->conversation().pick(std::string_view(name)); }
 val targets() { return session() ? target_names(*session()) : val::array(); }
-val trace() { return session() ? text(hex_of(session()->trace_hash())) : val::null(); }
+val trace() { return session() ? text(hex_of(session()->player().trace_hash())) : val::null(); }
 
 bool figures_fill() { return door().app && door().app->figures_fill(); }
 double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }
@@ -92,48 +92,50 @@ void erase_answers() {
 }
 
 std::string choose(int slot, const std::string& name) {
-  return session() ? sentence(session()->choose(slot, name)) : "";
+  return session() ? sentence(session()->player().choose(slot, name)) : "";
 }
 
 void select_point(int point) {
-  if (session()) door().app->select(point >= 0 && point < session()->size() ? point : kNoIndex);
+  if (session()) door().app->select(point >= 0 && point < session()->stage().subject().size() ? point : kNoIndex);
 }
 
 std::string move_point(int point, double x, double y, double z) {
-  if (!session() || point < 0 || point >= session()->size()) return "there is no such point";
-  return sentence(session()->move(point, {x, y, session()->dim() == 2 ? 0 : z}));
+  if (!session() || point < 0 || point >= session()->stage().subject().size()) return "there is no such point";
+  return sentence(session()->stage().move(point, {x, y, session()->stage().subject().dim() == 2 ? 0 : z}));
 }
 
 std::string show_situation(const std::string& name) {
   if (!session()) return "";
-  const auto shown = session()->show_situation(name);
-  if (shown && session()->is_own()) remember();
+  const auto shown = session()->stage().show_situation(name);
+  if (shown && session()->stage().is_own()) remember();
   return sentence(shown);
 }
 
 std::string hold_slider(bool held) {
   if (!session()) return "";
-  if (!held) return sentence(session()->end_drag());
-  session()->begin_drag();
+  if (!held) return sentence(session()->stage().end_drag());
+  session()->stage().begin_drag();
   return "";
 }
-std::string slide(int slider, int place) { return session() ? sentence(session()->slide_to_place(slider, place)) : ""; }
+std::string slide(int slider, int place) {
+  return session() ? sentence(session()->stage().slide_to_place(slider, place)) : "";
+}
 static std::uint64_t whole(double seed) { return static_cast<std::uint64_t>(std::clamp(seed, 0.0, 0x1p53)); }
 
 void scatter(double seed) {
   if (!session()) return;
-  session()->scatter(whole(seed));
+  session()->stage().scatter(whole(seed));
   remember();
 }
 
 std::string set_generator(const std::string& kind, int count, double seed) {
   if (!session()) return "";
-  const auto set = session()->set_generator(kind, count, session()->dim(), whole(seed));
+  const auto set = session()->stage().set_generator(kind, count, session()->stage().subject().dim(), whole(seed));
   if (set) remember();
   return sentence(set);
 }
 
-std::string set_float(bool in_float) { return session() ? sentence(session()->set_float(in_float)) : ""; }
+std::string set_float(bool in_float) { return session() ? sentence(session()->stage().set_float(in_float)) : ""; }
 
 std::string load_file(const std::string& bytes, const std::string& name) {
   if (!session()) return "";
@@ -202,7 +204,7 @@ void invite(int followed) {
 
 void start_task(int task) {
   if (!session() || task < 0) return;
-  session()->start_task(task);
+  session()->stage().start_task(task);
   remember();
 }
 
@@ -217,9 +219,9 @@ std::string set_numbers(int group, int row, const val& values) {
   return session() ? take_numbers(*session(), group, row, values) : "";
 }
 
-std::string set_file(const std::string& text) { return session() ? sentence(session()->set_file(text)) : ""; }
+std::string set_file(const std::string& text) { return session() ? sentence(session()->stage().set_file(text)) : ""; }
 void end_typing() {
-  if (session()) session()->end_typing();
+  if (session()) session()->stage().end_typing();
 }
 
 static lesson::Place place_now() {
@@ -240,7 +242,7 @@ val place(bool bare) {
 
 std::string demo_state() {
   if (!session()) return "";
-  return lesson::state_text(place_now(), session()->lesson().title, session()->trace_hash());
+  return lesson::state_text(place_now(), session()->lesson().title, session()->player().trace_hash());
 }
 
 val read_place(const std::string& address) {

@@ -18,13 +18,13 @@ using emscripten::val;
 /// The handles that may be moved.
 std::vector<std::string> movable_names(const lesson::Session& session) {
   std::vector<std::string> names;
-  for (Index i = 0; i < session.size(); ++i)
-    if (session.may_move(i)) names.push_back(session.name_of(i));
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
+    if (session.stage().may_move(i)) names.push_back(session.stage().subject().name_of(i));
   return names;
 }
 
 val rows_of(const lesson::Sitting& sitting, const lesson::Session& session) {
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   int number = 0;
   return array_of(sitting.marked(session), [&](const lesson::Marked& marked) {
     val row = val::object();
@@ -85,7 +85,7 @@ val exercise_object(app::App& app) {
   object.set("mark", tells && !sitting->practises() ? val(sitting->mark(session)) : val::null());
   object.set("of", sitting->of());
   object.set("countKnown", sitting->exercise().least == sitting->exercise().most);
-  object.set("told", session.outcome() != nullptr);
+  object.set("told", session.conversation().outcome() != nullptr);
   object.set("tellsAtOnce", sitting->tells_at_once());
   object.set("finished", over);
   object.set("hints", array_of(sitting->hints(session), text));
@@ -96,7 +96,7 @@ val exercise_object(app::App& app) {
   object.set("run", text(kRuns[static_cast<std::size_t>(sitting->looks_at(session))]));
   object.set("compared", sitting->compared(session));
   object.set("firstDifference", sitting->first_difference(session));
-  object.set("canTakeBack", !sitting->tells_at_once() && !session.given().empty() && !over);
+  object.set("canTakeBack", !sitting->tells_at_once() && !session.log().given().empty() && !over);
   object.set("rows", rows_of(*sitting, session));
   return object;
 }

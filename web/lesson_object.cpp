@@ -72,9 +72,9 @@ val lesson_object(const lesson::Session& session) {
              array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson, name); }));
   object.set("stepWord", text(lesson.subject->step_word));
   object.set("asksOfSteps", lesson.subject->asks_of_steps);
-  object.set("tools", tools_object(session.subject()));
-  object.set("stageSays", text(session.subject().stage_says()));
-  object.set("handleWords", array_of(session.subject().handle_words(), text));
+  object.set("tools", tools_object(session.stage().subject()));
+  object.set("stageSays", text(session.stage().subject().stage_says()));
+  object.set("handleWords", array_of(session.stage().subject().handle_words(), text));
   object.set("situations", situations_array(lesson));
   object.set("dim", lesson.points.dim);
   set_points(object, lesson.points);
@@ -83,7 +83,8 @@ val lesson_object(const lesson::Session& session) {
   object.set("generators", array_of(lesson.generators, text));
   object.set("compare", lesson.compare);
   val tasks = val::array();
-  const std::size_t count = session.conduct().builds ? 0 : lesson.tasks.size();  // what is built has its own card
+  const std::size_t count =
+      session.stage().conduct().builds ? 0 : lesson.tasks.size();  // what is built has its own card
   for (std::size_t i = 0; i < count; ++i) {
     const lesson::Task& own = lesson.tasks[i];
     val task = val::object();

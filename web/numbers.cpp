@@ -16,7 +16,7 @@ val numbers_object(const lesson::Session& session) {
     object.set("values", array_of(row.values, number));
     return object;
   };
-  return array_of(session.subject().numbers(), [&](const lesson::NumberGroup& group) {
+  return array_of(session.stage().subject().numbers(), [&](const lesson::NumberGroup& group) {
     val object = val::object();
     object.set("heading", text(group.heading));
     object.set("name", text(group.name));
@@ -26,7 +26,7 @@ val numbers_object(const lesson::Session& session) {
 }
 
 std::string take_numbers(lesson::Session& session, int group, int row, const val& values) {
-  const auto set = session.set_numbers(group, row, emscripten::vecFromJSArray<double>(values));
+  const auto set = session.stage().set_numbers(group, row, emscripten::vecFromJSArray<double>(values));
   return set ? "" : set.error().message();
 }
 

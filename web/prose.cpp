@@ -53,7 +53,7 @@ val block_object(const lesson::Block& block) {
 }
 
 val prose_figures_object(const lesson::Session& session) {
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   val object = val::object();
   for (const lesson::RunFigure& figure : session.lesson().figures) {
     const lesson::FigureNow& now = figures.of(figure);

@@ -23,19 +23,19 @@ using emscripten::val;
 val coordinates(const Vector<double, 3>& point, int dim) { return array_of(std::span(point.data(), dim), number); }
 
 void set_algorithms(val& object, const lesson::Session& session) {
-  const lesson::Method* main = session.method(0);
-  const lesson::Method* beside = session.method(1);
+  const lesson::Method* main = session.player().method(0);
+  const lesson::Method* beside = session.player().method(1);
   const auto name = [&](const lesson::Method& method) { return text(lesson::name_in(session.lesson(), method)); };
   object.set("algorithm", name(*main));
   object.set("beside", beside != nullptr ? name(*beside) : val::null());
   object.set("codeTitle", text(main->title));
-  object.set("code", array_of(session.pseudocode(0), text));
-  object.set("line", session.line());
-  object.set("rivals", array_of(session.rivals(), [&](const lesson::Rival& rival) {
+  object.set("code", array_of(session.player().pseudocode(0), text));
+  object.set("line", session.player().line());
+  object.set("rivals", array_of(session.player().rivals(), [&](const lesson::Rival& rival) {
                val row = val::object();
                row.set("name", name(*rival.method));
                row.set("title", lesson::title_in(session.lesson(), *rival.method));
-               const bool hidden = session.hides_result(*rival.method);
+               const bool hidden = session.telling().hides_result(*rival.method);
                row.set("size", hidden ? val::null() : val(rival.size));
                row.set("excess", rival.excess && !hidden ? val(*rival.excess) : val::null());
                return row;
@@ -44,11 +44,11 @@ void set_algorithms(val& object, const lesson::Session& session) {
 
 void set_figures(val& object, const lesson::Session& session) {
   val readout = val::object();
-  const auto figures = session.figures();
+  const auto figures = session.telling().figures();
   for (const auto& figure : figures)
     if (figure.known) readout.set(figure.key, figure.value);
   object.set("readout", readout);
-  object.set("figures", array_of(figures, [](const lesson::Session::Figure& figure) {
+  object.set("figures", array_of(figures, [](const lesson::Figure& figure) {
                val row = val::object();
                row.set("key", figure.key);
                row.set("name", figure.name);
@@ -59,27 +59,28 @@ void set_figures(val& object, const lesson::Session& session) {
 
 void set_points(val& object, const app::App& app, const lesson::Session& session) {
   object.set("numbers", numbers_object(session));
-  object.set("toolsWord", text(session.subject().tools().word));
-  object.set("toolsTitle", text(session.subject().tools().title));
-  object.set("size", lesson::count_of(session.subject()));
-  object.set("dim", session.dim());
-  object.set("edited", session.edited());
-  object.set("source", session.source());
-  object.set("seed", static_cast<double>(session.seed()));
-  const bool in_float = session.subject().in_float(), offered = session.subject().scalar() != nullptr;
+  object.set("toolsWord", text(session.stage().subject().tools().word));
+  object.set("toolsTitle", text(session.stage().subject().tools().title));
+  object.set("size", lesson::count_of(session.stage().subject()));
+  object.set("dim", session.stage().subject().dim());
+  object.set("edited", session.stage().edited());
+  object.set("source", session.stage().subject().origin().source);
+  object.set("seed", static_cast<double>(session.stage().subject().origin().seed));
+  const bool in_float = session.stage().subject().in_float(), offered = session.stage().subject().scalar() != nullptr;
   object.set("scalar", offered ? val(in_float ? "float" : "double") : val::null());
-  object.set("canUndo", session.can_undo());
-  object.set("canRedo", session.can_redo());
+  object.set("canUndo", session.stage().can_undo());
+  object.set("canRedo", session.stage().can_redo());
   const Index selected = app.selected();
-  const bool any = selected >= 0 && selected < session.size();
+  const bool any = selected >= 0 && selected < session.stage().subject().size();
   object.set("selected", any ? val(selected) : val::null());
-  object.set("selectedName", any ? val(session.name_of(selected)) : val::null());
-  object.set("coordinates", any ? coordinates(session.point(selected), session.dim()) : val::null());
+  object.set("selectedName", any ? val(session.stage().subject().name_of(selected)) : val::null());
+  object.set("coordinates",
+             any ? coordinates(session.stage().subject().at(selected), session.stage().subject().dim()) : val::null());
 }
 
 void set_sliders(val& object, const lesson::Session& session) {
-  object.set("situation", session.lesson().situations.empty() ? val::null() : val(session.situation()));
-  object.set("sliders", array_of(session.sliders(), [](const lesson::ShownSlider& slider) {
+  object.set("situation", session.lesson().situations.empty() ? val::null() : val(session.stage().situation()));
+  object.set("sliders", array_of(session.stage().sliders(), [](const lesson::ShownSlider& slider) {
                val row = val::object();
                row.set("number", static_cast<double>(slider.number));
                row.set("title", slider.slider->title);
@@ -96,7 +97,7 @@ val lit_object(const app::App& app, const lesson::Session& session) {
   val object = val::object();
   object.set("mark", text(app.lit()));
   object.set("handles", array_of(lesson::marked_handles(session, app.lit()),
-                                 [&](Index handle) { return val(session.name_of(handle)); }));
+                                 [&](Index handle) { return val(session.stage().subject().name_of(handle)); }));
   object.set("words", array_of(app.marks_in_hand(), text));
   return object;
 }
@@ -173,7 +174,7 @@ val stored_object(const lesson::Session& session) {
 
 /// The text that the stage is made from.
 val file_object(const lesson::Session& session) {
-  const auto file = session.subject().file();
+  const auto file = session.stage().subject().file();
   if (!file) return val::null();
   val object = val::object();
   object.set("own", file->own);
@@ -202,18 +203,18 @@ val switch_object(const lesson::Switch& one) {
 val view_object(app::App& app, const lesson::Session& session) {
   val object = val::object();
   object.set("lesson", session.lesson().id);
-  object.set("step", session.step());
-  object.set("steps", session.steps());
+  object.set("step", session.player().step());
+  object.set("steps", session.player().steps());
   object.set("caption", app.caption());
   const std::optional<int> section = lesson::section_at(session);
   object.set("section", section ? val(*section) : val::null());
   object.set("lit", lit_object(app, session));
   object.set("invitation", invitation_object(app.invitation()));
-  object.set("closeUp", close_up_object(app.close_up(), session.dim()));
+  object.set("closeUp", close_up_object(app.close_up(), session.stage().subject().dim()));
   object.set("invited", app.invitations_followed());
   object.set("playing", app.playing());
   object.set("speed", app.speed());
-  object.set("previewing", session.previewing());
+  object.set("previewing", session.player().previewing());
   set_answers(object, session);
   object.set("exercise", exercise_object(app));
   object.set("preparing", preparing());
@@ -227,7 +228,7 @@ val view_object(app::App& app, const lesson::Session& session) {
   set_sliders(object, session);
   object.set("stored", stored_object(session));
   object.set("file", file_object(session));
-  object.set("effects", array_of(session.switches(), switch_object));
+  object.set("effects", array_of(session.player().switches(), switch_object));
   return object;
 }
 

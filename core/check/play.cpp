@@ -12,34 +12,34 @@ namespace {
 
 /// Answers the open question, or takes a step. false: it could do neither.
 bool advance(Session& session, std::vector<Outcome>& outcomes, std::vector<Played::FalseKey>& false_keys) {
-  const int step = session.step();
-  if (const Asked* asked = session.asked()) {
+  const int step = session.player().step();
+  if (const Asked* asked = session.conversation().asked()) {
     const std::string id = asked->question->id;
-    if (auto is = contradiction(*asked, session.run(0)))
+    if (auto is = contradiction(*asked, session.player().run(0)))
       false_keys.push_back({id, asked->choices[asked->question->answer], *std::move(is)});
-    if (!session.answer(model_answer(*asked, session.run(0)))) return false;
-    for (const Outcome& outcome : session.outcomes())
+    if (!session.conversation().give(model_answer(*asked, session.player().run(0)))) return false;
+    for (const Outcome& outcome : session.log().outcomes())
       if (outcome.question == id) outcomes.push_back(outcome);
-    while (session.acknowledge()) {
+    while (session.conversation().acknowledge()) {
     }
     return true;
   }
   session.forward();
-  return session.step() > step;
+  return session.player().step() > step;
 }
 
 tl::expected<Played::Algorithm, InputError> play_algorithm(Session& session, const std::string& name,
                                                            std::vector<Played::FalseKey>& false_keys) {
-  if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
-  Played::Algorithm played{name, session.situation(), session.steps(), {}};
-  session.first();
-  session.ask_predictions();
+  if (const auto chosen = session.player().choose(0, name); !chosen) return tl::unexpected(chosen.error());
+  Played::Algorithm played{name, session.stage().situation(), session.player().steps(), {}};
+  session.go(0);
+  session.conversation().ask_predictions();
   // Every iteration answers a question or takes a step, so there are at most as many as both together.
-  std::size_t turns = session.questions().size() + static_cast<std::size_t>(session.steps());
-  while (session.step() < session.steps() || session.asked() != nullptr)
+  std::size_t turns = session.conversation().questions().size() + static_cast<std::size_t>(session.player().steps());
+  while (session.player().step() < session.player().steps() || session.conversation().asked() != nullptr)
     if (turns-- == 0 || !advance(session, played.outcomes, false_keys))
-      return tl::unexpected(
-          InputError{.what = "the player does not get past step " + std::to_string(session.step()) + " of " + name});
+      return tl::unexpected(InputError{.what = "the player does not get past step " +
+                                               std::to_string(session.player().step()) + " of " + name});
   return played;
 }
 
@@ -54,8 +54,8 @@ void find_not_asked(const Lesson& lesson, Played& played) {
 
 tl::expected<Grade, InputError> play_task(Session& session, std::size_t task) {
   const SubjectRow& subject = *session.lesson().subject;
-  if (subject.play_task == nullptr) return session.solve_task(task);
-  session.start_task(task);
+  if (subject.play_task == nullptr) return session.solve_task(task, session.lesson().tasks[task].model);
+  session.stage().start_task(task);
   return subject.play_task(session, session.lesson().tasks[task]);
 }
 
@@ -74,7 +74,7 @@ tl::expected<Played, InputError> play(Session& session) {
   const SubjectRow& subject = *session.lesson().subject;
   session.forget_answers();
   for (const std::string_view situation : situation_names(session.lesson())) {
-    if (const Done shown = session.show_situation(situation); !shown) return tl::unexpected(shown.error());
+    if (const Done shown = session.stage().show_situation(situation); !shown) return tl::unexpected(shown.error());
     if (subject.before_play != nullptr) subject.before_play(session);
     for (const std::string& name : playable(session)) {
       auto algorithm = play_algorithm(session, name, played.false_keys);
@@ -82,7 +82,7 @@ tl::expected<Played, InputError> play(Session& session) {
       played.algorithms.push_back(std::move(*algorithm));
     }
   }
-  if (const Done shown = session.show_situation(kOwnSituation); !shown) return tl::unexpected(shown.error());
+  if (const Done shown = session.stage().show_situation(kOwnSituation); !shown) return tl::unexpected(shown.error());
   find_not_asked(session.lesson(), played);
   for (std::size_t i = 0; i < session.lesson().tasks.size(); ++i) {
     auto grade = play_task(session, i);

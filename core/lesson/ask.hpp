@@ -114,7 +114,7 @@ struct AskingOf {
 /// What happened, and what was predicted.
 struct Outcome {
   std::string question;  // its id
-  std::uint64_t on = 0;  // what it was asked on (Session::instance)
+  std::uint64_t on = 0;  // what it was asked on (Conversation::instance)
   Answer given;
   int from_step = 0;  // where it was asked, and
   int step = 0;       // where it was decided: the steps in between show how

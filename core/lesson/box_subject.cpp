@@ -140,9 +140,9 @@ Done BoxSubject::set_boxes(const BoxPair& pair) {
 }
 
 Done set_boxes(Session& session, const BoxPair& pair) {
-  auto next = session.subject().clone();
+  auto next = session.stage().subject().clone();
   if (Done set = static_cast<BoxSubject&>(*next).set_boxes(pair); !set) return set;
-  return session.become(std::move(next));
+  return session.stage().become(std::move(next));
 }
 
 void BoxSubject::scatter(std::uint64_t seed, const Subject& own) {

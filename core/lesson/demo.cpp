@@ -147,32 +147,32 @@ std::string_view revealed_text(std::string_view reveal) {
 }
 
 void pass_questions(Session& session) {
-  const int step = session.step();
-  for (std::size_t left = 3 * session.questions().size() + 3; left > 0; --left) {
-    if (session.asked() != nullptr) session.skip();
-    else if (session.deciding() != nullptr) session.decide();
-    else if (session.outcome() != nullptr) session.acknowledge();
-    else if (session.step() < session.steps()) session.go(session.steps());
+  const int step = session.player().step();
+  for (std::size_t left = 3 * session.conversation().questions().size() + 3; left > 0; --left) {
+    if (session.conversation().asked() != nullptr) session.conversation().give({}, false);
+    else if (session.conversation().deciding() != nullptr) session.conversation().decide();
+    else if (session.conversation().outcome() != nullptr) session.conversation().acknowledge();
+    else if (session.player().step() < session.player().steps()) session.go(session.player().steps());
     else break;
   }
   // Those of other algorithms as well: until then the numbers keep from the class what they ask for.
-  std::vector<Outcome> outcomes = session.outcomes();
+  std::vector<Outcome> outcomes = session.log().outcomes();
   for (Outcome& outcome : outcomes) outcome.passed = false;
   for (const Question& question : session.lesson().questions)
     if (std::none_of(outcomes.begin(), outcomes.end(), [&](const Outcome& one) { return one.question == question.id; }))
       outcomes.push_back({.question = question.id, .skipped = true});
-  session.take_up_answers(std::move(outcomes));
-  session.close_summary();
+  session.take_up(std::move(outcomes));
+  session.conversation().close_summary();
   session.jump(step);
 }
 
 void reveal_answer(Session& session) {
-  if (session.asked() == nullptr) return;
-  const std::string question = session.asked()->question->id;
-  session.skip();
-  session.decide();
+  if (session.conversation().asked() == nullptr) return;
+  const std::string question = session.conversation().asked()->question->id;
+  session.conversation().give({}, false);
+  session.conversation().decide();
   pass_questions(session);
-  session.review(question);
+  session.conversation().review(question);
 }
 
 std::string with_hashes(std::string_view toml, const Demo& demo, const std::vector<std::uint64_t>& hashes) {

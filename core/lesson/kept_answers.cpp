@@ -44,7 +44,7 @@ void add_list(std::string& out, std::string_view key, const std::vector<int>& li
   out += "]\n";
 }
 
-void add_tasks(std::string& out, const std::vector<Session::DoneTask>& tasks) {
+void add_tasks(std::string& out, const std::vector<DoneTask>& tasks) {
   if (tasks.empty()) return;
   std::vector<int> numbers;
   std::string words;
@@ -93,13 +93,12 @@ Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
 }  // namespace
 
 KeptAnswers answers_of(const Session& session) {
-  return {session.outcomes(), session.done_tasks(), session.moved_sliders()};
+  return {session.log().outcomes(), session.done_tasks(), session.log().moved()};
 }
 
 void take_up(Session& session, const KeptAnswers& answers) {
-  session.take_up_answers(answers.outcomes);
-  session.take_up_tasks(answers.tasks);
-  session.take_up_moved(answers.moved);
+  session.take_up(answers.outcomes);
+  session.take_up(answers.tasks, answers.moved);
 }
 
 std::string kept_text(const KeptAnswers& answers) {

@@ -12,7 +12,7 @@ namespace snug::lesson {
 /// What was answered in a lesson, and which of its tasks were done, by what.
 struct KeptAnswers {
   std::vector<Outcome> outcomes;
-  std::vector<Session::DoneTask> tasks;
+  std::vector<DoneTask> tasks;
   std::vector<std::string> moved = {};  // the sliders that the lesson is about which were moved, by what they drive
 };
 

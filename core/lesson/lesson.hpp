@@ -205,7 +205,7 @@ struct Lesson {
   /// What the stage shows when the lesson opens.
   enum class Start {
     kBegin,  // the points alone, before the first step
-    kEnd,    // the result: see Session::previewing
+    kEnd,    // the result: see Player::previewing
   };
   std::string id;  // the file's name without .toml
   std::string title;

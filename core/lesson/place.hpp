@@ -110,8 +110,8 @@ struct PlaceFault {
 };
 using MeshOf = std::function<tl::expected<io::PointFile, InputError>(const std::string&)>;
 
-/// Brings a session of the place's lesson, just opened, to it part by part. A part may need a preparation (Session::
-/// preparing), which has to be done before the next.
+/// Brings a session of the place's lesson, just opened, to it part by part. A part may need a preparation
+/// (Stage::preparing), which has to be done before the next.
 class WayTo {
  public:
   WayTo(Place place, MeshOf mesh) : place_(std::move(place)), mesh_(std::move(mesh)) {}

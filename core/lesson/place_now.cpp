@@ -23,18 +23,20 @@ std::vector<std::size_t> differences(const Rows& a, const Rows& b) {
 /// All but the points and what fills them.
 Place place_in_run(const Session& session) {
   const Lesson& lesson = session.lesson();
-  Place place{.lesson = lesson.id, .seed = session.seed()};
+  Place place{.lesson = lesson.id, .seed = session.stage().subject().origin().seed};
   const auto name = [&](int slot) {
-    return session.method(slot) != nullptr ? name_in(lesson, *session.method(slot)) : std::string();
+    return session.player().method(slot) != nullptr ? name_in(lesson, *session.player().method(slot)) : std::string();
   };
-  if (!lesson.situations.empty() && session.situation() != kOwnSituation) place.situation = session.situation();
+  if (!lesson.situations.empty() && session.stage().situation() != kOwnSituation)
+    place.situation = session.stage().situation();
   if (!lesson.algorithms.empty() && name(0) != lesson.algorithms.front()) place.algorithm = name(0);
   if (name(1) != lesson.compare) place.beside = name(1);
-  if (session.subject().in_float() != session.own().in_float())
-    place.scalar = session.subject().in_float() ? "float" : "double";
-  if (session.has_slid()) place.sliders = session.slider_values();
-  if (!session.previewing()) place.step = session.step();  // a preview is not a step that anyone chose
-  if (const auto file = session.subject().file())
+  if (session.stage().subject().in_float() != session.stage().own().in_float())
+    place.scalar = session.stage().subject().in_float() ? "float" : "double";
+  if (session.stage().has_slid()) place.sliders = session.stage().slider_values();
+  if (!session.player().previewing())
+    place.step = session.player().step();  // a preview is not a step that anyone chose
+  if (const auto file = session.stage().subject().file())
     place.file = change_of(file->own, file->runs), place.draft = change_of(file->runs, file->typed);
   return place;
 }
@@ -42,12 +44,12 @@ Place place_in_run(const Session& session) {
 }  // namespace
 
 std::optional<std::string> source_words(const Session& session) {
-  const Points& own = points_in(session.lesson(), session.situation());
-  const std::string& source = session.source();
+  const Points& own = points_in(session.lesson(), session.stage().situation());
+  const std::string& source = session.stage().subject().origin().source;
   if (source == "own" || (!own.mesh.empty() && source == own.mesh)) return "";
-  const Index count = count_of(session.subject());
+  const Index count = count_of(session.stage().subject());
   if (source == own.generate && count == own.count) return "";
-  if (source == "task" && session.task() > 0) return source + ":" + std::to_string(session.task() + 1);
+  if (source == "task" && session.stage().task() > 0) return source + ":" + std::to_string(session.stage().task() + 1);
   if (source == "task" || is_among(mesh_names(), source)) return source;
   if (is_among(generator_kinds(), source)) return source + ":" + std::to_string(count);
   return std::nullopt;
@@ -57,15 +59,17 @@ void NamedStages::remember(const Session& session) {
   const auto from = source_words(session);
   if (!from) return;
   if (known_.size() == kMostKnown) known_.erase(known_.begin() + 1);  // the first is the lesson as it opened
-  known_.push_back({*from, session.seed(), session.snapshot()});
+  known_.push_back({*from, session.stage().subject().origin().seed, session.stage().snapshot()});
 }
 
 /// The rows that a known stage has with the sliders where they stand now; none if it is another situation's.
 Rows NamedStages::rows_from(const Known& known, const Session& session) {
   const Snapshot& stage = known.stage;
-  if (known.seed != session.seed() || stage.subject->origin().situation != session.situation()) return {};
-  if (stage.slid.values == session.slider_values()) return stage.subject->rows();
-  const auto slid = slid_to(session.lesson(), stage, session.slider_values());
+  if (known.seed != session.stage().subject().origin().seed ||
+      stage.subject->origin().situation != session.stage().situation())
+    return {};
+  if (stage.slid.values == session.stage().slider_values()) return stage.subject->rows();
+  const auto slid = slid_to(session.lesson(), stage, session.stage().slider_values());
   return slid ? slid->subject->rows() : Rows();
 }
 
@@ -73,10 +77,10 @@ Place NamedStages::place_of(const Session& session) const {
   Place place = place_in_run(session);
   if (known_.empty()) {
     place.from = source_words(session).value_or("");
-    if (session.edited()) place.rows = session.subject().rows();
+    if (session.stage().edited()) place.rows = session.stage().subject().rows();
     return place;
   }
-  const Rows rows = session.subject().rows();
+  const Rows rows = session.stage().subject().rows();
   const Known* nearest = nullptr;
   std::vector<std::size_t> fewest;
   for (const Known& known : known_) {

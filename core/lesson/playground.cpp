@@ -44,8 +44,8 @@ std::vector<Point3> farthest_points(const fit::Volume3& lifted) {
 }  // namespace
 
 std::optional<io::PointFile> points_to_try(const Session& session) {
-  const Subject& subject = session.subject();
-  io::PointFile file{.dim = session.dim(), .points = {}, .triangles = {}};
+  const Subject& subject = session.stage().subject();
+  io::PointFile file{.dim = session.stage().subject().dim(), .points = {}, .triangles = {}};
   if (const AnyPointSet* points = subject.points()) {
     file.points = all_points(*points);
     const auto triangles = subject.with_points()->triangles();
@@ -58,7 +58,7 @@ std::optional<io::PointFile> points_to_try(const Session& session) {
 }
 
 std::string_view playground_text(const Session& session) {
-  if (session.subject().points() != nullptr) return "Try every volume on these points";
+  if (session.stage().subject().points() != nullptr) return "Try every volume on these points";
   return points_to_try(session) ? "Try every volume on this body" : "Every volume, side by side";
 }
 

@@ -14,10 +14,10 @@ const Figure* figure_of_key(const std::vector<Figure>& figures, std::string_view
 
 /// Whether the result of a method must stay hidden now: until its questions are answered, and wherever results are
 /// hidden beside the stage as well.
-bool hides_result(const Session& session, const Method& method, std::string_view key) {
-  return session.asked() != nullptr || session.to_predict() != nullptr || session.hides_result(method) ||
-         session.is_hidden(key) ||
-         session.awaits(method, session.lesson().subject->compares ? key : std::string_view());
+bool hides_result(const Conversation& now, const Method& method, std::string_view key) {
+  const Telling telling(now);
+  return now.asked() != nullptr || now.to_predict() != nullptr || telling.hides_result(method) ||
+         telling.is_hidden(key) || telling.awaits(method, now.lesson().subject->compares ? key : std::string_view());
 }
 
 /// The number of "3 of 15", "2.118 units", "21 pairs" or "1 pair".
@@ -57,23 +57,23 @@ FigureNow ProseFigures::look_up(const RunFigure& figure) {
       unknown{std::string(kHiddenFigure), kFigureUnknown};
   const Figure* found = nullptr;
   if (figure.algorithm.empty()) {
-    if (session_.is_hidden(figure.key)) return hidden;
-    if (!shown_) shown_ = session_.figures();
+    if (Telling(now_).is_hidden(figure.key)) return hidden;
+    if (!shown_) shown_ = Telling(now_).figures();
     found = figure_of_key(*shown_, figure.key);
   } else {
-    const Method* method = find_method(session_.lesson(), figure.algorithm);
+    const Method* method = find_method(now_.lesson(), figure.algorithm);
     if (method == nullptr) return unknown;
-    if (!session_.subject().suits(*method)) return {std::string(kHiddenFigure), kFigureRefused};
-    if (hides_result(session_, *method, figure.key)) return hidden;
-    found = figure_of_key(session_.result(*method), figure.key);
+    if (!now_.stage().subject().suits(*method)) return {std::string(kHiddenFigure), kFigureRefused};
+    if (hides_result(now_, *method, figure.key)) return hidden;
+    found = figure_of_key(now_.player().result(*method), figure.key);
     if (found != nullptr && !found->known) return {"—", kFigureNone};  // nor later
   }
   if (found == nullptr || !found->known) return unknown;
   return {on_one_line(figure.count ? number_alone(*found) : found->text), {}};
 }
 
-bool may_tell_result(const Session& session, const Method& method, std::string_view key) {
-  return !hides_result(session, method, key);
+bool may_tell_result(const Conversation& now, const Method& method, std::string_view key) {
+  return !hides_result(now, method, key);
 }
 
 std::string plain_now(std::string_view text, ProseFigures& figures) {

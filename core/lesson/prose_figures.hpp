@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lesson/prose.hpp"
-#include "lesson/session.hpp"
+#include "lesson/session/telling.hpp"
 
 namespace snug::lesson {
 
@@ -24,7 +24,7 @@ inline constexpr std::string_view kFigureHidden = "hidden until you answer", kFi
 /// Looks the figures of one moment up, each once.
 class ProseFigures {
  public:
-  explicit ProseFigures(const Session& session) : session_(session) {}
+  explicit ProseFigures(const Conversation& now) : now_(now) {}
   /// It stays where it is as long as this does.
   [[nodiscard]] const FigureNow& of(const RunFigure& figure);
   /// Whether the sentence that a stretch of the paragraph belongs to is shown: not while one of its figures has no
@@ -34,13 +34,13 @@ class ProseFigures {
  private:
   [[nodiscard]] FigureNow look_up(const RunFigure& figure);
 
-  const Session& session_;
+  const Conversation& now_;
   std::optional<std::vector<Figure>> shown_;  // those of the inspector
   std::map<std::string, FigureNow> found_;
 };
 
 /// Whether a figure of a method's result may be told now, in a chart as in a text.
-[[nodiscard]] bool may_tell_result(const Session& session, const Method& method, std::string_view key);
+[[nodiscard]] bool may_tell_result(const Conversation& now, const Method& method, std::string_view key);
 
 /// A text with inline markup, such as a prompt, with its figures as they are now, in plain words.
 [[nodiscard]] std::string plain_now(std::string_view text, ProseFigures& figures);

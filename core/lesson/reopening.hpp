@@ -41,7 +41,7 @@ class Reopening {
       return !rows.empty() || scattered || !sliders.empty() || origin.source != own_source || recast;
     }
   };
-  [[nodiscard]] static Stage stage_of(const Session::Visited& visited, const Lesson& lesson);
+  [[nodiscard]] static Stage stage_of(const lesson::Stage::Situated& visited, const Lesson& lesson);
   void take_source(Session& session, const Stage& left) const;
   void take_one(Session& session, const Stage& left) const;
   void take_stage(Session& session) const;

@@ -158,7 +158,7 @@ std::string place_text(const Asked& asked, std::span<const Asked> all) {
 
 std::string start_task_text(const Session& session, const Task& task) {
   if (task.points == 0) return "Start";
-  return "Start with " + std::to_string(task.points) + " " + std::string(session.subject().handle_words()[1]);
+  return "Start with " + std::to_string(task.points) + " " + std::string(session.stage().subject().handle_words()[1]);
 }
 
 std::string task_heading(std::size_t task, std::size_t tasks) {

@@ -92,8 +92,8 @@ tl::expected<BuiltJudged, InputError> judge_built(const Sheet& sheet, std::size_
   if (task >= sheet.lesson.tasks.size()) return tl::unexpected(InputError{.what = "the sheet has no such task"});
   auto session = Session::open(sheet.lesson);
   if (!session) return tl::unexpected(session.error());
-  session->start_task(task);
-  if (const auto put = session->set_rows(rows); !put) return tl::unexpected(put.error());
+  session->stage().start_task(task);
+  if (const auto put = session->stage().set_rows(rows); !put) return tl::unexpected(put.error());
   const Grade grade = session->grade(task);
   return BuiltJudged{grade.done, grade.says};
 }

@@ -70,7 +70,7 @@ std::optional<int> section_of_situation(const Session& session) {
   const auto& sections = session.lesson().sections;
   if (session.lesson().situations.empty()) return std::nullopt;
   for (std::size_t i = 0; i < sections.size(); ++i)
-    if (sections[i].situation == session.situation()) return static_cast<int>(i);
+    if (sections[i].situation == session.stage().situation()) return static_cast<int>(i);
   return std::nullopt;
 }
 
@@ -89,11 +89,11 @@ std::optional<Index> handle_named(const Subject& subject, std::string_view name)
 }
 
 std::vector<Index> marked_handles(const Session& session, std::string_view mark) {
-  if (session.asked() != nullptr && session.asked()->on_stage) return {};
-  if (mark == kSupport) return session.support(0);
+  if (session.conversation().asked() != nullptr && session.conversation().asked()->on_stage) return {};
+  if (mark == kSupport) return session.player().support(0);
   if (const auto fact = fact_mark(*session.lesson().subject, mark))
-    return handles_within(*fact, session.run(0), session.step());
-  const auto handle = handle_named(session.subject(), mark);
+    return handles_within(*fact, session.player().run(0), session.player().step());
+  const auto handle = handle_named(session.stage().subject(), mark);
   return handle ? std::vector<Index>{*handle} : std::vector<Index>{};
 }
 
@@ -128,15 +128,18 @@ bool lights(const Run& run, const Subject& subject, std::string_view mark) {
 
 std::optional<int> section_at(const Session& session) {
   const Lesson& lesson = session.lesson();
-  const Asked* const asked = session.asked();
-  const Outcome* const told = session.outcome();
-  const Asked* const about = asked != nullptr ? asked : told != nullptr ? session.question_of(*told) : nullptr;
+  const Asked* const asked = session.conversation().asked();
+  const Outcome* const told = session.conversation().outcome();
+  const Asked* const about = asked != nullptr  ? asked
+                             : told != nullptr ? session.conversation().question_of(*told)
+                                               : nullptr;
   if (about != nullptr)
     if (const auto section = section_of(lesson, *about->question)) return section;
-  if (session.method(0) == nullptr || session.previewing()) return section_of_situation(session);
-  const std::string own = name_in(lesson, *session.method(0));
-  for (int step = session.step(); step > 0; --step)
-    if (const auto section = section_of(lesson, session.run(0).fact(step - 1), own, session.situation()))
+  if (session.player().method(0) == nullptr || session.player().previewing()) return section_of_situation(session);
+  const std::string own = name_in(lesson, *session.player().method(0));
+  for (int step = session.player().step(); step > 0; --step)
+    if (const auto section =
+            section_of(lesson, session.player().run(0).fact(step - 1), own, session.stage().situation()))
       return section;
   return section_of_situation(session);
 }

@@ -46,7 +46,9 @@ std::vector<StoredVolume> stored_of(const Session& session) {
 }
 
 std::vector<std::vector<Point3>> stored_lines(const Session& session, std::string_view mark) {
-  if (!mark.starts_with(kMark) || (session.asked() != nullptr && session.asked()->on_stage)) return {};
+  if (!mark.starts_with(kMark) ||
+      (session.conversation().asked() != nullptr && session.conversation().asked()->on_stage))
+    return {};
   for (StoredVolume& volume : stored_of(session))
     for (StoredForm& form : volume.forms)
       for (StoredMember& member : form.members)

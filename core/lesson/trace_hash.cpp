@@ -9,11 +9,11 @@ tl::expected<TraceHash, InputError> trace_hash(Session& session) {
   TraceHash result{session.lesson().id};
   Fnv1a hash;
   for (const std::string_view situation : situation_names(session.lesson())) {
-    if (const Done shown = session.show_situation(situation); !shown) return tl::unexpected(shown.error());
+    if (const Done shown = session.stage().show_situation(situation); !shown) return tl::unexpected(shown.error());
     for (const std::string& algorithm : playable(session)) {
-      if (const auto chosen = session.choose(0, algorithm); !chosen) return tl::unexpected(chosen.error());
-      result.steps += session.steps();
-      hash.add_bits(session.trace_hash());
+      if (const auto chosen = session.player().choose(0, algorithm); !chosen) return tl::unexpected(chosen.error());
+      result.steps += session.player().steps();
+      hash.add_bits(session.player().trace_hash());
     }
   }
   result.hash = hash.value();

@@ -31,21 +31,21 @@ Done use(Session& session, const std::string& algorithm) {
   const Method* method = find_method(lesson, algorithm);  // "capsule/by_hand" is "by_hand" in a lesson of capsules
   if (method == nullptr || !is_among(lesson.algorithms, name_in(lesson, *method)))
     return refused("the lesson's algorithm " + none_of_text(algorithm, lesson.algorithms));
-  return session.choose(0, algorithm);
+  return session.player().choose(0, algorithm);
 }
 
 /// Goes to where a question of the run is asked, past the others.
 Done open_question(Session& session, const std::string& id) {
-  const auto& all = session.questions();
+  const auto& all = session.conversation().questions();
   const auto it = std::find_if(all.begin(), all.end(), [&](const Asked& one) { return one.question->id == id; });
   if (it == all.end()) return refused("the question " + id + " does not come on what is on the stage");
   if (it->step != Asked::kAnytime) session.jump(it->step);
-  else session.ask_predictions();
+  else session.conversation().ask_predictions();
   for (std::size_t others = all.size(); others > 0; --others) {
-    const Asked* asked = session.asked();
+    const Asked* asked = session.conversation().asked();
     if (asked == nullptr) break;
     if (asked->question->id == id) return {};
-    session.skip();
+    session.conversation().give({}, false);
   }
   return refused("the question " + id + " comes while another one is open");
 }
@@ -59,21 +59,21 @@ Done go_to_question(Session& session, const Place& at) {
     return refused("the question " + at.question + " is about " + own + ", not about " + at.algorithm);
   if (!at.situation.empty() && at.situation != question->situation)
     return refused("the question " + at.question + " is asked in " + question->situation + ", not in " + at.situation);
-  if (Done shown = session.show_situation(question->situation); !shown) return shown;
+  if (Done shown = session.stage().show_situation(question->situation); !shown) return shown;
   if (!own.empty())
     if (Done used = use(session, own); !used) return used;
   if (at.answered && !session.lesson().subject->asks_of_steps)
     return refused("the question " + at.question + " is decided by what is measured then, and has no outcome before");
   if (Done opened = open_question(session, at.question); !opened) return opened;
-  if (at.answered) session.answer(model_answer(*session.asked(), session.run(0)));
+  if (at.answered) session.conversation().give(model_answer(*session.conversation().asked(), session.player().run(0)));
   return {};
 }
 
 Done go_to_step(Session& session, int step) {
-  const int steps = session.steps();
+  const int steps = session.player().steps();
   if (step > steps)
     return refused("there is no " + std::string(session.lesson().subject->step_word) + ' ' + std::to_string(step) +
-                   ": " + name_in(session.lesson(), *session.method(0)) + " has " + std::to_string(steps));
+                   ": " + name_in(session.lesson(), *session.player().method(0)) + " has " + std::to_string(steps));
   session.jump(step == Place::kLastStep ? steps : step);
   return {};
 }
@@ -88,17 +88,18 @@ Done take_source(const Place& place, Session& session, const MeshOf& mesh) {
   if (name == "task") {
     const auto task = static_cast<std::size_t>(words->number.value_or(1));
     if (task > session.lesson().tasks.size()) return refused("this lesson has no task " + std::to_string(task));
-    session.start_task(task - 1);
+    session.stage().start_task(task - 1);
     return {};
   }
   if (words->number)
-    return session.set_generator(name, *words->number, session.dim(), place.seed.value_or(session.lesson().seed));
+    return session.stage().set_generator(name, *words->number, session.stage().subject().dim(),
+                                         place.seed.value_or(session.lesson().seed));
   if (!is_among(session.lesson().meshes, name)) return refused("this lesson has no points \"" + name + '"');
-  return mesh(name).and_then([&](const io::PointFile& file) { return session.load(file, name); });
+  return mesh(name).and_then([&](const io::PointFile& file) { return session.stage().load(file, name); });
 }
 
 Done take_moved(const Place& place, Session& session) {
-  Rows all = session.subject().rows();
+  Rows all = session.stage().subject().rows();
   for (std::vector<double> row : place.moved) {
     const double at = row.front();
     if (!(at >= 0 && at < static_cast<double>(all.size())) || at != std::floor(at))
@@ -106,15 +107,15 @@ Done take_moved(const Place& place, Session& session) {
     row.erase(row.begin());
     all[static_cast<std::size_t>(at)] = std::move(row);
   }
-  return session.set_rows(all);
+  return session.stage().set_rows(all);
 }
 
 Done take_text(Session& session, std::string StageFile::*of, const std::string& change) {
-  const auto file = session.subject().file();
+  const auto file = session.stage().subject().file();
   const auto text = file ? changed((*file).*of, change) : std::nullopt;
   if (!text) return refused("it changes a text that this lesson does not have");
-  Done set = session.set_file(*text);
-  if (set) session.end_typing();
+  Done set = session.stage().set_file(*text);
+  if (set) session.stage().end_typing();
   return set;
 }
 
@@ -126,20 +127,24 @@ struct Part {
 };
 constexpr std::array kParts{
     Part{"situation", [](const Place& place) { return !place.situation.empty(); },
-         [](const Place& place, Session& session, const MeshOf&) { return session.show_situation(place.situation); }},
+         [](const Place& place, Session& session, const MeshOf&) {
+           return session.stage().show_situation(place.situation);
+         }},
     Part{"seed", [](const Place& place) { return place.seed.has_value(); },
          [](const Place& place, Session& session, const MeshOf&) {
-           if (*place.seed != session.seed()) session.scatter(*place.seed);
+           if (*place.seed != session.stage().subject().origin().seed) session.stage().scatter(*place.seed);
            return Done();
          }},
     Part{"from", [](const Place& place) { return !place.from.empty(); }, &take_source},
+    Part{"scalar", [](const Place& place) { return !place.scalar.empty(); },
+         [](const Place& place, Session& session, const MeshOf&) {
+           return session.stage().set_float(place.scalar == "float");
+         }},
     Part{
-        "scalar", [](const Place& place) { return !place.scalar.empty(); },
-        [](const Place& place, Session& session, const MeshOf&) { return session.set_float(place.scalar == "float"); }},
-    Part{"sliders", [](const Place& place) { return !place.sliders.empty(); },
-         [](const Place& place, Session& session, const MeshOf&) { return session.set_sliders(place.sliders); }},
+        "sliders", [](const Place& place) { return !place.sliders.empty(); },
+        [](const Place& place, Session& session, const MeshOf&) { return session.stage().set_sliders(place.sliders); }},
     Part{"rows", [](const Place& place) { return !place.rows.empty(); },
-         [](const Place& place, Session& session, const MeshOf&) { return session.set_rows(place.rows); }},
+         [](const Place& place, Session& session, const MeshOf&) { return session.stage().set_rows(place.rows); }},
     Part{"moved", [](const Place& place) { return !place.moved.empty(); },
          [](const Place& place, Session& session, const MeshOf&) { return take_moved(place, session); }},
     Part{"file", [](const Place& place) { return !place.file.empty(); },
@@ -153,7 +158,7 @@ constexpr std::array kParts{
     Part{"algorithm", [](const Place& place) { return !place.algorithm.empty(); },
          [](const Place& place, Session& session, const MeshOf&) { return use(session, place.algorithm); }},
     Part{"compare", [](const Place& place) { return place.beside.has_value(); },
-         [](const Place& place, Session& session, const MeshOf&) { return session.choose(1, *place.beside); }},
+         [](const Place& place, Session& session, const MeshOf&) { return session.player().choose(1, *place.beside); }},
     Part{"question", [](const Place& place) { return !place.question.empty(); },
          [](const Place& place, Session& session, const MeshOf&) { return go_to_question(session, place); }},
     Part{"step", [](const Place& place) { return place.step.has_value(); },
@@ -184,7 +189,7 @@ tl::expected<std::string_view, PlaceFault> WayTo::go_on(Session& session) {
 }
 
 tl::expected<void, PlaceFault> go_to(const Place& place, Session& session, const MeshOf& mesh) {
-  const AtOnce at_once(session);  // each part is taken on what the last one left
+  const AtOnce at_once(session.stage());  // each part is taken on what the last one left
   for (WayTo way(place, mesh); !way.done();)
     if (auto gone = way.go_on(session); !gone) return tl::unexpected(std::move(gone.error()));
   return {};
@@ -192,7 +197,7 @@ tl::expected<void, PlaceFault> go_to(const Place& place, Session& session, const
 
 Done go_in_run(const Place& place, Session& session) {
   if (!place.situation.empty())
-    if (Done shown = session.show_situation(place.situation); !shown) return shown;
+    if (Done shown = session.stage().show_situation(place.situation); !shown) return shown;
   if (!place.algorithm.empty())
     if (Done used = use(session, place.algorithm); !used) return used;
   if (!place.question.empty()) return go_to_question(session, place);

@@ -56,29 +56,31 @@ CommandResult run_cases() {
 tl::expected<PointCase, InputError> point_case(const std::string& name) {
   auto session = session_of(name);
   if (!session) return tl::unexpected(std::move(session.error()));
-  const AnyPointSet* const points = session->subject().points();
+  const AnyPointSet* const points = session->stage().subject().points();
   const lesson::Lesson& own = session->lesson();
   const lesson::Method* const first = lesson::find_method(own, own.algorithms.front());
   if (points == nullptr || first == nullptr) return not_about(name, "points");
-  return PointCase{*points, lesson::all_points(session->subject().with_points()->unrounded_points()),
+  return PointCase{*points, lesson::all_points(session->stage().subject().with_points()->unrounded_points()),
                    std::string(first->volume), std::string(first->name)};
 }
 
 tl::expected<std::string, InputError> overlap_case(const std::string& name) {
   auto session = session_of(name);
   if (!session) return tl::unexpected(std::move(session.error()));
-  const lesson::HasVolumes* const own = session->subject().with_volumes();
+  const lesson::HasVolumes* const own = session->stage().subject().with_volumes();
   const auto volumes = own != nullptr ? own->volumes() : std::vector<fit::Volume3>();
   if (volumes.size() != 2) return not_about(name, "two volumes");
-  return line_of({{"a", named(volumes[0], session->dim())}, {"b", named(volumes[1], session->dim())}});
+  return line_of({{"a", named(volumes[0], session->stage().subject().dim())},
+                  {"b", named(volumes[1], session->stage().subject().dim())}});
 }
 
 tl::expected<std::string, InputError> cull_case(const std::string& name) {
   auto session = session_of(name);
   if (!session) return tl::unexpected(std::move(session.error()));
-  const lesson::HasVolumes* const own = session->subject().with_volumes();
+  const lesson::HasVolumes* const own = session->stage().subject().with_volumes();
   if (own == nullptr || own->planes().empty()) return not_about(name, "a frustum");
-  return line_of({{"frustum", {{"planes", own->planes()}}}, {"volume", named(own->volumes().front(), session->dim())}});
+  return line_of({{"frustum", {{"planes", own->planes()}}},
+                  {"volume", named(own->volumes().front(), session->stage().subject().dim())}});
 }
 
 void add_cases(Commands& commands) {

@@ -52,9 +52,9 @@ tl::expected<std::uint64_t, InputError> played_hash(const DemoFile& file, const 
   if (!session) return tl::unexpected(session.error());
   if (const auto taken = lesson::go_to(state, *session, mesh_named); !taken)
     return tl::unexpected(at_key(file, state, taken.error().key, taken.error().error));
-  if (lesson::is_among(state.reveal, lesson::kRevealAnswer) && session->asked() == nullptr)
+  if (lesson::is_among(state.reveal, lesson::kRevealAnswer) && session->conversation().asked() == nullptr)
     return tl::unexpected(at_key(file, state, "reveal", {.what = "no question stands open at this step"}));
-  return session->trace_hash();
+  return session->player().trace_hash();
 }
 
 /// A line for a state that is not as it was, and one for the demo.

@@ -83,19 +83,20 @@ CommandResult run_make(const ExerciseOptions& options) {
   const auto session = open_instance(*file->exercise, *instance);
   if (!session) return bad_input(session.error());
   Json handles = Json::array();
-  for (Index i = 0; i < session->size(); ++i)
-    handles.push_back({{"id", session->name_of(i)}, {"at", json_of(session->point(i), session->dim())}});
+  for (Index i = 0; i < session->stage().subject().size(); ++i)
+    handles.push_back({{"id", session->stage().subject().name_of(i)},
+                       {"at", json_of(session->stage().subject().at(i), session->stage().subject().dim())}});
   const lesson::Sitting sitting(file->exercise, options.seed, *session);
   const auto decisions = file->exercise->build ? 1 : sitting.of();
   return Printed{line_of({{"exercise", file->exercise->id},
                           {"hash", hex_of(file->exercise->hash)},
                           {"seed", options.seed},
                           {"instance",
-                           {{"dim", session->dim()},
+                           {{"dim", session->stage().subject().dim()},
                             {"algorithm", instance->lesson.algorithms.front()},
                             {"handles", std::move(handles)},
-                            {"rows", session->subject().rows()},
-                            {"trace", hex_of(session->trace_hash())}}},
+                            {"rows", session->stage().subject().rows()},
+                            {"trace", hex_of(session->player().trace_hash())}}},
                           {"decisions", decisions},
                           {"of", sitting.of()}})};
 }
@@ -222,12 +223,12 @@ void check_seed(const std::shared_ptr<const lesson::Exercise>& exercise, std::ui
     return checked.faults.push_back("seed " + std::to_string(seed) + ": " + session.error().message());
   }
   checked.passed_over += instance->passed_over;
-  const int decisions = exercise->build ? 1 : static_cast<int>(session->questions().size());
+  const int decisions = exercise->build ? 1 : static_cast<int>(session->conversation().questions().size());
   checked.decisions.push_back(decisions);
   checked.hard.push_back(0);
-  for (const lesson::Asked& asked : session->questions()) {
-    if (exercise->ties && has_tie(asked, session->run(0))) continue;
-    const double margin = asked.asking->margin(asked, session->run(0));
+  for (const lesson::Asked& asked : session->conversation().questions()) {
+    if (exercise->ties && has_tie(asked, session->player().run(0))) continue;
+    const double margin = asked.asking->margin(asked, session->player().run(0));
     checked.nearest = std::min(checked.nearest, margin);
     checked.hard.back() += margin < 2 * exercise->apart;
   }

@@ -29,8 +29,8 @@ struct Block {
 /// What the run has reached before a question, which the screen would show: its circle, or its last step if that was
 /// the program's own.
 std::string reached_before(const lesson::Session& session, std::size_t question) {
-  const Asked& asked = session.questions()[question];
-  const lesson::Run& run = session.run(0);
+  const Asked& asked = session.conversation().questions()[question];
+  const lesson::Run& run = session.player().run(0);
   if (asked.step <= 0 || asked.ordered) return {};
   if (const auto* volume = run.volume(asked.step); volume != nullptr)
     if (const auto* ball = std::get_if<fit::Sphere3>(volume)) {
@@ -43,8 +43,9 @@ std::string reached_before(const lesson::Session& session, std::size_t question)
       return text + (support.empty() ? "." : ", through " + asked.names(support) + ".");
     }
   if (run.fact(asked.step - 1) == "axes_found") return "The dashed line is the main axis.";
-  const bool was_asked = std::any_of(session.questions().begin(), session.questions().end(),
-                                     [&](const Asked& one) { return one.fact == asked.step - 1; });
+  const bool was_asked =
+      std::any_of(session.conversation().questions().begin(), session.conversation().questions().end(),
+                  [&](const Asked& one) { return one.fact == asked.step - 1; });
   return was_asked ? std::string() : run.sentence(asked.step - 1, {});
 }
 
@@ -56,8 +57,8 @@ std::string words_of(const Asked& asked, lesson::ProseFigures& figures) {
 }
 
 Block block_of(const lesson::Session& session, std::size_t question, double width, bool solved) {
-  const Asked& asked = session.questions()[question];
-  lesson::ProseFigures figures(session);
+  const Asked& asked = session.conversation().questions()[question];
+  lesson::ProseFigures figures(session.conversation());
   Block block;
   constexpr double kIndent = 6;
   double y = 0;
@@ -65,7 +66,7 @@ Block block_of(const lesson::Session& session, std::size_t question, double widt
   const bool is_new = question == 0 || before != reached_before(session, question - 1);
   if (!solved && is_new && !before.empty()) y = block.page.paragraph(0, y, width, before, kMuted);
   y = block.page.paragraph(0, y, width, std::to_string(question + 1) + ". " + words_of(asked, figures));
-  const lesson::Truth truth = asked.asking->truth(asked, session.run(0));
+  const lesson::Truth truth = asked.asking->truth(asked, session.player().run(0));
   const double room = width - kIndent;
   if (solved) y = block.page.paragraph(kIndent, y, room, truth.happened + ". " + truth.sentence, kItalic);
   else if (!asked.choices.empty() && !asked.on_stage) y = block.page.choices(kIndent, y, room, asked.choices);
@@ -84,7 +85,7 @@ struct Columns {
 Columns columns_of(const lesson::Session& session, int count, bool solved) {
   Columns columns;
   double sum = 0;
-  for (std::size_t i = 0; i < session.questions().size(); ++i) {
+  for (std::size_t i = 0; i < session.conversation().questions().size(); ++i) {
     columns.blocks.push_back(block_of(session, i, count == 1 ? kWidth : (kWidth - kGutter) / 2, solved));
     sum += columns.blocks.back().height;
   }
@@ -136,7 +137,7 @@ void ask_decisions(SheetPage& page, const lesson::Session& session, const SheetF
 /// What is to be built: the stage with room around it, and a line for each thing that may move.
 void ask_to_build(SheetPage& page, const lesson::Exercise& exercise, const lesson::Session& session, double y,
                   bool solved) {
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   const lesson::Task& task = exercise.stage.tasks.front();
   if (!exercise.build->claim.empty())
     y = page.paragraph(kMargin + 6, y + kBetween, kWidth - 6, exercise.build->claim, kItalic);
@@ -150,9 +151,10 @@ void ask_to_build(SheetPage& page, const lesson::Exercise& exercise, const lesso
   y = columns(page, y + kMostFigure + 4, numbers_of(session)) + 6;
   if (solved) return;
   std::vector<std::string> names = task.only;
-  for (Index i = 0; task.only.empty() && i < session.size(); ++i) names.push_back(session.name_of(i));
+  for (Index i = 0; task.only.empty() && i < session.stage().subject().size(); ++i)
+    names.push_back(session.stage().subject().name_of(i));
   for (std::string& name : names)
-    name += session.dim() == 2 ? " ( ________ , ________ )" : " ( ______ , ______ , ______ )";
+    name += session.stage().subject().dim() == 2 ? " ( ________ , ________ )" : " ( ______ , ______ , ______ )";
   page.text(kMargin, y, "Your example:", 3.9);
   columns(page, y + kLine + 1, names);
 }
@@ -178,7 +180,7 @@ tl::expected<std::string, InputError> sheet_of(const lesson::Exercise& exercise,
     return open_instance(exercise, instance);
   });
   if (!built) return tl::unexpected(built.error());
-  if (const auto put = built->set_rows(*model); !put) return tl::unexpected(put.error());
+  if (const auto put = built->stage().set_rows(*model); !put) return tl::unexpected(put.error());
   ask_to_build(page, exercise, *built, y, true);
   return page.finished();
 }

@@ -22,7 +22,7 @@ struct FactsOptions {
 
 Json figures_of(const lesson::Session& session) {
   Json json = Json::object();
-  for (const lesson::Figure& figure : session.subject().figures(session.view()))
+  for (const lesson::Figure& figure : session.stage().subject().figures(session.player().view()))
     if (figure.known) json[figure.key] = figure.value;
   return json;
 }
@@ -31,22 +31,23 @@ Json figures_of(const lesson::Session& session) {
 Json asks_of(const lesson::Session& session, int step) {
   Json asks = Json::array();
   if (!session.lesson().subject->asks_of_steps) return asks;
-  for (const lesson::Asking& asking : session.run(0).askings(step)) asks.push_back(asking.name);
+  for (const lesson::Asking& asking : session.player().run(0).askings(step)) asks.push_back(asking.name);
   for (const std::string_view name : lesson::general_askings(*session.lesson().subject))
-    if (!name.starts_with("point") || !session.run(0).handles(step).empty()) asks.push_back(name);
+    if (!name.starts_with("point") || !session.player().run(0).handles(step).empty()) asks.push_back(name);
   return asks;
 }
 
 Json names_of_handles(const lesson::Session& session, int step) {
   Json names = Json::array();
-  for (const Index handle : session.run(0).handles(step)) names.push_back(session.name_of(handle));
+  for (const Index handle : session.player().run(0).handles(step))
+    names.push_back(session.stage().subject().name_of(handle));
   return names;
 }
 
 /// A line's beginning: which run it is of.
 Json begun_with(const lesson::Session& session, const std::string& algorithm) {
   Json line{{"algorithm", algorithm}};
-  if (!session.lesson().situations.empty()) line["situation"] = session.situation();
+  if (!session.lesson().situations.empty()) line["situation"] = session.stage().situation();
   return line;
 }
 
@@ -54,10 +55,10 @@ Json begun_with(const lesson::Session& session, const std::string& algorithm) {
 std::string steps_of(lesson::Session& session, const std::string& algorithm) {
   std::string text;
   std::map<std::string_view, int> seen;
-  for (int i = 0; i < session.steps(); ++i) {
+  for (int i = 0; i < session.player().steps(); ++i) {
     session.jump(i + 1);
-    const std::string_view fact = session.run(0).fact(i);
-    const bool counts = session.run(0).counts(i);
+    const std::string_view fact = session.player().run(0).fact(i);
+    const bool counts = session.player().run(0).counts(i);
     if (counts) ++seen[fact];
     Json line = begun_with(session, algorithm);
     line["step"] = i + 1;
@@ -65,7 +66,7 @@ std::string steps_of(lesson::Session& session, const std::string& algorithm) {
     line["nth"] = counts ? Json(seen[fact]) : Json();
     line["handles"] = names_of_handles(session, i);
     line["asks"] = asks_of(session, i);
-    line["sentence"] = session.run(0).sentence(i, {});
+    line["sentence"] = session.player().run(0).sentence(i, {});
     line["figures"] = figures_of(session);
     text += line_of(line);
   }
@@ -74,9 +75,9 @@ std::string steps_of(lesson::Session& session, const std::string& algorithm) {
 
 Json result_of(const lesson::Session& session, const std::string& algorithm) {
   Json json = begun_with(session, algorithm);
-  json["steps"] = session.steps();
-  for (const lesson::Rival& rival : session.rivals()) {
-    if (rival.method != session.method(0)) continue;
+  json["steps"] = session.player().steps();
+  for (const lesson::Rival& rival : session.player().rivals()) {
+    if (rival.method != session.player().method(0)) continue;
     json["size"] = rival.size;
     json["excess"] = rival.excess ? Json(*rival.excess) : Json();
   }
@@ -92,7 +93,7 @@ tl::expected<std::string, InputError> facts_here(lesson::Session& session, const
   std::string text;
   for (const std::string& name : names) {
     if (!algorithm.empty() && name != algorithm) continue;
-    if (const auto chosen = session.choose(0, name); !chosen) return tl::unexpected(chosen.error());
+    if (const auto chosen = session.player().choose(0, name); !chosen) return tl::unexpected(chosen.error());
     text += steps_of(session, name);
     text += line_of(result_of(session, name));
   }
@@ -106,7 +107,7 @@ CommandResult run_facts(const FactsOptions& options) {
   if (!session) return bad_input(session.error());
   Printed printed;
   for (const std::string_view situation : lesson::situation_names(file->lesson)) {
-    if (const auto shown = session->show_situation(situation); !shown) return bad_input(shown.error());
+    if (const auto shown = session->stage().show_situation(situation); !shown) return bad_input(shown.error());
     const auto facts = facts_here(*session, options.algorithm);
     if (!facts) return bad_input(facts.error());
     printed.text += *facts;

@@ -78,7 +78,7 @@ tl::expected<void, InputError> add_figures(std::vector<VolumeFigures>& all, cons
     const lesson::Method& method = *lesson::find_method(own, name);
     const std::string_view volume = method.volume.empty() ? sample.volume : method.volume;
     std::vector<std::string>& keys = figures_for(all, own.subject, volume).keys;
-    for (const lesson::Figure& figure : session->subject().results(method, session->view()))
+    for (const lesson::Figure& figure : session->stage().subject().results(method, session->player().view()))
       if (!lesson::is_among(keys, figure.key)) keys.push_back(figure.key);
   }
   return {};

@@ -15,7 +15,7 @@ std::string page_address(const lesson::Session& session, std::vector<double> cam
 }
 
 CodeWords code_words(const lesson::Session& session, std::vector<double> camera) {
-  CodeWords words{.letters = lesson::fingerprint(session.trace_hash())};
+  CodeWords words{.letters = lesson::fingerprint(session.player().trace_hash())};
   if (defaults().page.empty()) {
     words.says = "There is no code: a line page = \"https://...\" in snug.toml says where the class finds Snug's page.";
     return words;

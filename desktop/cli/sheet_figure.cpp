@@ -75,7 +75,7 @@ void add_edges(SheetFigure& figure, const lesson::Subject& subject, const std::v
 /// What the questions call a frustum's planes, in their order: each is asked about as it is tested.
 std::vector<std::string> planes_asked(const lesson::Session& session) {
   std::vector<std::string> names;
-  for (const lesson::Asked& asked : session.questions())
+  for (const lesson::Asked& asked : session.conversation().questions())
     if (asked.question->gate.fact == "plane_tested" && (names.empty() || names.back() != asked.of))
       names.push_back(asked.of);
   return names;
@@ -97,7 +97,7 @@ std::vector<std::pair<std::string, Point3>> sides_of(const lesson::Rows& planes,
 }
 
 bool has_fact(const lesson::Session& session, std::string_view fact) {
-  const lesson::Run& run = session.run(0);
+  const lesson::Run& run = session.player().run(0);
   for (int i = 0; i < run.steps(); ++i)
     if (run.fact(i) == fact) return true;
   return false;
@@ -120,7 +120,7 @@ Outline main_axis(const std::vector<Point3>& points) {
 
 /// What a run on points goes by, which the student sees on the stage: their hull, or their main axis.
 void add_given(SheetFigure& figure, const lesson::Session& session) {
-  const lesson::Subject& subject = session.subject();
+  const lesson::Subject& subject = session.stage().subject();
   if (subject.points() == nullptr || figure.dim != 2) return;
   std::vector<Point3> points;
   for (Index i = 0; i < fit::count_of(*subject.points()); ++i) points.push_back(subject.at(i));
@@ -208,7 +208,7 @@ std::string group_text(const lesson::NumberGroup& group) {
 
 tl::expected<SheetFigure, InputError> figure_of(const lesson::Session& session) {
   SheetFigure figure;
-  const lesson::Subject& subject = session.subject();
+  const lesson::Subject& subject = session.stage().subject();
   figure.dim = subject.dim();
   const auto things = subject.things();
   const bool points = subject.points() != nullptr;
@@ -274,7 +274,7 @@ void draw(SheetPage& page, const SheetFigure& figure, double top, double room, d
 
 std::vector<std::string> numbers_of(const lesson::Session& session) {
   std::vector<std::string> all;
-  const lesson::Subject& subject = session.subject();
+  const lesson::Subject& subject = session.stage().subject();
   if (subject.dim() == 2)
     for (const lesson::NumberGroup& group : subject.numbers()) all.push_back(group_text(group));
   if (!all.empty()) return all;

@@ -29,8 +29,8 @@ tl::expected<void, InputError> check_place(const LessonFile& file, const WindowO
     const auto gone = lesson::go_to(at, *session, mesh_named);
     return gone ? tl::expected<void, InputError>() : in_file(gone.error().error);
   }
-  if (options.seed) session->scatter(*options.seed);
-  if (const auto loaded = session->load(*options.points, options.points_file); !loaded) return loaded;
+  if (options.seed) session->stage().scatter(*options.seed);
+  if (const auto loaded = session->stage().load(*options.points, options.points_file); !loaded) return loaded;
   const auto gone = lesson::go_in_run(at, *session);
   return gone ? tl::expected<void, InputError>() : in_file(gone.error());
 }

@@ -43,11 +43,11 @@ TEST_CASE("what the view writes beside a volume is not written again at its sele
     Bench bench(course_lesson(id, false));
     for (const int step : {0, 1, 99}) {
       CAPTURE(step);
-      bench.session().go(std::min(step, bench.session().steps()));
+      bench.session().go(std::min(step, bench.session().player().steps()));
       bench.frames(2);
       CHECK(places_named(bench, name) == 1);
-      for (Index i = 0; i < bench.session().size(); ++i)
-        if (bench.session().name_of(i) == name) bench.app.select(i);
+      for (Index i = 0; i < bench.session().stage().subject().size(); ++i)
+        if (bench.session().stage().subject().name_of(i) == name) bench.app.select(i);
       bench.frames(2);
       CHECK(places_named(bench, name) == 1);
       bench.app.command("select_none");
@@ -61,11 +61,11 @@ TEST_CASE("the places of a query are named, however crowded the boxes are") {
     for (const char* const way : {"point_query", "box_query", "ray_nearest", "ray_by_hand", "frustum_query"}) {
       CAPTURE(situation);
       CAPTURE(way);
-      if (*situation != 0) REQUIRE(bench.session().show_situation(situation).has_value());
-      REQUIRE(bench.session().choose(0, way).has_value());
+      if (*situation != 0) REQUIRE(bench.session().stage().show_situation(situation).has_value());
+      REQUIRE(bench.session().player().choose(0, way).has_value());
       for (const int step : {0, 3, 99}) {
         CAPTURE(step);
-        bench.session().go(std::min(step, bench.session().steps()));
+        bench.session().go(std::min(step, bench.session().player().steps()));
         bench.frames(2);
         CHECK(places_named(bench, "Q") == 1);
         if (std::string_view(way) != "point_query") CHECK(places_named(bench, "R") == 1);
@@ -79,10 +79,10 @@ TEST_CASE("a box of a tree is named beside its leaf, however many outlines surro
     Bench bench(course_lesson(id, false));
     for (const int step : {0, 3, 99}) {
       CAPTURE(step);
-      bench.session().go(std::min(step, bench.session().steps()));
+      bench.session().go(std::min(step, bench.session().player().steps()));
       bench.frames(2);
-      for (Index i = 0; i < bench.session().size(); ++i) {
-        const std::string name = bench.session().name_of(i);
+      for (Index i = 0; i < bench.session().stage().subject().size(); ++i) {
+        const std::string name = bench.session().stage().subject().name_of(i);
         CAPTURE(name);
         if (name != "Q" && name != "R") CHECK(places_named(bench, name) == 2);  // of the box and of the leaf
       }

@@ -79,12 +79,12 @@ TEST_CASE("a view that was easing when the chart came over it asks for no more f
 TEST_CASE("a drag moves its point and leaves the arrow keys to the player") {
   Bench bench(flat());
   const Handle at = bench.handle("P4");
-  const auto before = bench.session().point(4);
+  const auto before = bench.session().stage().subject().at(4);
   bench.drag(at.x, at.y, 24, 12);
-  CHECK(bench.session().point(4)[0] > before[0]);
-  CHECK(bench.session().point(4)[1] < before[1]);
+  CHECK(bench.session().stage().subject().at(4)[0] > before[0]);
+  CHECK(bench.session().stage().subject().at(4)[1] < before[1]);
   CHECK(bench.key("ArrowRight") == "step");
-  CHECK(bench.session().can_undo());
+  CHECK(bench.session().stage().can_undo());
 }
 
 TEST_CASE("arrow keys go to a point selected by a key, by its number, or by a click, and back with the next drag") {
@@ -106,22 +106,22 @@ TEST_CASE("arrow keys go to a point selected by a key, by its number, or by a cl
 
 TEST_CASE("a handle selected in one situation selects none in another") {
   Bench bench(course_lesson("bvh-traverse"));
-  REQUIRE(bench.session().show_situation("copies").has_value());
+  REQUIRE(bench.session().stage().show_situation("copies").has_value());
   bench.frames(2);
   bench.click("Q");
   CHECK(bench.app.selected() != kNoIndex);
-  REQUIRE(bench.session().show_situation("misled").has_value());
+  REQUIRE(bench.session().stage().show_situation("misled").has_value());
   bench.frames(2);
   CHECK(bench.app.selected() == kNoIndex);
 }
 
 TEST_CASE("a handle that another algorithm does not read is selected no more") {
   Bench bench(course_lesson("bvh-traverse"));
-  REQUIRE(bench.session().choose(0, "box_query").has_value());
+  REQUIRE(bench.session().player().choose(0, "box_query").has_value());
   bench.frames(2);
   bench.click("R");
   CHECK(bench.app.selected() != kNoIndex);
-  REQUIRE(bench.session().choose(0, "point_query").has_value());
+  REQUIRE(bench.session().player().choose(0, "point_query").has_value());
   bench.frames(2);
   CHECK(bench.app.selected() == kNoIndex);
   const std::vector<std::string> words = bench.words();
@@ -131,19 +131,19 @@ TEST_CASE("a handle that another algorithm does not read is selected no more") {
 TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed and the right one ticked") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
-  REQUIRE(bench.session().asked() != nullptr);
+  REQUIRE(bench.session().conversation().asked() != nullptr);
   bench.click("P6");  // none of the extremes: nothing is answered, and the arrow keys do not go to it
-  CHECK(bench.session().asked() != nullptr);
+  CHECK(bench.session().conversation().asked() != nullptr);
   CHECK(bench.key("ArrowRight") == "step");
-  CHECK(bench.session().answer_says().starts_with("P6 cannot be the answer."));
-  CHECK(bench.session().outcomes().empty());
+  CHECK(bench.session().conversation().answer_says().starts_with("P6 cannot be the answer."));
+  CHECK(bench.session().log().outcomes().empty());
   bench.click("P3");
-  CHECK(bench.session().outcomes().empty());
-  REQUIRE(bench.session().picked() != nullptr);
-  CHECK(bench.session().picked()->value == 3);
+  CHECK(bench.session().log().outcomes().empty());
+  REQUIRE(bench.session().conversation().picked() != nullptr);
+  CHECK(bench.session().conversation().picked()->value == 3);
   bench.click("P3");
-  REQUIRE(bench.session().outcome() != nullptr);
-  CHECK_FALSE(bench.session().outcome()->right);
+  REQUIRE(bench.session().conversation().outcome() != nullptr);
+  CHECK_FALSE(bench.session().conversation().outcome()->right);
   CHECK(bench.app.selected() == kNoIndex);
   CHECK(bench.key("ArrowRight") == "step");
   const Shown shown = shown_at(bench.session());
@@ -152,42 +152,42 @@ TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed 
   REQUIRE(bench.app.command("show_answer"));
   CHECK(shown_at(bench.session()).right == std::vector<Index>{0, 1});
   REQUIRE(bench.app.command("step"));
-  CHECK(bench.session().outcome() == nullptr);
+  CHECK(bench.session().conversation().outcome() == nullptr);
   CHECK(shown_at(bench.session()).right.empty());
 }
 
 TEST_CASE("the bracket keys go through what can be the answer alone, and Enter gives it") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
-  const std::vector<Index> targets = bench.session().targets();
-  REQUIRE(targets.size() < static_cast<std::size_t>(bench.session().size()));
+  const std::vector<Index> targets = bench.session().conversation().targets();
+  REQUIRE(targets.size() < static_cast<std::size_t>(bench.session().stage().subject().size()));
   CHECK_FALSE(bench.app.command("commit_answer"));
   for (const Index wanted : targets) {
     REQUIRE(bench.app.command(bench.key("]")));
-    REQUIRE(bench.session().picked() != nullptr);
-    CHECK(bench.session().picked()->value == wanted);
+    REQUIRE(bench.session().conversation().picked() != nullptr);
+    CHECK(bench.session().conversation().picked()->value == wanted);
   }
   REQUIRE(bench.app.command(bench.key("]")));  // round to the first
-  CHECK(bench.session().picked()->value == targets.front());
+  CHECK(bench.session().conversation().picked()->value == targets.front());
   REQUIRE(bench.app.command(bench.key("[")));
-  CHECK(bench.session().picked()->value == targets.back());
+  CHECK(bench.session().conversation().picked()->value == targets.back());
   REQUIRE(bench.app.command(bench.key("Escape")));
-  CHECK(bench.session().picked() == nullptr);
+  CHECK(bench.session().conversation().picked() == nullptr);
   REQUIRE(bench.app.command(bench.key("]")));
   CHECK(bench.app.selected() == kNoIndex);
   REQUIRE(bench.app.command(bench.key("Enter")));
-  CHECK(bench.session().outcomes().size() == 1);
+  CHECK(bench.session().log().outcomes().size() == 1);
 }
 
 TEST_CASE("a press on what can be the answer drags it once it travels, and answers nothing then") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
   const Handle at = bench.handle("P3");
-  const Point3 before = bench.session().point(3);
+  const Point3 before = bench.session().stage().subject().at(3);
   bench.drag(at.x, at.y, 40, 10);
-  CHECK(bench.session().point(3) != before);
-  CHECK(bench.session().outcomes().empty());
-  CHECK(bench.session().picked() == nullptr);
+  CHECK(bench.session().stage().subject().at(3) != before);
+  CHECK(bench.session().log().outcomes().empty());
+  CHECK(bench.session().conversation().picked() == nullptr);
 }
 
 TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
@@ -196,7 +196,7 @@ TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
   lesson.questions[0].choices = {"this", "that"};
   Bench bench(std::move(lesson));
   REQUIRE(bench.app.command("step"));
-  REQUIRE(bench.session().asked() != nullptr);
+  REQUIRE(bench.session().conversation().asked() != nullptr);
   bench.click("P6");
   CHECK(bench.app.selected() == 6);
   CHECK(bench.key("ArrowRight") == "step");
@@ -204,105 +204,106 @@ TEST_CASE("while a question stands, a click on a point takes no arrow keys") {
 
 TEST_CASE("the keys that go on skip a question at their second press; play waits for it") {
   Bench bench(asking_at_start());
-  bench.session().first();
-  REQUIRE(bench.session().asked() != nullptr);
+  bench.session().go(0);
+  REQUIRE(bench.session().conversation().asked() != nullptr);
   bench.app.command("play");
   CHECK_FALSE(bench.app.playing());
   const char* key = "next_mark";
   SUBCASE("PageDown") {}
   SUBCASE("a step") { key = "step"; }
   REQUIRE(bench.app.command(key));
-  CHECK(bench.session().asked() != nullptr);
-  CHECK(bench.session().outcomes().empty());
-  CHECK(bench.session().answer_says() == "Press again to skip this question.");
+  CHECK(bench.session().conversation().asked() != nullptr);
+  CHECK(bench.session().log().outcomes().empty());
+  CHECK(bench.session().conversation().answer_says() == "Press again to skip this question.");
   REQUIRE(bench.app.command(key));
-  CHECK(bench.session().asked() == nullptr);
-  REQUIRE(bench.session().outcomes().size() == 1);
-  CHECK(bench.session().outcomes()[0].skipped);
+  CHECK(bench.session().conversation().asked() == nullptr);
+  REQUIRE(bench.session().log().outcomes().size() == 1);
+  CHECK(bench.session().log().outcomes()[0].skipped);
   int presses = 0;
-  while (bench.session().step() < bench.session().steps() && presses < 100) ++presses, bench.app.command("next_mark");
-  CHECK(bench.session().step() == bench.session().steps());
+  while (bench.session().player().step() < bench.session().player().steps() && presses < 100)
+    ++presses, bench.app.command("next_mark");
+  CHECK(bench.session().player().step() == bench.session().player().steps());
 }
 
 TEST_CASE("watching an outcome plays from its question to it, and stops there") {
   Bench bench(asking_at_start());
-  bench.session().first();
+  bench.session().go(0);
   CHECK_FALSE(bench.app.command("watch_outcome"));
-  REQUIRE(bench.session().answer({lesson::Answer::Kind::kPoint, 6}));
-  const int decided = bench.session().step();
+  REQUIRE(bench.session().conversation().give({lesson::Answer::Kind::kPoint, 6}));
+  const int decided = bench.session().player().step();
   REQUIRE(decided >= 2);
   REQUIRE(bench.app.command("watch_outcome"));
-  CHECK(bench.session().step() == 0);
+  CHECK(bench.session().player().step() == 0);
   CHECK(bench.app.playing());
   int seen = 0;
   for (int i = 0; i < 100 && bench.app.playing(); ++i) {
-    const int before = bench.session().step();
+    const int before = bench.session().player().step();
     bench.wait(0.5);
-    CHECK(bench.session().step() <= before + 2);
-    seen += bench.session().step() != before;
+    CHECK(bench.session().player().step() <= before + 2);
+    seen += bench.session().player().step() != before;
   }
   CHECK(seen > 1);
-  CHECK(bench.session().step() == decided);
+  CHECK(bench.session().player().step() == decided);
   CHECK_FALSE(bench.app.playing());
-  CHECK(bench.session().outcome() != nullptr);
+  CHECK(bench.session().conversation().outcome() != nullptr);
 }
 
 TEST_CASE("answering plays what was skipped, in four seconds at most, and tells the outcome then") {
   Bench bench(asking_at_start());
-  bench.session().first();
+  bench.session().go(0);
   bench.app.settings().reduced_motion = false;
   bench.frames(1);
-  const int decided = bench.session().asked()->until;
+  const int decided = bench.session().conversation().asked()->until;
   REQUIRE(decided >= 2);
-  REQUIRE(bench.session().pick({lesson::Answer::Kind::kPoint, 6}));
+  REQUIRE(bench.session().conversation().pick({lesson::Answer::Kind::kPoint, 6}));
   REQUIRE(bench.app.command("commit_answer"));
-  if (bench.session().asked() != nullptr) {  // it was wrong, and may be tried again
-    REQUIRE(bench.session().pick({lesson::Answer::Kind::kPoint, 2}));
+  if (bench.session().conversation().asked() != nullptr) {  // it was wrong, and may be tried again
+    REQUIRE(bench.session().conversation().pick({lesson::Answer::Kind::kPoint, 2}));
     REQUIRE(bench.app.command("commit_answer"));
   }
-  REQUIRE(bench.session().deciding() != nullptr);
-  CHECK(bench.session().step() == 0);
+  REQUIRE(bench.session().conversation().deciding() != nullptr);
+  CHECK(bench.session().player().step() == 0);
   bench.frames(1);
   CHECK(bench.app.playing());
   SUBCASE("to its end") {
     bench.wait(0.4);
-    CHECK(bench.session().outcome() == nullptr);
+    CHECK(bench.session().conversation().outcome() == nullptr);
     for (int i = 0; i < 10; ++i) bench.wait(0.4);
   }
   SUBCASE("until any key is pressed") {
-    CHECK(bench.key("x") == "continue");
-    REQUIRE(bench.app.command(bench.key("x")));
+    REQUIRE(bench.app.end_playing());
+    CHECK_FALSE(bench.app.end_playing());
   }
   SUBCASE("until a tap") { bench.press(20, 20); }
-  CHECK(bench.session().step() == decided);
-  REQUIRE(bench.session().outcome() != nullptr);
+  CHECK(bench.session().player().step() == decided);
+  REQUIRE(bench.session().conversation().outcome() != nullptr);
   CHECK_FALSE(bench.app.playing());
   REQUIRE(bench.app.command("continue"));
-  CHECK(bench.session().outcome() == nullptr);
-  CHECK(bench.session().step() == decided);
+  CHECK(bench.session().conversation().outcome() == nullptr);
+  CHECK(bench.session().player().step() == decided);
 }
 
 TEST_CASE("who wants no motion is taken to the outcome at once") {
   Bench bench(asking_at_start());
-  bench.session().first();
-  const int decided = bench.session().asked()->until;
+  bench.session().go(0);
+  const int decided = bench.session().conversation().asked()->until;
   REQUIRE(bench.app.command("skip_question"));
-  CHECK(bench.session().step() == decided);
-  CHECK(bench.session().outcome() != nullptr);
+  CHECK(bench.session().player().step() == decided);
+  CHECK(bench.session().conversation().outcome() != nullptr);
 }
 
 TEST_CASE("nothing is watched where the outcome follows its question at once") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
-  REQUIRE(bench.session().answer({lesson::Answer::Kind::kChoice, 0}));
-  REQUIRE(bench.session().outcome() != nullptr);
+  REQUIRE(bench.session().conversation().give({lesson::Answer::Kind::kChoice, 0}));
+  REQUIRE(bench.session().conversation().outcome() != nullptr);
   CHECK_FALSE(bench.app.command("watch_outcome"));
   CHECK_FALSE(bench.app.playing());
 }
 
 TEST_CASE("in dense space a drag turns the view; the selected point and one hit in its middle are dragged") {
   Bench bench(in_space(400));
-  const auto hash = bench.session().trace_hash();
+  const auto hash = bench.session().player().trace_hash();
   // Right beside a point, in the middle of none.
   const auto handles = bench.app.handles();
   const auto beside = std::find_if(handles.begin(), handles.end(), [&](const Handle& one) {
@@ -313,7 +314,7 @@ TEST_CASE("in dense space a drag turns the view; the selected point and one hit 
   REQUIRE(beside != handles.end());
   Handle at = *beside;
   bench.drag(at.x + 3, at.y + 3, 40, 0);
-  CHECK(bench.session().trace_hash() == hash);
+  CHECK(bench.session().player().trace_hash() == hash);
   const Handle turned = bench.handle(at.id);
   CHECK(std::hypot(turned.x - at.x, turned.y - at.y) > 1);
 
@@ -322,26 +323,26 @@ TEST_CASE("in dense space a drag turns the view; the selected point and one hit 
   const Index chosen = bench.app.selected();
   REQUIRE(chosen != kNoIndex);
   at = bench.handle("P" + std::to_string(chosen));
-  const auto place = bench.session().point(chosen);
+  const auto place = bench.session().stage().subject().at(chosen);
   bench.drag(at.x + 2, at.y - 3, 40, 0);
-  CHECK((bench.session().point(chosen) - place).norm() > 0);
+  CHECK((bench.session().stage().subject().at(chosen) - place).norm() > 0);
 
   bench.app.select(kNoIndex);
-  const auto again = bench.session().trace_hash();
+  const auto again = bench.session().player().trace_hash();
   at = bench.app.handles().front();
   bench.drag(at.x, at.y, 30, 10);
-  CHECK(bench.session().can_undo());
-  bench.session().undo();
-  CHECK(bench.session().trace_hash() == again);
+  CHECK(bench.session().stage().can_undo());
+  bench.session().stage().undo();
+  CHECK(bench.session().player().trace_hash() == again);
 }
 
 TEST_CASE("among few points in space a press beside one drags it") {
   Bench bench(in_space(20));
   const Handle at = bench.app.handles().front();
-  const auto hash = bench.session().trace_hash();
+  const auto hash = bench.session().player().trace_hash();
   bench.drag(at.x + 3, at.y + 3, 60, 0);
-  CHECK(bench.session().can_undo());
-  CHECK(bench.session().trace_hash() != hash);
+  CHECK(bench.session().stage().can_undo());
+  CHECK(bench.session().player().trace_hash() != hash);
 }
 
 TEST_CASE("a drag that ends before the next frame is drawn has moved its point as far as any other") {
@@ -355,8 +356,8 @@ TEST_CASE("a drag that ends before the next frame is drawn has moved its point a
     } else {
       bench.drag(at.x, at.y, 24, 12);
     }
-    CHECK(bench.session().can_undo());
-    return bench.session().point(4);
+    CHECK(bench.session().stage().can_undo());
+    return bench.session().stage().subject().at(4);
   };
   CHECK(dragged(true) == dragged(false));
 }
@@ -377,10 +378,10 @@ lesson::Lesson turning() {
 TEST_CASE("a scene plays in the time that it simulates, and an algorithm twice a second") {
   Bench scene(turning()), steps(flat());
   for (Bench* bench : {&scene, &steps}) {
-    const int before = bench->session().step();
+    const int before = bench->session().player().step();
     REQUIRE(bench->app.command("play"));
     for (int i = 0; i < 50; ++i) bench->frames(1);  // a second
-    const int taken = bench->session().step() - before;
+    const int taken = bench->session().player().step() - before;
     if (bench == &scene) CHECK(std::abs(taken - 60) <= 1);
     else CHECK(taken == 2);
   }
@@ -415,15 +416,15 @@ TEST_CASE("beside it: step, radius and excess of the second algorithm") {
   lesson::Lesson lesson = flat();
   lesson.compare = "welzl";
   lesson::Session session = *lesson::Session::open(std::move(lesson));
-  session.jump(session.steps());
+  session.jump(session.player().steps());
   const auto figures = figures_beside(session);
   REQUIRE(figures.size() == 3);
-  const std::string steps = std::to_string(session.run(1).steps());
+  const std::string steps = std::to_string(session.player().run(1).steps());
   CHECK(figures[0].text == steps + " of " + steps);
   CHECK(figures[1].key == "radius");
-  CHECK(figures[1].value == doctest::Approx(std::get_if<fit::Sphere3>(session.volume(1))->radius));
+  CHECK(figures[1].value == doctest::Approx(std::get_if<fit::Sphere3>(session.player().volume(1))->radius));
   CHECK(figures[2].key == "excess");
-  REQUIRE(session.choose(1, ""));
+  REQUIRE(session.player().choose(1, ""));
   CHECK(figures_beside(session).empty());
 }
 
@@ -432,7 +433,7 @@ TEST_CASE("beside a naive algorithm, the careful one says that no point is outsi
   lesson.algorithms = {"welzl_naive", "welzl"};
   lesson.compare = "welzl";
   lesson::Session session = *lesson::Session::open(std::move(lesson));
-  session.jump(session.steps());
+  session.jump(session.player().steps());
   const auto figures = figures_beside(session);
   const auto of = [&](std::string_view key) {
     const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& one) { return one.key == key; });
@@ -442,7 +443,7 @@ TEST_CASE("beside a naive algorithm, the careful one says that no point is outsi
   CHECK(of("outside_count") == 0);
   CHECK(of("worst_ulps") == 0);
   CHECK(of("widened_ulps") >= 0);
-  REQUIRE(session.choose(0, "welzl"));
+  REQUIRE(session.player().choose(0, "welzl"));
   CHECK(figures_beside(session).empty());  // the same once more
 }
 
@@ -456,7 +457,7 @@ bool wrote(const std::vector<DrawnWords>& drawn, std::string_view words) {
 
 std::vector<DrawnWords> drawn_at_end(Bench& bench) {
   std::vector<DrawnWords> drawn;
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   bench.app.note_words(&drawn);
   bench.frames(2);
   bench.app.note_words(nullptr);
@@ -473,12 +474,12 @@ TEST_CASE("at the end the certificate stands beside the stage with its exact num
   CHECK(std::any_of(drawn.begin(), drawn.end(), [](const DrawnWords& one) {  // it runs in float
     return one.words.starts_with("All of this is about the points");
   }));
-  const auto lines = lesson::certificate_lines(lesson::fit_run(bench.session().run(0)));
+  const auto lines = lesson::certificate_lines(lesson::fit_run(bench.session().player().run(0)));
   REQUIRE(lines.has_value());
   CHECK(lines->contained.front().excess.sign > 0);              // the naive circle leaves a point outside
   CHECK(wrote(drawn, lines->contained.front().excess.text()));  // longer ones take two lines
   std::vector<DrawnWords> before;
-  bench.session().back();
+  bench.session().go(bench.session().player().step() - 1);
   bench.app.note_words(&before);
   bench.frames(2);
   bench.app.note_words(nullptr);

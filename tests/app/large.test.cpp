@@ -80,22 +80,24 @@ float share_of(LoneStage& stage, const StageSize& size) {
 template <class See>
 void walk(lesson::Session& session, bool asked, See see) {
   for (const std::string_view situation : lesson::situation_names(session.lesson())) {
-    if (!session.show_situation(situation)) continue;
+    if (!session.stage().show_situation(situation)) continue;
     for (const std::string& algorithm : session.lesson().algorithms) {
-      if (!session.choose(0, algorithm)) continue;
+      if (!session.player().choose(0, algorithm)) continue;
       const std::string run = std::string(situation) + ", " + algorithm;
-      const int stride = std::max(1, session.steps() / 8);
-      for (int step = 0; !asked && step <= session.steps(); step += stride) session.jump(step), see(run);
+      const int stride = std::max(1, session.player().steps() / 8);
+      for (int step = 0; !asked && step <= session.player().steps(); step += stride) session.jump(step), see(run);
       if (!asked) continue;
-      for (session.first(); session.step() < session.steps() || session.asked() != nullptr;) {
-        if (session.asked() == nullptr) {
+      for (session.go(0);
+           session.player().step() < session.player().steps() || session.conversation().asked() != nullptr;) {
+        if (session.conversation().asked() == nullptr) {
           session.forward();
           continue;
         }
-        see(run + ", asked " + session.asked()->question->id);
-        if (session.asked()->step == lesson::Asked::kAnytime) break;  // about what is measured
-        REQUIRE(session.answer(lesson::model_answer(*session.asked(), session.run(0))));
-        session.acknowledge();
+        see(run + ", asked " + session.conversation().asked()->question->id);
+        if (session.conversation().asked()->step == lesson::Asked::kAnytime) break;  // about what is measured
+        REQUIRE(session.conversation().give(
+            lesson::model_answer(*session.conversation().asked(), session.player().run(0))));
+        session.conversation().acknowledge();
       }
     }
   }
@@ -123,7 +125,7 @@ TEST_CASE("at each step what it is about takes three fifths of the free stage's 
       std::map<std::string, float> largest;  // of each run
       walk(stage.session(), size.card > 0, [&](const std::string& run) {
         CAPTURE(run);
-        CAPTURE(stage.session().step());
+        CAPTURE(stage.session().player().step());
         const float share = share_of(stage, size);
         CHECK(share >= bound.least);
         smallest = std::min(smallest, share);

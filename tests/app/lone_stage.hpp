@@ -75,7 +75,8 @@ class LoneStage {
     scene.three_d = camera.dim() == 3;
     Obstacles obstacles;
     std::vector<ScreenPoint> places;
-    for (Index i = 0; i < session_->size(); ++i) places.push_back(camera.project(view_->place_of(*session_, i)));
+    for (Index i = 0; i < session_->stage().subject().size(); ++i)
+      places.push_back(camera.project(view_->place_of(*session_, i)));
     ImDrawList* const list = ImGui::GetForegroundDrawList();
     const int before = list->VtxBuffer.Size;
     Brush brush{.list = list,
@@ -92,7 +93,7 @@ class LoneStage {
     view_->draw(brush);
     Around around;
     for (int i = before; i < list->VtxBuffer.Size; ++i) around.take(list->VtxBuffer[i].pos);
-    for (Index i = 0; view_->shows_points(*session_) && i < session_->size(); ++i)
+    for (Index i = 0; view_->shows_points(*session_) && i < session_->stage().subject().size(); ++i)
       if (view_->is_point(*session_, i) && places[i].visible) around.take({places[i].x, places[i].y});
     if (scene.marks != nullptr)
       for (const GlMark& mark : scene.marks->marks)

@@ -19,9 +19,9 @@ struct AtItsEnd {
 
   AtItsEnd(const std::string& id, const std::string& situation, const std::string& method)
       : bench(course_lesson(id, false), kBesideNumbers) {
-    REQUIRE(bench.session().show_situation(situation).has_value());
-    REQUIRE(bench.session().choose(0, method).has_value());
-    bench.session().jump(bench.session().steps());
+    REQUIRE(bench.session().stage().show_situation(situation).has_value());
+    REQUIRE(bench.session().player().choose(0, method).has_value());
+    bench.session().jump(bench.session().player().steps());
   }
   /// Whether every cell of the panels' tables was drawn, and the words of their buttons.
   void check_drawn() {
@@ -63,7 +63,7 @@ TEST_CASE("the numbers of all six planes are told as they are drawn, and follow 
   REQUIRE(numbers().size() == 6);
   CHECK(numbers()[0][0] == "Left");
   const auto before = numbers();
-  REQUIRE(point.bench.session().move(0, lesson::Point3(9, 9, 9)).has_value());
+  REQUIRE(point.bench.session().stage().move(0, lesson::Point3(9, 9, 9)).has_value());
   CHECK(numbers() != before);
   point.check_drawn();
 }
@@ -86,15 +86,15 @@ TEST_CASE("a million spheres are counted where nothing is drawn, and then told a
 
 TEST_CASE("a plane's number that a later step is asked for is not told in words either") {
   Bench bench(course_lesson("frustum-point"), kBesideNumbers);
-  REQUIRE(bench.session().is_hidden("distance"));
-  bench.session().first();
-  while (bench.session().asked() != nullptr) {
-    REQUIRE(bench.session().skip());
-    bench.session().acknowledge();
+  REQUIRE(bench.session().telling().is_hidden("distance"));
+  bench.session().go(0);
+  while (bench.session().conversation().asked() != nullptr) {
+    REQUIRE(bench.session().conversation().give({}, false));
+    bench.session().conversation().acknowledge();
   }
   const std::vector<PanelWords> panels = bench.app.panel_words();
   REQUIRE(panels.size() == 1);
-  CHECK(bench.session().is_hidden("distance"));
+  CHECK(bench.session().telling().is_hidden("distance"));
   const auto& rows = panels[0].table.rows;
   REQUIRE(rows.size() > 1);
   CHECK(rows[0][1] != "—");  // the plane whose question was skipped

@@ -40,11 +40,11 @@ TEST_CASE("of a fact without a picture of its own, the points that it names are 
   for (const fit::Algorithm& algorithm : fit::algorithms_of("kdop")) {
     lesson::Session session = fitted("kdop", std::string(algorithm.name));
     const auto view = subject_of(session.lesson()).view();
-    for (int step = 1; step < session.steps(); ++step) {
+    for (int step = 1; step < session.player().steps(); ++step) {
       session.jump(step);
       view->refresh(session, false);
-      if (session.run(0).fact(step - 1) != fit::SlabFound::kName) continue;
-      CHECK(view->shown().spoken_of == session.run(0).handles(step - 1));
+      if (session.player().run(0).fact(step - 1) != fit::SlabFound::kName) continue;
+      CHECK(view->shown().spoken_of == session.player().run(0).handles(step - 1));
       marked += static_cast<int>(view->shown().spoken_of.size());
     }
   }

@@ -64,18 +64,18 @@ lesson::Session asking_at_third(const std::vector<std::string>& ids) {
 
 TEST_CASE("marks beyond the first question without an answer would tell it: they come with the answer") {
   lesson::Session session = asking_at_third({"third"});
-  REQUIRE(session.questions().size() == 1);
-  const int gate = session.questions()[0].step;
-  const auto hidden = [&] { return session.marks().size() - marks_to_show(session).size(); };
-  REQUIRE(
-      std::any_of(session.marks().begin(), session.marks().end(), [&](const auto& mark) { return mark.step > gate; }));
+  REQUIRE(session.conversation().questions().size() == 1);
+  const int gate = session.conversation().questions()[0].step;
+  const auto hidden = [&] { return session.player().marks().size() - marks_to_show(session).size(); };
+  REQUIRE(std::any_of(session.player().marks().begin(), session.player().marks().end(),
+                      [&](const auto& mark) { return mark.step > gate; }));
   CHECK(hidden() > 0);
   for (const auto& mark : marks_to_show(session)) CHECK(mark.step <= gate);
   session.go(gate);
   CHECK(hidden() > 0);
-  REQUIRE(session.answer({}));
+  REQUIRE(session.conversation().give({}));
   CHECK(hidden() == 0);
-  session.first();
+  session.go(0);
   CHECK(hidden() == 0);
   session.forget_answers();
   session.jump(gate + 1);  // passes it: what was shown stays
@@ -85,13 +85,13 @@ TEST_CASE("marks beyond the first question without an answer would tell it: they
 
 TEST_CASE("of two questions at one step, the second waits when the first has its answer, and marks stay away") {
   lesson::Session session = asking_at_third({"first", "second"});
-  REQUIRE(session.questions().size() == 2);
-  REQUIRE(session.questions()[0].step == session.questions()[1].step);
-  session.go(session.questions()[0].step);
-  REQUIRE(session.answer({}));
-  CHECK_FALSE(is_open(session, session.questions()[0]));
-  CHECK(is_open(session, session.questions()[1]));
-  CHECK(marks_to_show(session).size() < session.marks().size());
+  REQUIRE(session.conversation().questions().size() == 2);
+  REQUIRE(session.conversation().questions()[0].step == session.conversation().questions()[1].step);
+  session.go(session.conversation().questions()[0].step);
+  REQUIRE(session.conversation().give({}));
+  CHECK_FALSE(is_open(session, session.conversation().questions()[0]));
+  CHECK(is_open(session, session.conversation().questions()[1]));
+  CHECK(marks_to_show(session).size() < session.player().marks().size());
 }
 
 TEST_CASE("gates of steps that lie close together stand side by side, within the track") {

@@ -111,7 +111,7 @@ TEST_CASE("on a phone the knobs of two volumes stand on the stage, though the di
 
 TEST_CASE("a close-up says billions, whose zeros would be wider than it") {
   Bench bench(course_lesson("cases/shared-coordinate", false));
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   bench.frames(2);
   const auto words = bench.words();
   CHECK(std::any_of(words.begin(), words.end(),
@@ -123,7 +123,7 @@ TEST_CASE("the close-up of a point left outside covers no point, though all arou
   for (const Layout& layout : {page, kPhone}) {
     CAPTURE(layout.stage.width);
     Bench bench(course_lesson("cases/cocircular", false), layout);
-    bench.session().jump(bench.session().steps());
+    bench.session().jump(bench.session().player().steps());
     bench.frames(2);
     std::optional<Rect> panel;
     for (const DrawnWords& one : bench.drawn_words()) {
@@ -159,7 +159,7 @@ TEST_CASE("a close-up follows what is dragged, and covers no handle") {
     const auto now = bench.app.close_up();
     REQUIRE(now);
     CHECK(handles_under(bench, now->panel) == 0);
-    CHECK(now->at == bench.session().point(4));
+    CHECK(now->at == bench.session().stage().subject().at(4));
     CHECK(now->times == doctest::Approx(before->times));
   }
   bench.release();
@@ -222,11 +222,11 @@ TEST_CASE("names that the file gives stand on the stage, or none that the step d
 
 TEST_CASE("labels have the file's decimals") {
   Bench bench(flat_kdop("decimals = 1"));
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   bench.frames(2);
   CHECK(says(bench, "area 7.8"));
   Bench usual(flat_kdop());
-  usual.session().jump(usual.session().steps());
+  usual.session().jump(usual.session().player().steps());
   usual.frames(2);
   CHECK(says(usual, "area 7.770"));
 }
@@ -238,7 +238,7 @@ TEST_CASE("the slab that is found is drawn with its direction, and its two point
   CHECK(says(flat, "slab 3: x+y"));
   CHECK(says(flat, "P5 least"));
   CHECK(says(flat, "P6 greatest"));
-  flat.session().jump(flat.session().steps());
+  flat.session().jump(flat.session().player().steps());
   flat.frames(2);
   CHECK_FALSE(says(flat, "slab 3: x+y"));
   Bench space(space_kdop());
@@ -250,7 +250,7 @@ TEST_CASE("the slab that is found is drawn with its direction, and its two point
 TEST_CASE("a slab of a 26-DOP and its name keep clear of the sentence that a page has over the foot of a wide stage") {
   const Layout wide{.stage = {0, 0, 628, 564}, .timeline = {0, 564, 628, 160}};
   Bench bench(course_lesson("kdop-space", false), wide);
-  REQUIRE(bench.session().choose(0, "k26"));
+  REQUIRE(bench.session().player().choose(0, "k26"));
   for (const int step : {7, 9, 11}) {
     bench.session().jump(step);
     bench.frames(2);
@@ -267,7 +267,7 @@ TEST_CASE("a slab of a 26-DOP and its name keep clear of the sentence that a pag
 TEST_CASE("nothing is called smallest that is compared with nothing") {
   Bench bench(flat_kdop());
   CHECK_FALSE(says(bench, "Smallest"));
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   bench.frames(2);
   for (const std::string& words : bench.words()) CHECK(words.find("the ") != 0);
   Bench hull(
@@ -275,13 +275,13 @@ TEST_CASE("nothing is called smallest that is compared with nothing") {
   CHECK(says(hull, "Hull"));
   Bench box(test::viewed("volume = \"obb\"\nalgorithms = [\"pca\", \"exact\"]", test::kEightPoints));
   CHECK(says(box, "Smallest"));
-  REQUIRE(box.session().choose(0, "exact"));
-  box.session().jump(box.session().steps());
+  REQUIRE(box.session().player().choose(0, "exact"));
+  box.session().jump(box.session().player().steps());
   box.frames(2);
   CHECK(says(box, "the smallest box"));
   Bench titled(test::viewed("volume = \"obb\"\nalgorithms = [\"aabb\"]\nreference = \"obb/pca\"",
                             "[points]\nlist = [[-2, -1], [2, -1], [2, 1], [-2, 1]]"));
-  titled.session().jump(titled.session().steps());
+  titled.session().jump(titled.session().player().steps());
   titled.frames(2);
   CHECK(says(titled, "PCA of the points"));  // a title takes no article
   CHECK_FALSE(says(titled, "the PCA of the points"));
@@ -289,7 +289,7 @@ TEST_CASE("nothing is called smallest that is compared with nothing") {
 
 TEST_CASE("labels keep clear of a page's sentence on a wide stage") {
   Bench bench(course_lesson("cases/wide-box", false), {.stage = {0, 0, 628, 616}, .timeline = {0, 616, 628, 136}});
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   bench.frames(2);
   const std::vector<DrawnWords> drawn = bench.drawn_words();
   const auto verdict =
@@ -301,7 +301,7 @@ TEST_CASE("labels keep clear of a page's sentence on a wide stage") {
 TEST_CASE("the lines of the window's sentence are about equally long") {
   Bench bench(course_lesson("cases/unit-of-length", false));
   bench.app.settings().prose_in_canvas = true;
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   bench.frames(2);
   const std::vector<DrawnWords> drawn = bench.drawn_words();
   const auto width_of = [&](auto is_line) {

@@ -150,7 +150,7 @@ class Watched {
   }
   /// The run's steps, the first, the last and so many between; each screen has others of a long run.
   void walk(const std::string& name, int most = kMostSteps) {
-    const int steps = session().steps(), stride = std::max(1, (steps + most - 1) / most);
+    const int steps = session().player().steps(), stride = std::max(1, (steps + most - 1) / most);
     const int first = static_cast<int>(std::string_view(screen_.name).size()) % stride;
     see(0, name);
     for (int step = first; step < steps; step += stride)
@@ -159,7 +159,7 @@ class Watched {
   }
   void walk_all(const std::vector<std::string>& algorithms, const std::string& name, int most = kMostSteps) {
     for (const std::string& algorithm : algorithms)
-      if (session().choose(0, algorithm)) walk(name + ", " + algorithm, most);
+      if (session().player().choose(0, algorithm)) walk(name + ", " + algorithm, most);
   }
 
  private:
@@ -206,7 +206,7 @@ TEST_CASE("nor in any situation of a lesson") {
     for (const lesson::Situation& situation : lesson.situations)
       for (const Screen* screen : some_screens(number++)) {
         Watched watched(lesson, *screen, faults);
-        REQUIRE(watched.session().show_situation(situation.name));
+        REQUIRE(watched.session().stage().show_situation(situation.name));
         watched.walk_all(lesson.algorithms, lesson.id + " " + situation.name, 12);
       }
   INFO(faults.text());
@@ -221,7 +221,7 @@ TEST_CASE("nor beside a second algorithm") {
     for (std::size_t i = 1; i < lesson.algorithms.size(); ++i)
       for (const Screen* screen : some_screens(number++)) {
         Watched watched(lesson, *screen, faults);
-        if (watched.session().choose(1, lesson.algorithms[i]))
+        if (watched.session().player().choose(1, lesson.algorithms[i]))
           watched.walk(lesson.id + " beside " + lesson.algorithms[i], 8);
       }
   INFO(faults.text());
@@ -251,7 +251,7 @@ TEST_CASE("nor among the points of a mesh, or of any scatter") {
     for (int seed = 1; seed <= 6; ++seed)
       for (const Screen* screen : some_screens(number++)) {
         Watched watched(lesson, *screen, faults);
-        watched.session().scatter(static_cast<std::uint64_t>(seed));
+        watched.session().stage().scatter(static_cast<std::uint64_t>(seed));
         watched.walk(lesson.id + " scattered", 12);
         if (lesson.meshes.empty() || seed > 3) continue;
         REQUIRE(watched.app().load(*mesh_of("bunny"), "Bunny"));
@@ -267,20 +267,21 @@ namespace {
 int look_at_standing(Watched& watched, const std::string& name) {
   int seen = 0;
   lesson::Session& session = watched.session();
-  for (session.first(); session.step() < session.steps() || session.asked() != nullptr;) {
-    const lesson::Asked* asked = session.asked();
+  for (session.go(0);
+       session.player().step() < session.player().steps() || session.conversation().asked() != nullptr;) {
+    const lesson::Asked* asked = session.conversation().asked();
     if (asked == nullptr) {
       session.forward();
       continue;
     }
     const std::string where = name + ", asked " + asked->question->id;
     watched.look(where);
-    const lesson::Answer answer = lesson::model_answer(*asked, session.run(0));
-    if (session.pick(answer)) watched.look(where + ", chosen");
+    const lesson::Answer answer = lesson::model_answer(*asked, session.player().run(0));
+    if (session.conversation().pick(answer)) watched.look(where + ", chosen");
     if (asked->step == lesson::Asked::kAnytime) return ++seen;  // of a chart, before anything is measured
-    REQUIRE(session.answer(answer));
+    REQUIRE(session.conversation().give(answer));
     watched.look(where + ", told");
-    session.acknowledge();
+    session.conversation().acknowledge();
     ++seen;
   }
   return seen;
@@ -297,9 +298,9 @@ TEST_CASE("nor while a question stands over the foot of the stage, or beside it"
     for (const Screen* screen : {const_cast<const Screen*>(&page), &screen_named("phone")}) {
       Watched watched(lesson, *screen, faults);
       for (const std::string_view situation : lesson::situation_names(lesson)) {
-        if (!watched.session().show_situation(situation)) continue;
+        if (!watched.session().stage().show_situation(situation)) continue;
         for (const std::string& algorithm : lesson.algorithms)
-          if (watched.session().choose(0, algorithm))
+          if (watched.session().player().choose(0, algorithm))
             seen += look_at_standing(watched, lesson.id + " " + std::string(situation) + " " + screen->name);
       }
     }
@@ -329,14 +330,14 @@ std::set<std::string> telling_numbers(const std::string& text) {
 /// What would tell the answer to a question: the figures of what happened that the question itself does not name, and
 /// the right choice's words, where they name no handle.
 std::set<std::string> secrets_of(const lesson::Asked& asked, const lesson::Session& session) {
-  const lesson::Truth truth = asked.asking->truth(asked, session.run(0));
+  const lesson::Truth truth = asked.asking->truth(asked, session.player().run(0));
   std::string told = asked.prompt;
   for (const std::string& choice : asked.choices) told += " " + choice;
   std::set<std::string> secrets = telling_numbers(truth.happened + " " + truth.sentence);
-  told += " " + lesson::count_text(session.size());  // how many points there are is no answer
+  told += " " + lesson::count_text(session.stage().subject().size());  // how many points there are is no answer
   for (const std::string& number : telling_numbers(told)) secrets.erase(number);
   // How it stands so far may be known; what the question is about is no figure then.
-  for (const lesson::Figure& figure : session.figures())
+  for (const lesson::Figure& figure : session.telling().figures())
     for (const std::string& number : telling_numbers(figure.text)) secrets.erase(number);
   for (const int choice : asked.on_axes ? std::vector<int>() : truth.choices)  // the axes stand in their table
     if (const auto i = static_cast<std::size_t>(choice);
@@ -345,7 +346,8 @@ std::set<std::string> secrets_of(const lesson::Asked& asked, const lesson::Sessi
       secrets.insert(asked.choices[i]);
   for (const std::string& name : session.lesson().algorithms)  // each is named in the list of results, which are hidden
     secrets.erase(lesson::title_in(session.lesson(), *lesson::find_method(session.lesson(), name)));
-  for (const lesson::Switch& one : session.switches())  // each is named in the table of effects, whatever it does
+  for (const lesson::Switch& one :
+       session.player().switches())  // each is named in the table of effects, whatever it does
     secrets.erase(lesson::effect_words(one.name));
   return secrets;
 }
@@ -358,8 +360,9 @@ bool tells(const std::string& words, const std::string& secret) {
 int look_at_questions(Bench& bench, std::vector<DrawnWords>& drawn, const std::string& name) {
   int seen = 0;
   lesson::Session& session = bench.session();
-  for (session.first(); session.step() < session.steps() || session.asked() != nullptr;) {
-    const lesson::Asked* asked = session.asked();
+  for (session.go(0);
+       session.player().step() < session.player().steps() || session.conversation().asked() != nullptr;) {
+    const lesson::Asked* asked = session.conversation().asked();
     if (asked == nullptr) {
       session.forward();
       continue;
@@ -367,15 +370,15 @@ int look_at_questions(Bench& bench, std::vector<DrawnWords>& drawn, const std::s
     if (asked->step == lesson::Asked::kAnytime) return seen;  // of a chart, before anything is measured
     bench.frames(2);
     ++seen;
-    for (const lesson::Rival& rival : session.rivals())
-      CHECK_MESSAGE(session.hides_result(*rival.method), name, asked->question->id);
+    for (const lesson::Rival& rival : session.player().rivals())
+      CHECK_MESSAGE(session.telling().hides_result(*rival.method), name, asked->question->id);
     for (const DrawnWords& words : drawn)
       CHECK_MESSAGE(!words.words.starts_with("smallest"), name, asked->question->id, ": ", words.words);
     for (const std::string& secret : secrets_of(*asked, session))
       for (const DrawnWords& words : drawn)
         CHECK_MESSAGE(!tells(words.words, secret), name, asked->question->id, ": ", words.words);
-    REQUIRE(session.answer(lesson::model_answer(*asked, session.run(0))));
-    session.acknowledge();
+    REQUIRE(session.conversation().give(lesson::model_answer(*asked, session.player().run(0))));
+    session.conversation().acknowledge();
   }
   return seen;
 }
@@ -391,9 +394,9 @@ TEST_CASE("while a question stands, no words on the stage or beside it tell the 
     bench.app.note_words(&drawn);
     bench.app.settings().show_optimum = true;
     for (const std::string_view situation : lesson::situation_names(lesson)) {
-      REQUIRE(bench.session().show_situation(situation));
+      REQUIRE(bench.session().stage().show_situation(situation));
       for (const std::string& algorithm : lesson.algorithms)
-        if (bench.session().choose(0, algorithm))
+        if (bench.session().player().choose(0, algorithm))
           seen += look_at_questions(bench, drawn, lesson.id + ", " + std::string(situation) + ", " + algorithm + ": ");
     }
     bench.app.note_words(nullptr);

@@ -55,13 +55,13 @@ lesson::Lesson cloud(int count, int dim, const char* first, const char* second) 
 
 /// Works out what a door shows of a session beside the canvas, grades too. Returns something that depends on all of it.
 double words_beside(const lesson::Session& session) {
-  double seen = static_cast<double>(session.marks().size() + session.caption().size());
+  double seen = static_cast<double>(session.player().marks().size() + session.telling().caption().size());
   for (int slot = 0; slot < 2; ++slot)
-    if (session.method(slot) != nullptr)
-      seen += static_cast<double>(session.figures(slot).size() + session.proofs(slot).size());
+    if (session.player().method(slot) != nullptr)
+      seen += static_cast<double>(session.telling().figures(slot).size() + session.player().proofs(slot).size());
   for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task)
     seen += static_cast<double>(session.grade(task).says.size());
-  lesson::ProseFigures figures(session);
+  lesson::ProseFigures figures(session.conversation());
   for (const lesson::RunFigure& figure : session.lesson().figures)
     seen += static_cast<double>(figures.of(figure).text.size());
   return seen + static_cast<double>(lesson::stored_of(session).size());
@@ -69,11 +69,13 @@ double words_beside(const lesson::Session& session) {
 
 /// The handle to drag: a point or a vertex, but what is set by hand has its own knobs.
 std::string handle_to_drag(const app::Bench& bench, lesson::Session& session) {
-  const bool by_hand = session.method(0)->by_hand;
+  const bool by_hand = session.player().method(0)->by_hand;
   for (const app::Handle& handle : bench.app.handles())
-    for (Index i = 0; i < session.size(); ++i) {
-      const bool point = session.subject().points() != nullptr && i < fit::count_of(*session.subject().points());
-      if (session.name_of(i) == handle.id && session.may_move(i) && (!by_hand || !point)) return handle.id;
+    for (Index i = 0; i < session.stage().subject().size(); ++i) {
+      const bool point =
+          session.stage().subject().points() != nullptr && i < fit::count_of(*session.stage().subject().points());
+      if (session.stage().subject().name_of(i) == handle.id && session.stage().may_move(i) && (!by_hand || !point))
+        return handle.id;
     }
   return {};
 }
@@ -81,7 +83,7 @@ std::string handle_to_drag(const app::Bench& bench, lesson::Session& session) {
 /// Where all handles are. Another may lie over the one that was pressed, and be the one that is dragged.
 std::vector<Vector<double, 3>> places_of(const lesson::Session& session) {
   std::vector<Vector<double, 3>> all;
-  for (Index i = 0; i < session.size(); ++i) all.push_back(session.point(i));
+  for (Index i = 0; i < session.stage().subject().size(); ++i) all.push_back(session.stage().subject().at(i));
   return all;
 }
 
@@ -90,15 +92,15 @@ void skip_questions(lesson::Session& session) {
   std::vector<lesson::Outcome> skipped;
   for (const lesson::Question& question : session.lesson().questions)
     skipped.push_back({.question = question.id, .given = {}, .skipped = true});
-  session.take_up_answers(std::move(skipped));
+  session.take_up(std::move(skipped));
 }
 
 /// Drags a handle around a circle. Nothing where the stage has none.
 std::optional<Row> drag_on(app::Bench& bench, std::string words) {
   lesson::Session& session = bench.session();
   skip_questions(session);
-  session.jump(session.steps());
-  if (!session.subject().moves_at(session.step())) session.jump(0);
+  session.jump(session.player().steps());
+  if (!session.stage().subject().moves_at(session.player().step())) session.jump(0);
   if (bench.app.cover() != nullptr) bench.app.cover()->show(false);
   bench.frames(3);
   const std::string name = handle_to_drag(bench, session);
@@ -122,7 +124,7 @@ std::optional<Row> drag_on(app::Bench& bench, std::string words) {
   bench.release();
   std::sort(all.begin(), all.end());
   if (row.moved == 0) std::fprintf(stderr, "%s: nothing was dragged by %s\n", row.words.c_str(), name.c_str());
-  row.steps = session.steps(), row.median = all[kFrames / 2], row.most = all[kFrames * 95 / 100];
+  row.steps = session.player().steps(), row.median = all[kFrames / 2], row.most = all[kFrames * 95 / 100];
   return row;
 }
 
@@ -163,7 +165,7 @@ bool every_lesson(const std::vector<std::string>& wanted, double limit) {
       mesh = *io::read_points(bench::text_of(SNUG_ASSETS_DIR "/meshes/" + name + ".ply"), name);
     for (const std::string& algorithm : lesson->algorithms) {
       app::Bench bench(*lesson, page(), mesh);
-      if (!bench.session().choose(0, algorithm)) continue;
+      if (!bench.session().player().choose(0, algorithm)) continue;
       if (const auto row = drag_on(bench, path.stem().string() + ", " + algorithm)) fine = print(*row, limit) && fine;
     }
   }

@@ -38,29 +38,29 @@ double milliseconds(auto&& work) {
 void measure(int objects) {
   Session session = session_with(objects);
   for (const Method& method : field_methods()) {
-    if (!session.choose(0, method.name)) std::abort();
+    if (!session.player().choose(0, method.name)) std::abort();
     session.last();
-    const auto& subject = *as<FieldSubject>(session.subject());
+    const auto& subject = *as<FieldSubject>(session.stage().subject());
     std::vector<query::Culling> verdicts(subject.field().boxes.size());
     std::vector<std::int8_t> last(verdicts.size(), -1);
     std::vector<double> culls, frames;
-    session.begin_drag();
+    session.stage().begin_drag();
     for (int frame = 0; frame < 60; ++frame) {
       const double way = 0.05 * frame;
       frames.push_back(milliseconds([&] {
-        static_cast<void>(session.move(1, Point3(0, 6, way)));
-        bench::keep(session.figures());
-        bench::keep(session.proofs());
-        bench::keep(session.caption());
+        static_cast<void>(session.stage().move(1, Point3(0, 6, way)));
+        bench::keep(session.telling().figures());
+        bench::keep(session.player().proofs());
+        bench::keep(session.telling().caption());
       }));
-      const FieldStage& stage = as<FieldSubject>(session.subject())->stage();
+      const FieldStage& stage = as<FieldSubject>(session.stage().subject())->stage();
       const auto frustum = *frustum_of(stage.recipe, stage.now);
       culls.push_back(milliseconds([&] {
         hierarchy::cull_field(subject.field(), frustum, way_of(method), last, verdicts);
         bench::keep(verdicts);
       }));
     }
-    session.end_drag();
+    session.stage().end_drag();
     std::sort(culls.begin(), culls.end());
     std::sort(frames.begin(), frames.end());
     std::printf("| %d | %s | %.3f | %.2f | %.2f |\n", objects, method.name.data(), culls[30], frames[30], frames[57]);

@@ -34,8 +34,8 @@ void wait_for(lesson::Session& session, const std::string& id, const char* gener
     const double took = now_ms() - start;
     ++wait.pieces, wait.all += took, wait.longest = std::max(wait.longest, took);
   };
-  timed([&] { done = session.set_generator(generator, count, session.subject().dim(), 3); });
-  while (done && session.preparing() != nullptr) timed([&] { done = session.go_on(0); });
+  timed([&] { done = session.stage().set_generator(generator, count, session.stage().subject().dim(), 3); });
+  while (done && session.stage().preparing() != nullptr) timed([&] { done = session.stage().go_on(0); });
   std::printf("| %s | %s:%d | %d | %.0f | %.0f | %s |\n", id.c_str(), generator, static_cast<int>(count), wait.pieces,
               wait.longest, wait.all, done ? "shown" : done.error().what.c_str());
   std::fflush(stdout);
@@ -52,8 +52,8 @@ int main(int count, char** words) {
     for (const char* generator : {"sphere", "clusters"})
       for (const Index points : kCounts) {
         auto session = lesson::Session::open(*lesson, {}, &clock_ns);
-        if (!session || session->subject().points() == nullptr) continue;
-        session->give_way(true);
+        if (!session || session->stage().subject().points() == nullptr) continue;
+        session->stage().give_way(true);
         wait_for(*session, id, generator, points);
       }
   }

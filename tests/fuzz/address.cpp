@@ -39,7 +39,7 @@ double any_number(fuzz::Bytes& bytes) {
 }
 
 void edit(lesson::Session& session, fuzz::Bytes& bytes) {
-  lesson::Rows rows = session.subject().rows();
+  lesson::Rows rows = session.stage().subject().rows();
   for (unsigned edits = bytes.below(4); edits > 0; --edits) {
     if (rows.empty() || bytes.below(8) == 0) {
       rows.emplace_back();
@@ -49,10 +49,10 @@ void edit(lesson::Session& session, fuzz::Bytes& bytes) {
     if (row.empty() || bytes.below(8) == 0) row.push_back(any_number(bytes));
     else row[bytes.byte() % row.size()] = any_number(bytes);
   }
-  const lesson::Rows before = session.subject().rows();
-  if (const auto done = session.set_rows(rows); !done) {
+  const lesson::Rows before = session.stage().subject().rows();
+  if (const auto done = session.stage().set_rows(rows); !done) {
     require(!done.error().message().empty());
-    require(session.subject().rows() == before);  // as if it had not been asked
+    require(session.stage().subject().rows() == before);  // as if it had not been asked
   }
 }
 
@@ -88,11 +88,11 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   require(session.has_value());
   for (int turn = 0; turn < 3; ++turn) {
     edit(*session, bytes);
-    if (bytes.below(4) == 0) session->scatter(bytes.byte());
-    if (bytes.below(4) == 0) session->undo();
-    session->jump(static_cast<int>(bytes.byte()) * session->steps() / 255);
-    require(session->step() >= 0 && session->step() <= session->steps());
-    require(session->caption().find("nan") == std::string::npos);
+    if (bytes.below(4) == 0) session->stage().scatter(bytes.byte());
+    if (bytes.below(4) == 0) session->stage().undo();
+    session->jump(static_cast<int>(bytes.byte()) * session->player().steps() / 255);
+    require(session->player().step() >= 0 && session->player().step() <= session->player().steps());
+    require(session->telling().caption().find("nan") == std::string::npos);
   }
   follow(*session, any_address(bytes));
   return 0;

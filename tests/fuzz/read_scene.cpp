@@ -34,10 +34,10 @@ lesson::Session& opened() {
 }
 
 void play(lesson::Session& session) {
-  for (int i = 0; i < kMostFrames && session.step() < session.steps(); ++i) {
-    if (session.asked() != nullptr) require(session.skip());
+  for (int i = 0; i < kMostFrames && session.player().step() < session.player().steps(); ++i) {
+    if (session.conversation().asked() != nullptr) require(session.conversation().give({}, false));
     else session.forward();
-    require(session.caption().find("nan") == std::string::npos);
+    require(session.telling().caption().find("nan") == std::string::npos);
   }
 }
 
@@ -50,16 +50,17 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   for (const lesson::FileError& mistake : typed.mistakes) require(mistake.place.line >= 1 && !mistake.what.empty());
   if (typed.set && typed.set->bodies.size() > kMostBodies) return 0;
   lesson::Session& session = opened();
-  const auto before = session.subject().file();
+  const auto before = session.stage().subject().file();
   require(before.has_value());
-  if (!session.set_file(text)) return 0;
-  const auto after = session.subject().file();
+  if (!session.stage().set_file(text)) return 0;
+  const auto after = session.stage().subject().file();
   require(after && after->typed == text);
   require((after->runs == text) == after->mistakes.empty());
-  if (session.size() <= kMostHandles) play(session);
+  if (session.stage().subject().size() <= kMostHandles) play(session);
   session.jump(0);
-  session.end_typing();
-  if (text != before->typed) session.undo();
-  require(session.subject().file()->runs == before->runs && session.subject().file()->typed == before->typed);
+  session.stage().end_typing();
+  if (text != before->typed) session.stage().undo();
+  require(session.stage().subject().file()->runs == before->runs &&
+          session.stage().subject().file()->typed == before->typed);
   return 0;
 }

@@ -34,7 +34,7 @@ std::string cloud_words(const cost::TrialRow& row) {
 }
 
 bool predictions_wait(const lesson::Session& session) {
-  const auto& outcomes = session.outcomes();
+  const auto& outcomes = session.log().outcomes();
   return std::any_of(outcomes.begin(), outcomes.end(), [](const lesson::Outcome& outcome) { return outcome.pending; });
 }
 
@@ -60,10 +60,10 @@ void ClaimsCover::take_rows() {
 }
 
 void ClaimsCover::follow(const lesson::Session& session) {
-  const lesson::Outcome* const told = session.outcome();
-  const lesson::Asked* const now = session.asked() != nullptr ? session.asked()
-                                   : told != nullptr          ? session.question_of(*told)
-                                                              : nullptr;
+  const lesson::Outcome* const told = session.conversation().outcome();
+  const lesson::Asked* const now = session.conversation().asked() != nullptr ? session.conversation().asked()
+                                   : told != nullptr                         ? session.conversation().question_of(*told)
+                                                                             : nullptr;
   const std::string id = now != nullptr ? now->question->id : "";
   if (id == followed_) return;
   followed_ = id;
@@ -103,10 +103,10 @@ bool ClaimsCover::put_on_stage(lesson::Session& session) {
   const cost::TrialRow* row = focused();
   if (row == nullptr) return false;
   const auto seed = static_cast<std::uint64_t>(row->seed);
-  const lesson::AtOnce at_once(session);
-  if (!session.set_generator(row->kind, row->points, 3, seed)) return false;
-  if (!session.choose(0, lesson::shown_by(session.lesson(), claim()))) return false;
-  session.jump(session.steps());
+  const lesson::AtOnce at_once(session.stage());
+  if (!session.stage().set_generator(row->kind, row->points, 3, seed)) return false;
+  if (!session.player().choose(0, lesson::shown_by(session.lesson(), claim()))) return false;
+  session.jump(session.player().steps());
   show(false);
   return true;
 }
@@ -124,8 +124,8 @@ bool ClaimsCover::command(lesson::Session& session, std::string_view name) {
     return found != nullptr;
   }
   if (name == "measure") {
-    if (running() || !clock_ || session.asked() != nullptr) return false;
-    if (session.to_predict() != nullptr) return session.ask_predictions(), true;
+    if (running() || !clock_ || session.conversation().asked() != nullptr) return false;
+    if (session.conversation().to_predict() != nullptr) return session.conversation().ask_predictions(), true;
     run_ = std::make_unique<cost::TrialRun>(all);
     rows_.clear();
     claim_ = all.front();
@@ -157,7 +157,7 @@ std::string_view ClaimsCover::command_of_key(std::string_view key) const {
 
 tl::expected<void, InputError> ClaimsCover::load(lesson::Session& session, const io::PointFile& file,
                                                  std::string_view name) {
-  return session.load(file, name);
+  return session.stage().load(file, name);
 }
 
 void ClaimsCover::work(lesson::Session& session, double budget) {
@@ -190,13 +190,14 @@ std::vector<CoverButton> ClaimsCover::choices(const lesson::Session&) const {
 }
 
 std::array<CoverButton, 2> ClaimsCover::work_buttons(const lesson::Session& session) const {
-  return {CoverButton{"measure", "Measure", false, !running() && session.asked() == nullptr},
+  return {CoverButton{"measure", "Measure", false, !running() && session.conversation().asked() == nullptr},
           CoverButton{"stop_measuring", "Stop", false, running()}};
 }
 
 std::string ClaimsCover::status(const lesson::Session& session) const {
-  if (session.asked() != nullptr) return "Answer the questions first: the charts would give the answers away.";
-  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
+  if (session.conversation().asked() != nullptr)
+    return "Answer the questions first: the charts would give the answers away.";
+  if (session.conversation().to_predict() != nullptr) return std::string(kPressMeasure);
   const std::string all = std::to_string(cost::tried_claims().size()) + " claims, " +
                           std::to_string(cost::trial_kinds().size() * cost::kTrialSeeds) + " clouds each";
   if (running()) return "Trying " + all + ".";
@@ -205,8 +206,8 @@ std::string ClaimsCover::status(const lesson::Session& session) const {
 
 std::string ClaimsCover::caption(const lesson::Session& session) const {
   const cost::TrialTally tally = cost::tally_trials(claim().name, rows_);
-  if (session.asked() != nullptr) return "Predict first, then measure.";
-  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
+  if (session.conversation().asked() != nullptr) return "Predict first, then measure.";
+  if (session.conversation().to_predict() != nullptr) return std::string(kPressMeasure);
   if (running()) return "Measuring: " + std::to_string(static_cast<int>(100 * progress())) + " % of the clouds.";
   if (tally.clouds == 0 && predictions_wait(session)) return "Your predictions are in: now press Measure.";
   if (tally.clouds == 0) return "Nothing has been measured yet: press Measure.";
@@ -229,7 +230,7 @@ WordTable ClaimsCover::table(const lesson::Session&) const {
 }
 
 bool ClaimsCover::decided(const lesson::Session& session) const {
-  const auto* claims = lesson::as<lesson::ClaimsSubject>(session.subject());
+  const auto* claims = lesson::as<lesson::ClaimsSubject>(session.stage().subject());
   return claims != nullptr && !claims->trials().empty();
 }
 

@@ -13,7 +13,7 @@ namespace {
 void draw_hull(Brush& brush, const CloudShown& shown) {
   constexpr std::size_t kMostVertices = 100;
   std::vector<ImVec2> corners;
-  for (const Index i : shown.hull) corners.push_back(brush.at(brush.session.point(i)));
+  for (const Index i : shown.hull) corners.push_back(brush.at(brush.session.stage().subject().at(i)));
   if (brush.dim() == 2)
     return path(brush.list, convex_outline(std::move(corners)), true, Stroke::kSolid, brush.p.ink, brush.stroke(0.8f));
   if (shown.hull_solid && corners.size() <= kMostVertices)
@@ -32,8 +32,8 @@ Screen screen_of(const Brush& brush, const CloudShown& shown, const Obb<double, 
   Point3 along = shown.along->normalized();
   if (along.dot(brush.canvas.camera.eye() - box.center) > 0) along = -along;
   double reach = 0, least = 0;
-  for (Index i = 0; i < lesson::count_of(brush.session.subject()); ++i) {
-    const double at = along.dot(brush.session.point(i) - box.center);
+  for (Index i = 0; i < lesson::count_of(brush.session.stage().subject()); ++i) {
+    const double at = along.dot(brush.session.stage().subject().at(i) - box.center);
     reach = std::max(reach, at), least = std::min(least, at);
   }
   return {along, box.center + along * (reach + 0.35 * box.half_extents.maxCoeff() + 0.1 * (reach - least))};
@@ -59,7 +59,7 @@ void draw_projection(Brush& brush, const CloudShown& shown) {
   const Screen screen = screen_of(brush, shown, *box);
   std::vector<ImVec2> feet;
   for (const Index i : shown.hull) {
-    const Point3 point = brush.session.point(i);
+    const Point3 point = brush.session.stage().subject().at(i);
     feet.push_back(brush.at(screen.foot(point)));
     line(brush.list, brush.at(point), feet.back(), Stroke::kDotted, with_alpha(p.muted, 0.6f), brush.stroke(0.5f));
     disc(brush.list, feet.back(), 2.5f * p.mark, p.muted);
@@ -72,10 +72,11 @@ void draw_projection(Brush& brush, const CloudShown& shown) {
   path(brush.list, rectangle, true, Stroke::kSolid, p.examined, brush.stroke(0.9f));
   path(brush.list, convex_outline(std::move(feet)), true, Stroke::kSolid, p.muted, brush.stroke(0.7f));
   for (const auto& [a, b] : shown.built_on)
-    line(brush.list, brush.at(screen.foot(brush.session.point(a))), brush.at(screen.foot(brush.session.point(b))),
-         Stroke::kSolid, p.examined, brush.stroke(1.6f));
+    line(brush.list, brush.at(screen.foot(brush.session.stage().subject().at(a))),
+         brush.at(screen.foot(brush.session.stage().subject().at(b))), Stroke::kSolid, p.examined, brush.stroke(1.6f));
   for (const Index i : shown.calipers)
-    ring(brush.list, brush.at(screen.foot(brush.session.point(i))), 4 * p.mark, p.examined, brush.stroke(0.8f));
+    ring(brush.list, brush.at(screen.foot(brush.session.stage().subject().at(i))), 4 * p.mark, p.examined,
+         brush.stroke(0.8f));
 }
 
 }  // namespace
@@ -84,8 +85,8 @@ void draw_box_fit(Brush& brush, const CloudShown& shown) {
   draw_hull(brush, shown);
   draw_projection(brush, shown);
   for (const auto& [a, b] : shown.built_on)
-    line(brush.list, brush.at(brush.session.point(a)), brush.at(brush.session.point(b)), Stroke::kSolid,
-         brush.p.examined, brush.stroke(1.4f));
+    line(brush.list, brush.at(brush.session.stage().subject().at(a)), brush.at(brush.session.stage().subject().at(b)),
+         Stroke::kSolid, brush.p.examined, brush.stroke(1.4f));
 }
 
 }  // namespace snug::app

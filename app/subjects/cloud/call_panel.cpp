@@ -18,21 +18,24 @@ using lesson::WelzlState;
 /// A note of always one line, so that what is below does not move.
 std::string list_note(const lesson::Session& session, const WelzlState& state) {
   const auto place = [](int at) { return std::to_string(at + 1); };
-  if (state.moved != kNoIndex && state.moved_from == 0) return session.name_of(state.moved) + " is at the front.";
+  if (state.moved != kNoIndex && state.moved_from == 0)
+    return session.stage().subject().name_of(state.moved) + " is at the front.";
   if (state.moved != kNoIndex)
-    return session.name_of(state.moved) + " moved to the front from place " + place(state.moved_from) + ".";
+    return session.stage().subject().name_of(state.moved) + " moved to the front from place " +
+           place(state.moved_from) + ".";
   if (state.calls.empty()) return "All points have been tested.";
   if (state.calls.back().at == kNoIndex)
     return state.calls.size() == 1 ? "The points are in random order." : "The call begins at the front.";
   const auto at = std::find(state.list.begin(), state.list.end(), state.calls.back().at) - state.list.begin();
-  return session.name_of(state.calls.back().at) + " is tested, at place " + place(static_cast<int>(at)) + ".";
+  return session.stage().subject().name_of(state.calls.back().at) + " is tested, at place " +
+         place(static_cast<int>(at)) + ".";
 }
 
 class CallPanel {
  public:
   CallPanel(const Look& look, const lesson::Session& session, const WelzlState& state, ImVec2 at, float width)
       : look_(look), session_(session), state_(state), list_(ImGui::GetWindowDrawList()), x_(at.x), width_(width),
-        top_(at.y), y_(at.y), support_(session.support(0)) {}
+        top_(at.y), y_(at.y), support_(session.player().support(0)) {}
 
   [[nodiscard]] float height() const { return y_ - top_; }
 
@@ -65,7 +68,7 @@ class CallPanel {
 
   /// Draws the calls, the outermost first, each indented by its depth. There is room for as many as there can be.
   void calls() {
-    const int most = session_.dim() + 2, running = static_cast<int>(state_.calls.size()) - 1;
+    const int most = session_.stage().subject().dim() + 2, running = static_cast<int>(state_.calls.size()) - 1;
     for (int depth = 0; depth < most; ++depth) {
       const float left = x_ + static_cast<float>(depth) * kIndent;
       const Rect rect{left, y_, x_ + width_ - left, look_.px(kRow) - kGap};
@@ -84,7 +87,7 @@ class CallPanel {
                          kPadding = 8;
   static constexpr int kMostCells = 28;
 
-  [[nodiscard]] std::string name(int place) const { return session_.name_of(state_.list[place]); }
+  [[nodiscard]] std::string name(int place) const { return session_.stage().subject().name_of(state_.list[place]); }
   [[nodiscard]] ImVec2 middle(const Rect& rect) const {
     return {rect.x + rect.width / 2, middle_of(rect.y + rect.height / 2, look_.px(kSize))};
   }
@@ -133,13 +136,15 @@ class CallPanel {
 
   [[nodiscard]] std::string names(const fit::Support& points) const {
     std::string names;
-    for (const Index i : points) names += (names.empty() ? "" : " ") + session_.name_of(i);
+    for (const Index i : points) names += (names.empty() ? "" : " ") + session_.stage().subject().name_of(i);
     return names.empty() ? "none fixed" : names;
   }
 
   /// What a call is doing, in words from long to short.
   [[nodiscard]] std::vector<std::string> states(const WaitingCall& call, bool running) const {
-    if (!running) return {"waits at " + session_.name_of(call.at), "at " + session_.name_of(call.at)};
+    if (!running)
+      return {"waits at " + session_.stage().subject().name_of(call.at),
+              "at " + session_.stage().subject().name_of(call.at)};
     const std::string count = std::to_string(call.done) + " of " + std::to_string(call.length);
     return {count + (call.length == 1 ? " point" : " points"), count};
   }
@@ -174,7 +179,8 @@ std::vector<int> shown_places(int size, int at, int most) {
 }
 
 float draw_call_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
-  const WelzlState state = lesson::welzl_state(lesson::fit_run(session.run(0)).trace(), session.step());
+  const WelzlState state =
+      lesson::welzl_state(lesson::fit_run(session.player().run(0)).trace(), session.player().step());
   if (state.list.empty()) return 0;
   CallPanel panel(look, session, state, at, width);
   panel.heading("The list, front first");

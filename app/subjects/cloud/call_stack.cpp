@@ -36,20 +36,23 @@ void draw_block(const Look& look, const lesson::Session& session, const TreeCall
   const std::string right = runs ? (call->decided ? "calls again" : "runs") : call->decided ? "2nd call" : "1st call";
   text_right(list, look, Face::kRegular, kSize, {high.x - 8, baseline}, look->muted, right);
   const float room = rect.width - 16 - measure(look, Face::kRegular, kSize, right).x - 8;
-  std::string words = call->point == kNoIndex ? "stopped" : "u = " + session.name_of(call->point);
-  for (const Index i : call->boundary) words += (i == call->boundary[0] ? " · " : " ") + session.name_of(i);
+  std::string words = call->point == kNoIndex ? "stopped" : "u = " + session.stage().subject().name_of(call->point);
+  for (const Index i : call->boundary)
+    words += (i == call->boundary[0] ? " · " : " ") + session.stage().subject().name_of(i);
   text(list, look, Face::kMono, kSize, {low.x + 8, baseline}, look->ink,
        shortened(look, Face::kMono, kSize, words, room));
 }
 
 }  // namespace
 
-bool shows_calls(const lesson::Session& session) { return lesson::has_calls(lesson::fit_run(session.run(0)).trace()); }
+bool shows_calls(const lesson::Session& session) {
+  return lesson::has_calls(lesson::fit_run(session.player().run(0)).trace());
+}
 
 float draw_call_stack(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
   if (!shows_calls(session)) return 0;
-  const lesson::FitTrace trace = lesson::fit_run(session.run(0)).trace();
-  const CallTree now = lesson::call_tree(trace, session.step());
+  const lesson::FitTrace trace = lesson::fit_run(session.player().run(0)).trace();
+  const CallTree now = lesson::call_tree(trace, session.player().step());
   float y = at.y;
   text(ImGui::GetWindowDrawList(), look, Face::kSemiBold, 13, {at.x, y + look.px(5)}, look->muted,
        "The stack, the first call at the bottom");

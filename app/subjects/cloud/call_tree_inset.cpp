@@ -92,7 +92,7 @@ class TreeInset {
     else if (call.open) diamond(brush_.list, at, size, p_.support, p_.panel);
     else disc(brush_.list, at, size / 2, p_.muted);
     if (!call.open || call.point == kNoIndex || (narrow() && !runs(i))) return;
-    const std::string name = brush_.session.name_of(call.point);
+    const std::string name = brush_.session.stage().subject().name_of(call.point);
     const float wide = measure(brush_.look, Face::kMonoBold, kNameSize, name).x;
     const bool left = at.x + 9 + wide > panel_.x + panel_.width - 4;
     text(brush_.list, brush_.look, Face::kMonoBold, kNameSize,
@@ -154,9 +154,9 @@ std::vector<float> columns_of(const CallTree& tree) {
 
 Rect draw_call_tree(Brush& brush, ImVec2 at) {
   if (!shows_calls(brush.session)) return {};
-  const lesson::FitTrace trace = lesson::fit_run(brush.session.run(0)).trace();
+  const lesson::FitTrace trace = lesson::fit_run(brush.session.player().run(0)).trace();
   const CallTree whole = lesson::call_tree(trace, static_cast<int>(trace.size()));
-  const CallTree now = lesson::call_tree(trace, brush.session.step());
+  const CallTree now = lesson::call_tree(trace, brush.session.player().step());
   const Look& look = brush.look;
   const bool narrow = brush.rect.width < kNarrow;
   const float width = narrow ? 110.0f : look.px(brush.rect.width < 900 ? 200 : 280);

@@ -41,7 +41,8 @@ bool compares_both(const lesson::Session& session) {
       return method->volume == volume && method->name == name;
     });
   };
-  return session.dim() == 3 && session.method(0)->volume == "kdop" && has("kdop", "k14") && has("obb", "exact");
+  return session.stage().subject().dim() == 3 && session.player().method(0)->volume == "kdop" && has("kdop", "k14") &&
+         has("obb", "exact");
 }
 
 }  // namespace

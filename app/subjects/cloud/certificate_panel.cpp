@@ -65,7 +65,7 @@ class CertificateWriter {
   }
   void name(Index point, Color ink) {
     text(list_, look_, Face::kMonoBold, kCertificateDigits, {x_ + kCertificateMark, middle(kCertificateDigits)}, ink,
-         session_.name_of(point));
+         session_.stage().subject().name_of(point));
     indent_ = kCertificateMark + look_.px(kCertificateName);
   }
   void digits(std::string_view words, float right, Color ink) {
@@ -120,7 +120,7 @@ std::string other_points_text(const lesson::CertificateLines& lines) {
 float draw_certificate_panel(const Look& look, const lesson::Session& session, const CloudShown& shown, ImVec2 at,
                              float width, Index& pointed) {
   pointed = kNoIndex;
-  if (!shown.certificate || session.hides_result(*session.method(0))) return 0;
+  if (!shown.certificate || session.telling().hides_result(*session.player().method(0))) return 0;
   const lesson::CertificateLines& lines = *shown.certificate;
   CertificateWriter writer(look, session, at, width);
   writer.heading("The certificate, number by number");

@@ -25,10 +25,10 @@ void draw_candidate(Brush& brush, const CloudShown& shown) {
     hatching(brush.list, brush.at(ball->center), radius, with_alpha(p.wrong, 0.16f));
   }
   if (shown.left_outside == kNoIndex) return;
-  const ImVec2 at = brush.at(brush.session.point(shown.left_outside));
+  const ImVec2 at = brush.at(brush.session.stage().subject().at(shown.left_outside));
   cross(brush.list, at, 8 * p.mark, p.wrong, brush.stroke(1.2f));
   brush.canvas.obstacles.discs.push_back({at.x, at.y, 10});
-  brush.label(at, 12, kRightUp, brush.session.name_of(shown.left_outside) + " outside", p.wrong_text);
+  brush.label(at, 12, kRightUp, brush.session.stage().subject().name_of(shown.left_outside) + " outside", p.wrong_text);
 }
 
 /// The extreme points, axis by axis, until there is a volume; from then on only its support set matters.
@@ -63,11 +63,12 @@ void draw_extremes(Brush& brush, const CloudShown& shown) {
   if (extremes.empty()) return;
   Point3 least = Point3::Zero(), greatest = Point3::Zero();
   for (int axis = 0; axis < brush.dim(); ++axis) {
-    least[axis] = brush.session.point(extremes[2 * axis])[axis];
-    greatest[axis] = brush.session.point(extremes[2 * axis + 1])[axis];
+    least[axis] = brush.session.stage().subject().at(extremes[2 * axis])[axis];
+    greatest[axis] = brush.session.stage().subject().at(extremes[2 * axis + 1])[axis];
   }
   if (!shown.box) draw_box(brush.canvas, least, greatest, {Stroke::kDotted, p.previous, brush.stroke(0.7f)});
-  for (int k = 0; k < 2 * brush.dim(); ++k) draw_strokes_across(brush, brush.session.point(extremes[k]), k / 2);
+  for (int k = 0; k < 2 * brush.dim(); ++k)
+    draw_strokes_across(brush, brush.session.stage().subject().at(extremes[k]), k / 2);
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ void name_cloud(PointNames& names, const CloudShown& shown) {
   const Palette& p = names.brush.p;
   if (shown.left_outside != kNoIndex) names.skip(shown.left_outside);
   if (shown.examined != kNoIndex) {
-    std::string words = names.brush.session.name_of(shown.examined);
+    std::string words = names.brush.session.stage().subject().name_of(shown.examined);
     if (shown.examined_outside && shown.outside_by > 0) words += " outside by " + lesson::number_text(shown.outside_by);
     else if (shown.outside_by < 0) words += " inside";
     const bool wrong = std::find(shown.wrong.begin(), shown.wrong.end(), shown.examined) != shown.wrong.end();

@@ -73,7 +73,7 @@ class HullPicture {
   }
 
  private:
-  [[nodiscard]] Point3 place(Index i) const { return brush_.session.point(i); }
+  [[nodiscard]] Point3 place(Index i) const { return brush_.session.stage().subject().at(i); }
   [[nodiscard]] bool is_at(std::size_t f) const { return static_cast<Index>(f) == hull_.at; }
   [[nodiscard]] bool is_lit(Index f) const { return hull_.seen.empty() ? f == hull_.at : among(hull_.seen, f); }
   [[nodiscard]] bool is_fresh(Index f) const { return hull_.rounds > 0 && among(hull_.added, f); }

@@ -69,7 +69,7 @@ void draw_growth(Brush& brush, const CloudShown& shown) {
   if (!shown.grown || now == nullptr) return;
   const Palette& p = brush.p;
   const fit::Sphere3& old = shown.grown->before;
-  const Point3 point = brush.session.point(shown.grown->point);
+  const Point3 point = brush.session.stage().subject().at(shown.grown->point);
   const std::vector<GrowthLength> lengths = growth_lengths(old, *now, point);
   if (lengths.empty()) return;
   const Point3 back = back_of(old, point);

@@ -15,12 +15,12 @@ using lesson::Handle;
 
 /// Null if the stage is about no cloud, but about a chart of costs over it.
 const lesson::CloudSubject* cloud_of(const lesson::Session& session) {
-  return lesson::as<lesson::CloudSubject>(session.subject());
+  return lesson::as<lesson::CloudSubject>(session.stage().subject());
 }
 
 bool shows_hand_of(const lesson::Session& session, std::string_view volume) {
   for (const int slot : {0, 1}) {
-    const lesson::Method* method = session.method(slot);
+    const lesson::Method* method = session.player().method(slot);
     if (method != nullptr && method->by_hand && method->volume == volume) return true;
   }
   return false;
@@ -73,7 +73,7 @@ void draw_named_arrow(Brush& brush, const Point3& from, const Point3& way, const
 
 bool shows_handle(const lesson::Session& session, Index i) {
   const lesson::CloudSubject* cloud = cloud_of(session);
-  const Index points = lesson::count_of(session.subject());
+  const Index points = lesson::count_of(session.stage().subject());
   return i < points || cloud == nullptr || shows_hand_of(session, cloud->hand().volume_of(i - points));
 }
 
@@ -97,9 +97,9 @@ void draw_hand(Brush& brush) {
 
 void draw_image(Brush& brush) {
   const lesson::Session& session = brush.session;
-  if (session.method(0)->name != lesson::kEigenByHand) return;
-  const auto& run = lesson::fit_run(session.run(0));
-  const auto seen = lesson::image_after(run.recording(), session.step());
+  if (session.player().method(0)->name != lesson::kEigenByHand) return;
+  const auto& run = lesson::fit_run(session.player().run(0));
+  const auto seen = lesson::image_after(run.recording(), session.player().step());
   if (!seen || !(seen->spread > 0)) return;
   const Palette& p = brush.p;
   const double length = 2 * std::sqrt(seen->spread);  // of v; its image is as long where the matrix stretches most
@@ -110,8 +110,8 @@ void draw_image(Brush& brush) {
 
 fit::Sphere3 with_hand(const lesson::Session& session, const fit::Sphere3& ball) {
   fit::Sphere3 all = ball;
-  for (Index i = lesson::count_of(session.subject()); i < session.size(); ++i)
-    if (shows_handle(session, i)) all = ball_around(all, fit::Sphere3{session.point(i), 0});
+  for (Index i = lesson::count_of(session.stage().subject()); i < session.stage().subject().size(); ++i)
+    if (shows_handle(session, i)) all = ball_around(all, fit::Sphere3{session.stage().subject().at(i), 0});
   return all;
 }
 

@@ -28,12 +28,12 @@ struct EntryBars {
 };
 
 std::optional<EntryBars> entry_bars_at(const lesson::Session& session) {
-  const lesson::FitTrace all = lesson::fit_run(session.run(0)).trace();
-  const lesson::FitTrace steps = all.first(session.step());
+  const lesson::FitTrace all = lesson::fit_run(session.player().run(0)).trace();
+  const lesson::FitTrace steps = all.first(session.player().step());
   if (steps.empty()) return std::nullopt;
   const auto* sums = last_fact<SummedProducts>(steps);
   const auto* found = last_fact<MatrixFound>(steps);
-  const bool stays = sums != nullptr || session.method(0)->name == lesson::kEigenByHand;
+  const bool stays = sums != nullptr || session.player().method(0)->name == lesson::kEigenByHand;
   if (!stays && !std::holds_alternative<MatrixFound>(steps.back().step.fact)) return std::nullopt;
   if (found != nullptr)
     return EntryBars{"Covariance matrix", found->covariance, found->covariance.cwiseAbs().maxCoeff()};
@@ -71,7 +71,7 @@ float entries_height(const Look& look, int dim) {
 }  // namespace
 
 float matrix_room(const Look& look, const lesson::Session& session, const Rect& stage) {
-  if (session.dim() != 3 || stage.width >= kEntriesStage || !entry_bars_at(session)) return 0;
+  if (session.stage().subject().dim() != 3 || stage.width >= kEntriesStage || !entry_bars_at(session)) return 0;
   return room_over_picture(look, stage, entries_height(look, 3) + 12, kUnderEntries);
 }
 

@@ -40,10 +40,10 @@ Row row_of(const Added& fact, const std::string& name) {
 std::vector<Row> rows_at(const lesson::Session& session) {
   std::vector<Row> rows;
   const Added* last = nullptr;
-  const lesson::FitTrace steps = lesson::fit_run(session.run(0)).trace().first(session.step());
+  const lesson::FitTrace steps = lesson::fit_run(session.player().run(0)).trace().first(session.player().step());
   for (const auto& entry : steps)
     if (const auto* added = std::get_if<Added>(&entry.step.fact)) {
-      rows.push_back(row_of(*added, session.name_of(added->point)));
+      rows.push_back(row_of(*added, session.stage().subject().name_of(added->point)));
       last = added;
     }
   if (last == nullptr) return rows;
@@ -60,7 +60,7 @@ std::vector<Row> rows_at(const lesson::Session& session) {
 void draw_products(Brush& brush, const CloudShown& shown) {
   if (!shown.products || brush.dim() != 2) return;
   const Palette& p = brush.p;
-  const Point3 from = shown.products->from, to = brush.session.point(shown.products->point);
+  const Point3 from = shown.products->from, to = brush.session.stage().subject().at(shown.products->point);
   const Point3 offset = to - from;
   const double product = offset[0] * offset[1];
   const bool lowers = product < 0;
@@ -82,12 +82,12 @@ void draw_products(Brush& brush, const CloudShown& shown) {
 }
 
 float draw_products_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
-  if (session.dim() != 2) return 0;
+  if (session.stage().subject().dim() != 2) return 0;
   const std::vector<Row> rows = rows_at(session);
   if (rows.empty()) return 0;
   constexpr float kSize = 11, kHigh = 20;
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto* first = last_fact<Added>(lesson::fit_run(session.run(0)).trace().first(session.step()));
+  const auto* first = last_fact<Added>(lesson::fit_run(session.player().run(0)).trace().first(session.player().step()));
   const bool from_mean = first->from_mean;
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "Products, added up");
   float y = at.y + look.px(28);

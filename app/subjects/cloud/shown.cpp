@@ -70,7 +70,7 @@ struct CloudFiller {
     shown.spread = {found.axes, deviations(found.variances), false, false};
   }
   void operator()(const fit::ProductsAdded<double, 3>& fact) const {
-    shown.products = {fact.point, session.point(fact.point) - fact.offset};
+    shown.products = {fact.point, session.stage().subject().at(fact.point) - fact.offset};
     if (fact.from_mean)
       if (const auto* mean = last_fact<fit::MeanFound<double, 3>>(steps)) shown.mean = mean->mean;
     shown.spoken_of = {fact.point};
@@ -128,7 +128,7 @@ struct CloudFiller {
     named();
     hull();
     build_on({fact.edge_a, fact.edge_b});
-    if (session.dim() == 3) shown.along = fact.along;
+    if (session.stage().subject().dim() == 3) shown.along = fact.along;
   }
   void operator()(const fit::CalipersTurned<double, 3>& fact) const {
     shown.candidate = fact.box;
@@ -155,7 +155,8 @@ struct CloudFiller {
   void operator()(const fit::HorizonFound& fact) const { shown.examined = fact.eye; }
   void operator()(const fit::FacetsReplaced& fact) const { shown.spoken_of = {fact.eye}; }
   void operator()(const fit::FacesMerged&) const {
-    if (shown.growing) shown.flat = lesson::flat_edges(*shown.growing, lesson::fit_run(session.run(0)).points());
+    if (shown.growing)
+      shown.flat = lesson::flat_edges(*shown.growing, lesson::fit_run(session.player().run(0)).points());
   }
   void operator()(const fit::CallEntered& fact) const {
     shown.examined = fact.point;
@@ -171,7 +172,7 @@ struct CloudFiller {
   }
   void operator()(const fit::RecursionStopped&) const {}
   void operator()(const fit::SlabFound& fact) const {
-    const auto& run = lesson::fit_run(session.run(0));
+    const auto& run = lesson::fit_run(session.player().run(0));
     const int last = static_cast<int>(steps.size()) - 1;
     const Point3 axis = run.slab_axis(last, fact.slab);
     const double length = axis.norm();
@@ -191,8 +192,8 @@ struct CloudFiller {
     const auto* found = last_fact<fit::HullFound>(steps);
     if (found == nullptr) return;
     shown.hull = found->vertices;
-    const AnyPointSet* points = session.subject().points();
-    if (session.dim() == 3 && points != nullptr)
+    const AnyPointSet* points = session.stage().subject().points();
+    if (session.stage().subject().dim() == 3 && points != nullptr)
       shown.hull_solid = fit::find_algorithm("hull", "quickhull")->fit(*points, {}).volume;
   }
   /// Two points are an edge, three a face, four two edges.
@@ -222,50 +223,51 @@ struct CloudFiller {
 
 /// Where the lesson compares with something, that is shown; else only the smallest of its kind, where it is known.
 void show_optimum(CloudShown& shown, const lesson::Session& session, bool wanted) {
-  const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
+  const auto* cloud = lesson::as<lesson::CloudSubject>(session.stage().subject());
   if (cloud == nullptr) {
-    shown.optimum_word = "smallest " + std::string(lesson::volume_word(session.method(0)->volume, session.dim()));
+    shown.optimum_word = "smallest " + std::string(lesson::volume_word(session.player().method(0)->volume,
+                                                                       session.stage().subject().dim()));
     return;
   }
   shown.optimum.reset();
   const lesson::Method* than = cloud->compared_with();
   if (!wanted || than == nullptr || is_itself(*than, session)) return;
-  const fit::Recording* optimum = cloud->optimum(session.view());
+  const fit::Recording* optimum = cloud->optimum(session.player().view());
   if (optimum == nullptr) return;
   shown.optimum = optimum->result.volume;
-  shown.optimum_word = cloud->reference(session.view()).word;
+  shown.optimum_word = cloud->reference(session.player().view()).word;
 }
 
 std::optional<lesson::LeftOutside> left_outside_now(const lesson::Session& session) {
-  const fit::Recording& run = lesson::fit_run(session.run(0)).recording();
-  const bool naive = session.method(0)->naive;  // its hull may have dents, though it contains every point
-  if (!session.view().at_end() || (run.certificate.contains && !naive)) return std::nullopt;
-  auto left = lesson::left_by(lesson::fit_run(session.run(0)).points(), run.result);
+  const fit::Recording& run = lesson::fit_run(session.player().run(0)).recording();
+  const bool naive = session.player().method(0)->naive;  // its hull may have dents, though it contains every point
+  if (!session.player().view().at_end() || (run.certificate.contains && !naive)) return std::nullopt;
+  auto left = lesson::left_by(lesson::fit_run(session.player().run(0)).points(), run.result);
   return left && left->none() ? std::nullopt : left;
 }
 
 std::optional<lesson::CertificateLines> certificate_now(const lesson::Session& session) {
-  const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
-  if (cloud == nullptr || !cloud->offers_naive() || !session.view().at_end()) return std::nullopt;
-  return lesson::certificate_lines(lesson::fit_run(session.run(0)), &cloud->unrounded_points());
+  const auto* cloud = lesson::as<lesson::CloudSubject>(session.stage().subject());
+  if (cloud == nullptr || !cloud->offers_naive() || !session.player().view().at_end()) return std::nullopt;
+  return lesson::certificate_lines(lesson::fit_run(session.player().run(0)), &cloud->unrounded_points());
 }
 
 }  // namespace
 
 bool is_itself(const lesson::Method& reference, const lesson::Session& session) {
-  return !reference.exact && &reference == session.method(0);
+  return !reference.exact && &reference == session.player().method(0);
 }
 
 CloudShown cloud_shown_at(const lesson::Session& session, bool want_optimum) {
   CloudShown shown{shown_at(session)};
-  const lesson::FitTrace steps = lesson::fit_run(session.run(0)).trace().first(session.step());
+  const lesson::FitTrace steps = lesson::fit_run(session.player().run(0)).trace().first(session.player().step());
   show_optimum(shown, session, want_optimum || shown.finished);
-  shown.growing = lesson::growing_hull(lesson::fit_run(session.run(0)).trace(), session.step());
+  shown.growing = lesson::growing_hull(lesson::fit_run(session.player().run(0)).trace(), session.player().step());
   if (shown.growing && !shown.volume) shown.support = shown.growing->vertices();  // some are gone again
   shown.left = left_outside_now(session);
   shown.certificate = certificate_now(session);
   if (!steps.empty())
-    for (const lesson::WrongTest& test : lesson::fit_run(session.run(0)).wrong_at(session.step() - 1))
+    for (const lesson::WrongTest& test : lesson::fit_run(session.player().run(0)).wrong_at(session.player().step() - 1))
       shown.wrong.push_back(test.point);
   if (!steps.empty()) std::visit(CloudFiller{shown, steps.back().step, steps, session}, steps.back().step.fact);
   return shown;

@@ -23,8 +23,8 @@ struct Across {
   double least = 0, greatest = 0;
 
   Across(const Brush& brush, const Point3& along) : axis(along) {
-    for (Index i = 0; i < lesson::count_of(brush.session.subject()); ++i) {
-      const double at = axis.dot(brush.session.point(i));
+    for (Index i = 0; i < lesson::count_of(brush.session.stage().subject()); ++i) {
+      const double at = axis.dot(brush.session.stage().subject().at(i));
       least = i == 0 ? at : std::min(least, at), greatest = i == 0 ? at : std::max(greatest, at);
     }
   }
@@ -145,7 +145,7 @@ void mark_slab(Brush& brush, const CloudShown& shown) {
 void name_slab(PointNames& names, const CloudShown& shown) {
   if (!shown.slab) return;
   const auto name = [&](Index i, const char* word) {
-    names.name(i, names.brush.session.name_of(i) + word, names.brush.p.examined_text, Face::kSemiBold,
+    names.name(i, names.brush.session.stage().subject().name_of(i) + word, names.brush.p.examined_text, Face::kSemiBold,
                17 * names.brush.p.mark);
   };
   const bool one = shown.slab->low == shown.slab->high;

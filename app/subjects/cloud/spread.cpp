@@ -43,7 +43,8 @@ void draw_spread(Brush& brush, const CloudShown& shown) {
 void draw_axis_ends(Brush& brush, const CloudShown& shown) {
   if (!shown.pair) return;
   const Palette& p = brush.p;
-  const Point3 a = brush.session.point(shown.pair->a), b = brush.session.point(shown.pair->b);
+  const Point3 a = brush.session.stage().subject().at(shown.pair->a),
+               b = brush.session.stage().subject().at(shown.pair->b);
   if (shown.volume) draw_line(brush.canvas, a, b, {Stroke::kSolid, p.support, brush.stroke(0.8f)});
   if (!shown.spread || !shown.spread->ends || !shown.mean) return;
   const Point3 axis = shown.spread->axes.col(2);

@@ -80,7 +80,7 @@ class UlpPicture {
     disc(brush_.list, at, 4, p_.examined);
     ring(brush_.list, at, 8, p_.examined, brush_.stroke(0.8f));
     // Beside the point, clear of the boundary, where there is room; else above it.
-    const std::string name = brush_.session.name_of(left_.worst);
+    const std::string name = brush_.session.stage().subject().name_of(left_.worst);
     const float size = brush_.look.px(12), room = right() - 4 - measure(brush_.look, Face::kSemiBold, 12, name).x;
     const float clear = y_of(0) - size - 3;
     const ImVec2 beside{at.x + 13, std::min(middle_of(at.y, size), clear)},
@@ -118,10 +118,12 @@ void name_left_outside(PointNames& names, const CloudShown& shown) {
   if (!shown.left) return;
   const Palette& p = names.brush.p;
   const auto name = [&](Index i, const std::string& words) {
-    names.name(i, names.brush.session.name_of(i) + words, p.examined_text, Face::kSemiBold, 19 * p.mark, 15);
+    names.name(i, names.brush.session.stage().subject().name_of(i) + words, p.examined_text, Face::kSemiBold,
+               19 * p.mark, 15);
   };
   for (const Index i : shown.left->dents)
-    names.name(i, "dent at " + names.brush.session.name_of(i), p.wrong_text, Face::kSemiBold, 19 * p.mark, 15);
+    names.name(i, "dent at " + names.brush.session.stage().subject().name_of(i), p.wrong_text, Face::kSemiBold,
+               19 * p.mark, 15);
   if (shown.left->points.empty()) return;
   const double ulps = shown.left->ulps();
   const auto point = [&](Index i) { return names.brush.point(i); };

@@ -29,7 +29,7 @@ constexpr double kRoomForTree = 1.4, kAsideOfTree = -0.38, kBelowTree = 0.12;  /
 constexpr double kNearVertex = 1.12;  // by how much a box's nearest vertex looks larger than its middle
 
 std::string_view button_for(const lesson::Session& session) {
-  const auto* cloud = lesson::as<lesson::CloudSubject>(session.subject());
+  const auto* cloud = lesson::as<lesson::CloudSubject>(session.stage().subject());
   const lesson::Method* than = cloud != nullptr ? cloud->compared_with() : nullptr;
   if (cloud != nullptr && (than == nullptr || is_itself(*than, session))) return {};
   if (than != nullptr && than->volume == "hull") return "Hull";
@@ -45,7 +45,8 @@ bool leaves_points_outside(const lesson::Session& session) {
 /// Widened to the points that a naive run leaves outside its volume.
 fit::Sphere3 with_left_outside(fit::Sphere3 all, const lesson::Session& session) {
   if (!leaves_points_outside(session)) return all;
-  for (Index i = 0; i < session.size(); ++i) all.radius = std::max(all.radius, (session.point(i) - all.center).norm());
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
+    all.radius = std::max(all.radius, (session.stage().subject().at(i) - all.center).norm());
   return all;
 }
 
@@ -53,7 +54,8 @@ fit::Sphere3 with_left_outside(fit::Sphere3 all, const lesson::Session& session)
 std::vector<const fit::Volume3*> volumes_at_stake(const lesson::Session& session, const CloudShown& shown) {
   std::vector<const fit::Volume3*> volumes;
   for (const int slot : {0, 1})
-    if (session.method(slot) != nullptr) volumes.push_back(session.run(slot).volume(session.run(slot).steps()));
+    if (session.player().method(slot) != nullptr)
+      volumes.push_back(session.player().run(slot).volume(session.player().run(slot).steps()));
   for (const auto* one : {&shown.volume, &shown.rival, &shown.optimum})
     if (*one) volumes.push_back(&**one);
   const auto is_round = [](const fit::Volume3* one) {
@@ -64,11 +66,13 @@ std::vector<const fit::Volume3*> volumes_at_stake(const lesson::Session& session
 
 /// How far the volumes, points outside and what is set by hand reach along a direction.
 double reach_of_all(const lesson::Session& session, std::span<const fit::Volume3* const> volumes, const Point3& way) {
-  if (session.dim() == 2 && way.head<2>().isZero()) return 0;  // the plane has no depth
+  if (session.stage().subject().dim() == 2 && way.head<2>().isZero()) return 0;  // the plane has no depth
   double most = -std::numeric_limits<double>::infinity();
-  for (const fit::Volume3* one : volumes) most = std::max(most, way.dot(farthest_in(*one, way, session.dim())));
-  for (Index i = leaves_points_outside(session) ? 0 : lesson::count_of(session.subject()); i < session.size(); ++i)
-    if (shows_handle(session, i)) most = std::max(most, way.dot(session.point(i)));
+  for (const fit::Volume3* one : volumes)
+    most = std::max(most, way.dot(farthest_in(*one, way, session.stage().subject().dim())));
+  for (Index i = leaves_points_outside(session) ? 0 : lesson::count_of(session.stage().subject());
+       i < session.stage().subject().size(); ++i)
+    if (shows_handle(session, i)) most = std::max(most, way.dot(session.stage().subject().at(i)));
   return most;
 }
 
@@ -86,7 +90,7 @@ class CloudView final : public SubjectView {
   }
   void draw_marks(Brush& brush) const override {
     mark_cloud(brush, shown_);
-    if (pointed_ == kNoIndex || !shown_.certificate || pointed_ >= brush.session.size()) return;
+    if (pointed_ == kNoIndex || !shown_.certificate || pointed_ >= brush.session.stage().subject().size()) return;
     ring(brush.list, brush.at(brush.point(pointed_)), 14 * brush.p.mark, brush.p.current, brush.stroke());
   }
   void name_marks(PointNames& names) const override { name_cloud(names, shown_); }
@@ -118,7 +122,7 @@ class CloudView final : public SubjectView {
   }
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override { return shows_handle(session, i); }
   [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {
-    return i < lesson::count_of(session.subject());
+    return i < lesson::count_of(session.stage().subject());
   }
   /// What is set by hand is named where it is selected or pointed at.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override { return is_point(session, i); }
@@ -137,7 +141,8 @@ class CloudView final : public SubjectView {
   }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
     MarkWords words;
-    if (session.method(0)->volume == "sphere") words.grew = lesson::ball_word(session.dim()) + std::string(" grew");
+    if (session.player().method(0)->volume == "sphere")
+      words.grew = lesson::ball_word(session.stage().subject().dim()) + std::string(" grew");
     return words;
   }
 

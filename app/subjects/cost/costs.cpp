@@ -51,7 +51,9 @@ std::vector<const fit::Algorithm*> algorithms_of(const lesson::Session& session)
 /// The generator of the session's points, if they have one.
 std::string generated_kind(const lesson::Session& session) {
   const auto kinds = generator_kinds();
-  return std::find(kinds.begin(), kinds.end(), session.source()) != kinds.end() ? session.source() : std::string();
+  return std::find(kinds.begin(), kinds.end(), session.stage().subject().origin().source) != kinds.end()
+             ? session.stage().subject().origin().source
+             : std::string();
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ const TurnTable& Costs::turn() const { return static_cast<const TurnSheet&>(of(C
 
 tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::PointFile& file, std::string_view name) {
   const auto n = static_cast<Index>(file.points.size());
-  if (n <= kMostShown) return session.load(file, name);
+  if (n <= kMostShown) return session.stage().load(file, name);
   if (file.points.size() > kMostMeasured)
     return tl::unexpected(InputError{
         .what = "there are " + chart_figure(ChartUnit::kCount, static_cast<double>(file.points.size())) +
@@ -85,17 +87,17 @@ tl::expected<void, InputError> Costs::load(lesson::Session& session, const io::P
         .file = std::string(name)});
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
-  const AnyPointSet some = cost::sample(*set, kMostShown, session.seed());
+  const AnyPointSet some = cost::sample(*set, kMostShown, session.stage().subject().origin().seed);
   io::PointFile shown{.dim = file.dim, .points = {}, .triangles = {}};
   for (Index i = 0; i < kMostShown; ++i) shown.points.push_back(fit::point_of(some, i));
-  if (auto loaded = session.load(shown, name); !loaded) return loaded;
+  if (auto loaded = session.stage().load(shown, name); !loaded) return loaded;
   whole_ = *std::move(set);
   some_ = some;
   return {};
 }
 
 bool Costs::may_see(const lesson::Session& session, CostView view) const {
-  return view == CostView::kAccuracy || session.to_predict() == nullptr;
+  return view == CostView::kAccuracy || session.conversation().to_predict() == nullptr;
 }
 
 bool Costs::look_at(const lesson::Session& session, CostView view) {
@@ -122,17 +124,19 @@ template bool Costs::lay_over(const lesson::Session&, GrowthTable);
 template bool Costs::lay_over(const lesson::Session&, TurnTable);
 
 Index Costs::size(const lesson::Session& session) const {
-  return whole_ && same(*some_, *session.subject().points()) ? fit::count_of(*whole_) : session.size();
+  return whole_ && same(*some_, *session.stage().subject().points()) ? fit::count_of(*whole_)
+                                                                     : session.stage().subject().size();
 }
 
 void Costs::start(const lesson::Session& session) {
-  const AnyPointSet& points = *session.subject().points();
+  const AnyPointSet& points = *session.stage().subject().points();
   at_start_[static_cast<std::size_t>(view_)] = points;
   subject_ = whole_ && same(*some_, points) && view_ != CostView::kTurn ? *whole_ : points;
-  options_.fit.seed = session.seed();
+  options_.fit.seed = session.stage().subject().origin().seed;
   cost::Provenance about = here_;
-  about.points = session.source(), about.scalar = "double", about.dim = session.dim();
-  about.seed = static_cast<std::int64_t>(session.seed());
+  about.points = session.stage().subject().origin().source, about.scalar = "double",
+  about.dim = session.stage().subject().dim();
+  about.seed = static_cast<std::int64_t>(session.stage().subject().origin().seed);
   if (view_ == CostView::kAccuracy) start_accuracy(session, std::move(about));
   else if (view_ == CostView::kGrowth) start_growth(session, std::move(about));
   else start_turn(std::move(about));
@@ -152,12 +156,14 @@ void Costs::start_growth(const lesson::Session& session, cost::Provenance about)
   std::string kind = generated_kind(session);
   if (kind.empty() && fit::count_of(*subject_) < kFewestGrown) kind = kStandIn;
   const Index most = kind.empty() ? std::min(kMostGrown, fit::count_of(*subject_)) : kMostGrown;
-  const auto points = kind.empty() ? std::make_shared<cost::PointStock>(*subject_, session.seed())
-                                   : std::make_shared<cost::PointStock>(kind, session.dim(), false, session.seed());
+  const auto points = kind.empty()
+                          ? std::make_shared<cost::PointStock>(*subject_, session.stage().subject().origin().seed)
+                          : std::make_shared<cost::PointStock>(kind, session.stage().subject().dim(), false,
+                                                               session.stage().subject().origin().seed);
   if (!kind.empty()) about.points = kind + ":" + std::to_string(most);
   std::vector<cost::Workload> loads;
   for (const fit::Algorithm* algorithm : algorithms_of(session))
-    loads.push_back(cost::workload_of(*algorithm, session.dim(), most, points, options_.fit));
+    loads.push_back(cost::workload_of(*algorithm, session.stage().subject().dim(), most, points, options_.fit));
   cost::TimingOptions timing = options_.timing;
   timing.repeats = kRepeatsOnLine, timing.enough = kEnoughOnLine;
   static_cast<GrowthSheet&>(of(CostView::kGrowth))
@@ -192,7 +198,7 @@ void Costs::work(lesson::Session& session, double budget) {
 
 bool Costs::started_on_these(const lesson::Session& session, CostView view) const {
   const auto& then = at_start_[static_cast<std::size_t>(view)];
-  return then && same(*then, *session.subject().points());
+  return then && same(*then, *session.stage().subject().points());
 }
 
 /// Reports a complete result to the session, if its points are still the same.
@@ -214,8 +220,8 @@ bool Costs::command(lesson::Session& session, std::string_view name) {
   }
   refused_.clear();
   if (name == "measure") {
-    if (running() || !clock_ || session.asked() != nullptr) return false;
-    if (session.to_predict() != nullptr) session.ask_predictions();
+    if (running() || !clock_ || session.conversation().asked() != nullptr) return false;
+    if (session.conversation().to_predict() != nullptr) session.conversation().ask_predictions();
     else start(session);
   } else if (name == "stop_measuring") {
     if (!running()) return false;

@@ -97,7 +97,7 @@ std::vector<CoverButton> Costs::choices(const lesson::Session& session) const {
 }
 
 std::array<CoverButton, 2> Costs::work_buttons(const lesson::Session& session) const {
-  return {CoverButton{"measure", "Measure", false, !running() && session.asked() == nullptr},
+  return {CoverButton{"measure", "Measure", false, !running() && session.conversation().asked() == nullptr},
           CoverButton{"stop_measuring", "Stop", false, running()}};
 }
 

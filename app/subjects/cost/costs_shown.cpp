@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kKeys{{{"
 
 /// Whether predictions wait for the measurement.
 bool awaits_measuring(const lesson::Session& session) {
-  const auto& outcomes = session.outcomes();
+  const auto& outcomes = session.log().outcomes();
   return std::any_of(outcomes.begin(), outcomes.end(), [](const lesson::Outcome& outcome) { return outcome.pending; });
 }
 
@@ -78,7 +78,7 @@ bool Costs::load_algorithm(lesson::Session& session) {
   if (focus_row_ < 0 || view_ != CostView::kAccuracy) return false;
   const cost::CostRow& row = accuracy().rows[focus_row_];
   ++version_;
-  if (row.whole_ns && row.points < session.size() && *row.whole_ns > kLongestLoaded) {
+  if (row.whole_ns && row.points < session.stage().subject().size() && *row.whole_ns > kLongestLoaded) {
     refused_ = algorithm_title(row.volume, row.algorithm) + " would take about " +
                chart_figure(ChartUnit::kTime, *row.whole_ns) +
                " on all points. It was measured on fewer, and is not loaded.";
@@ -86,15 +86,15 @@ bool Costs::load_algorithm(lesson::Session& session) {
   }
   const std::string name = lesson::is_mixed(session.lesson()) ? row.volume + '/' + row.algorithm : row.algorithm;
   const lesson::Method* method = lesson::find_method(session.lesson(), name);
-  if (method == nullptr || !session.choose(0, lesson::name_in(session.lesson(), *method))) return false;
-  session.jump(session.steps());
+  if (method == nullptr || !session.player().choose(0, lesson::name_in(session.lesson(), *method))) return false;
+  session.jump(session.player().steps());
   shown_ = false;
   return true;
 }
 
 std::string Costs::status(const lesson::Session& session) const {
-  if (session.asked() != nullptr) return std::string(kPredictFirst);
-  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
+  if (session.conversation().asked() != nullptr) return std::string(kPredictFirst);
+  if (session.conversation().to_predict() != nullptr) return std::string(kPressMeasure);
   const bool growth = view_ == CostView::kGrowth;
   const std::string points = chart_figure(ChartUnit::kCount, size(session)) + " points";
   const std::string on = sheet().about().points.substr(0, sheet().about().points.find(':'));
@@ -128,8 +128,8 @@ std::string Costs::caption(const lesson::Session& session) const {
     if (view_ == CostView::kTurn) return turn_caption(turn(), focus_row_, focus_point_);
     return accuracy_caption(accuracy(), accuracy().rows[focus_row_]);
   }
-  if (session.asked() != nullptr) return "Predict first, then measure.";
-  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
+  if (session.conversation().asked() != nullptr) return "Predict first, then measure.";
+  if (session.conversation().to_predict() != nullptr) return std::string(kPressMeasure);
   if (!any && view_ == CostView::kAccuracy && awaits_measuring(session))
     return "Your predictions are in: now press Measure.";
   if (!any) return "Nothing has been measured yet: press Measure.";

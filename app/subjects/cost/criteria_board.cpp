@@ -38,7 +38,7 @@ const CriteriaSubject& criteria(const lesson::Session& session) { return *lesson
 int chosen_in(const lesson::Session& session) {
   const auto& volumes = criteria(session).around().volumes;
   const auto found = std::find_if(volumes.begin(), volumes.end(),
-                                  [&](const auto& volume) { return volume.method == session.method(0); });
+                                  [&](const auto& volume) { return volume.method == session.player().method(0); });
   return found == volumes.end() ? -1 : static_cast<int>(found - volumes.begin());
 }
 
@@ -75,7 +75,7 @@ CriteriaBoard::CriteriaBoard(const Platform& platform) {
 
 std::vector<SmallPicture> CriteriaBoard::pictures(const lesson::Session& session) const {
   const CriteriaSubject& subject = criteria(session);
-  const std::vector<int> ranks = session.to_predict() == nullptr
+  const std::vector<int> ranks = session.conversation().to_predict() == nullptr
                                      ? subject.ranks(lesson::Criterion::kTotal, subject.load_now())
                                      : std::vector<int>{};
   const int chosen = chosen_in(session);
@@ -110,22 +110,25 @@ void CriteriaBoard::draw(const Look& look, lesson::Session& session, const Rect&
 }
 
 std::string CriteriaBoard::caption(const lesson::Session& session) const {
-  if (session.asked() != nullptr) return "Predict first, then measure. Drag a picture: all of them turn.";
+  if (session.conversation().asked() != nullptr)
+    return "Predict first, then measure. Drag a picture: all of them turn.";
   if (running()) return "Measuring all volumes: test, looseness, build, update, bytes, false positives.";
   const int chosen = chosen_in(session);
   if (chosen < 0) return "Select a picture.";
-  if (session.to_predict() != nullptr && criteria(session).is_measured()) return std::string(kPressMeasure);
+  if (session.conversation().to_predict() != nullptr && criteria(session).is_measured())
+    return std::string(kPressMeasure);
   return lesson::defence_text(criteria(session), chosen);
 }
 
 void CriteriaBoard::start(const lesson::Session& session) {
-  measured_ = session.subject().clone();
+  measured_ = session.stage().subject().clone();
   const auto& subject = static_cast<const CriteriaSubject&>(*measured_);
-  options_.fit.seed = session.seed();
+  options_.fit.seed = session.stage().subject().origin().seed;
   rows_.clear();
   provenance_ = here_;
-  provenance_.points = session.source(), provenance_.scalar = "double";
-  provenance_.dim = session.dim(), provenance_.seed = static_cast<std::int64_t>(session.seed());
+  provenance_.points = session.stage().subject().origin().source, provenance_.scalar = "double";
+  provenance_.dim = session.stage().subject().dim(),
+  provenance_.seed = static_cast<std::int64_t>(session.stage().subject().origin().seed);
   run_ = std::make_unique<cost::CriteriaRun>(*measured_->points(), lesson::algorithms_of(subject.around()),
                                              subject.own_load().still(), options_, clock_);
   ++version_;
@@ -152,7 +155,7 @@ bool CriteriaBoard::pick(lesson::Session& session, std::size_t volume) {
   const auto& volumes = criteria(session).around().volumes;
   if (volume >= volumes.size()) return false;
   ++version_;
-  return session.choose(0, lesson::name_in(session.lesson(), *volumes[volume].method)).has_value();
+  return session.player().choose(0, lesson::name_in(session.lesson(), *volumes[volume].method)).has_value();
 }
 
 bool CriteriaBoard::pick_next(lesson::Session& session, int by) {
@@ -189,8 +192,9 @@ bool CriteriaBoard::command(lesson::Session& session, std::string_view name) {
   }
   if (name == "toggle_pictures") return show(!shown_), true;
   if (name == "measure") {
-    if (running() || !clock_ || session.asked() != nullptr) return false;
-    return session.to_predict() != nullptr ? session.ask_predictions() : start(session), true;
+    if (running() || !clock_ || session.conversation().asked() != nullptr) return false;
+    return session.conversation().to_predict() != nullptr ? session.conversation().ask_predictions() : start(session),
+           true;
   }
   if (name == "stop_measuring") {
     if (!running()) return false;
@@ -218,19 +222,21 @@ std::vector<CoverButton> CriteriaBoard::choices(const lesson::Session& session) 
   std::vector<CoverButton> buttons;
   for (std::size_t i = 0; i < kTableNames.size(); ++i)
     buttons.push_back({"show_" + std::string(kTableNames[i]), std::string(kTableWords[i]),
-                       i == static_cast<std::size_t>(kind_), session.to_predict() == nullptr});
+                       i == static_cast<std::size_t>(kind_), session.conversation().to_predict() == nullptr});
   return buttons;
 }
 
 std::array<CoverButton, 2> CriteriaBoard::work_buttons(const lesson::Session& session) const {
-  return {CoverButton{"measure", "Measure", false, !running() && session.asked() == nullptr && clock_ != nullptr},
+  return {CoverButton{"measure", "Measure", false,
+                      !running() && session.conversation().asked() == nullptr && clock_ != nullptr},
           CoverButton{"stop_measuring", "Stop", false, running()}};
 }
 
 std::string CriteriaBoard::status(const lesson::Session& session) const {
-  if (session.asked() != nullptr) return "Answer the question first: the table would give the answer away.";
-  if (session.to_predict() != nullptr) return std::string(kPressMeasure);
-  const std::string points = points_words(session.size());
+  if (session.conversation().asked() != nullptr)
+    return "Answer the question first: the table would give the answer away.";
+  if (session.conversation().to_predict() != nullptr) return std::string(kPressMeasure);
+  const std::string points = points_words(session.stage().subject().size());
   if (running()) return "Measuring, on " + points_words(measured_->size()) + ".";
   if (criteria(session).is_measured()) return "Measured here, on " + points + ".";
   return "Now press Measure: " + points + ".";
@@ -240,7 +246,7 @@ WordTable CriteriaBoard::table(const lesson::Session& session) const {
   const CriteriaSubject& subject = criteria(session);
   const auto kind = static_cast<std::size_t>(kind_);
   WordTable words{.head = {}, .rows = {}, .title = std::string(kTableTitles[kind])};
-  if (session.to_predict() != nullptr || !subject.is_measured()) return words;
+  if (session.conversation().to_predict() != nullptr || !subject.is_measured()) return words;
   const CriteriaTable table = lesson::criteria_table(subject, kind_);
   words.head = table.head;
   words.sorted = sorted_[kind];
@@ -276,13 +282,13 @@ std::optional<tl::expected<void, InputError>> CriteriaBoard::lay_over(lesson::Se
 
 tl::expected<void, InputError> CriteriaBoard::load(lesson::Session& session, const io::PointFile& file,
                                                    std::string_view name) {
-  if (file.points.size() <= static_cast<std::size_t>(kMostFitted)) return session.load(file, name);
+  if (file.points.size() <= static_cast<std::size_t>(kMostFitted)) return session.stage().load(file, name);
   auto set = io::to_point_set(file, name, 0, false);
   if (!set) return tl::unexpected(std::move(set.error()));
-  const AnyPointSet some = cost::sample(*set, kMostFitted, session.seed());
+  const AnyPointSet some = cost::sample(*set, kMostFitted, session.stage().subject().origin().seed);
   io::PointFile part{.dim = file.dim, .points = {}, .triangles = {}};
   for (Index i = 0; i < kMostFitted; ++i) part.points.push_back(fit::point_of(some, i));
-  return session.load(part, name);
+  return session.stage().load(part, name);
 }
 
 std::unique_ptr<Cover> criteria_cover(const Platform& platform) { return std::make_unique<CriteriaBoard>(platform); }

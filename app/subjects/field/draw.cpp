@@ -15,9 +15,9 @@ using query::Culling;
 constexpr float kHandle = 7;             // pixels
 constexpr std::size_t kMostNodes = 130;  // drawn of a level of the tree
 
-const FieldRun& run_on(const lesson::Session& session) { return lesson::field_run(session.run(0)); }
+const FieldRun& run_on(const lesson::Session& session) { return lesson::field_run(session.player().run(0)); }
 const lesson::FieldStage& stage_on(const lesson::Session& session) {
-  return lesson::as<lesson::FieldSubject>(session.subject())->stage();
+  return lesson::as<lesson::FieldSubject>(session.stage().subject())->stage();
 }
 
 /// The marks of boxes, by their answers; the last is that of a box without one.
@@ -91,7 +91,7 @@ void draw_level(Brush& brush, int level, bool tested) {
 }
 
 void draw_fact(Brush& brush, const Polytope& solid) {
-  const int step = brush.session.step();
+  const int step = brush.session.player().step();
   if (step == 0) return;
   const auto& fact = run_on(brush.session).trace()[step - 1].step.fact;
   if (const auto* sweep = std::get_if<lesson::PlaneSwept>(&fact)) draw_side(brush, solid, sweep->plane);
@@ -126,7 +126,7 @@ void FieldMarks::fill(const Brush& brush) {
   if (marks_ == nullptr) marks_ = std::make_shared<GlMarks>();
   revision_ = brush.session.revision(), palette_ = &brush.p, frame_ = brush.canvas.frame;
   const FieldRun& run = run_on(brush.session);
-  const int step = brush.session.step();
+  const int step = brush.session.player().step();
   constexpr std::array<GlMark::Shape, 4> kOrder{GlMark::kCross, GlMark::kDot, GlMark::kSquare, GlMark::kDiamond};
   std::array<std::vector<GlMark>, kOrder.size()> layers;
   const auto& boxes = run.field().boxes;

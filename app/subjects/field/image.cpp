@@ -67,7 +67,7 @@ std::vector<std::size_t> boxes_seen(const CameraImage& picture, const lesson::Fi
 }  // namespace
 
 Rect draw_camera_image(Brush& brush, ImVec2 at) {
-  const auto& stage = lesson::as<lesson::FieldSubject>(brush.session.subject())->stage();
+  const auto& stage = lesson::as<lesson::FieldSubject>(brush.session.stage().subject())->stage();
   const Look& look = brush.look;
   const Palette& p = brush.p;
   const bool small = brush.rect.width < 560;
@@ -85,7 +85,7 @@ Rect draw_camera_image(Brush& brush, ImVec2 at) {
   const ImDrawListFlags flags = brush.list->Flags;
   brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;  // fringes are three quarters of the triangles
   const CameraImage picture{lesson::camera_of(stage.recipe, stage.now), image};
-  const lesson::FieldRun& run = lesson::field_run(brush.session.run(0));
+  const lesson::FieldRun& run = lesson::field_run(brush.session.player().run(0));
   for (const std::size_t i : boxes_seen(picture, run))
     draw_seen(brush, picture, run.field().boxes[i], run.verdicts()[i] == Culling::kInside ? p.current : p.examined);
   brush.list->Flags = flags;

@@ -24,7 +24,8 @@ bool asks_of_tests(const lesson::Question& question) {
 bool is_to_be_predicted(const lesson::Session& session, const lesson::Method& method) {
   const auto& questions = session.lesson().questions;
   return std::any_of(questions.begin(), questions.end(), [&](const lesson::Question& question) {
-    return question.gate.algorithm == method.name && asks_of_tests(question) && session.is_open(question);
+    return question.gate.algorithm == method.name && asks_of_tests(question) &&
+           session.conversation().is_open(question);
   });
 }
 
@@ -33,7 +34,7 @@ std::string milliseconds(double ns) { return lesson::number_text(ns / 1e6, 2) + 
 
 /// Tests of planes, if every plane is tested against every box.
 double all_tests(const lesson::Session& session) {
-  return 6.0 * static_cast<double>(lesson::field_run(session.run(0)).objects());
+  return 6.0 * static_cast<double>(lesson::field_run(session.player().run(0)).objects());
 }
 
 /// "Plane tests, of 60,000"
@@ -44,8 +45,8 @@ std::string tests_words(const lesson::Session& session) {
 /// How many tests of planes a method makes: the chosen one up to the step, another if it was measured.
 std::optional<double> tests_of(const lesson::Session& session, const lesson::Method& method,
                                const FieldCosts::Entry* entry) {
-  const lesson::FieldRun& run = lesson::field_run(session.run(0));
-  if (&method == session.method(0)) return static_cast<double>(run.tally(run.steps()).planes);
+  const lesson::FieldRun& run = lesson::field_run(session.player().run(0));
+  if (&method == session.player().method(0)) return static_cast<double>(run.tally(run.steps()).planes);
   if (entry == nullptr) return std::nullopt;
   return static_cast<double>(entry->measured.cost.planes);
 }
@@ -63,7 +64,7 @@ struct FieldTable {
 
   /// Returns the row's height. What is shown already moves with the stage; what has to be measured is pale until it is.
   [[nodiscard]] float row(const lesson::Method& method, float y) const {
-    const bool chosen = &method == session.method(0), hidden = is_to_be_predicted(session, method);
+    const bool chosen = &method == session.player().method(0), hidden = is_to_be_predicted(session, method);
     const FieldCosts::Entry* entry = hidden ? nullptr : costs.of(method);
     const bool fresh = entry != nullptr && costs.is_of_now(*entry);
     const float leading = look.px(18), middle = y + leading / 2, small = look.px(12);
@@ -113,10 +114,10 @@ std::string batch_words(const lesson::Session& session, const FieldCosts& costs)
 }  // namespace
 
 void FieldCosts::measure(const lesson::Session& session) {
-  const auto& subject = *lesson::as<lesson::FieldSubject>(session.subject());
+  const auto& subject = *lesson::as<lesson::FieldSubject>(session.stage().subject());
   lesson::Rows rows = subject.rows();
-  const bool still = rows == rows_ && seed_ == session.seed();
-  if (!still) rows_ = std::move(rows), seed_ = session.seed(), ++stage_, at_work_.reset();
+  const bool still = rows == rows_ && seed_ == session.stage().subject().origin().seed;
+  if (!still) rows_ = std::move(rows), seed_ = session.stage().subject().origin().seed, ++stage_, at_work_.reset();
   working_ = false;
   for (const std::string& name : session.lesson().algorithms) {
     const lesson::Method& method = *lesson::find_method(session.lesson(), name);
@@ -129,7 +130,7 @@ void FieldCosts::measure(const lesson::Session& session) {
 
 void FieldCosts::measure_next(const lesson::Session& session, const lesson::Method& method) {
   if (!at_work_ || measured_ != &method) {
-    at_work_.emplace(lesson::as<lesson::FieldSubject>(session.subject())->measuring(method));
+    at_work_.emplace(lesson::as<lesson::FieldSubject>(session.stage().subject())->measuring(method));
     measured_ = &method;
   }
   at_work_->work(kMeasuringOfFrame);

@@ -19,13 +19,13 @@ class FieldView final : public SubjectView {
     draw_field(brush);
   }
   void name_marks(PointNames& names) const override {
-    for (Index i = 0; i < names.brush.session.size(); ++i) names.on_plate(i);
+    for (Index i = 0; i < names.brush.session.stage().subject().size(); ++i) names.on_plate(i);
   }
   [[nodiscard]] Rect draw_inset(Brush& brush, ImVec2 at) const override { return draw_camera_image(brush, at); }
 
   /// The field, and the camera if it is outside.
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const auto& stage = lesson::as<lesson::FieldSubject>(session.subject())->stage();
+    const auto& stage = lesson::as<lesson::FieldSubject>(session.stage().subject())->stage();
     const fit::Sphere3 field{{0, stage.recipe.height / 2, 0}, 1.08 * stage.recipe.reach};
     return ball_around(field, fit::Sphere3{stage.now.position, 0});
   }

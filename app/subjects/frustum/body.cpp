@@ -97,7 +97,7 @@ void draw_ball(Brush& brush, const BoxPair& pair, Color color) {
   draw_volume(brush.canvas, fit::Sphere3{box.center, box.half_extents[0]},
               {Stroke::kSolid, color, brush.stroke(), brush.p.fill});
   draw_center(brush, box.center, color);
-  if (brush.session.may_move(1)) draw_knob(brush, box.center, lesson::at_place(pair, 1), false);
+  if (brush.session.stage().may_move(1)) draw_knob(brush, box.center, lesson::at_place(pair, 1), false);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ ImVec2 lowest_corner(const Canvas& canvas, const lesson::BoxPair& pair) {
 }
 
 std::string verdict_words(const FrustumShown& shown, const lesson::Session& session) {
-  const std::string body = session.name_of(0);
+  const std::string body = session.stage().subject().name_of(0);
   if (!shown.verdict) return body;
   return body + ": " + std::string(query::kCullingNames[static_cast<std::size_t>(*shown.verdict)]) +
          (shown.finished ? "" : " so far");
@@ -174,7 +174,7 @@ void draw_plane(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& s
 
 /// Draws the far plane that the matrix gives, beside the frustum's own.
 void draw_matrix_far(Brush& brush, const lesson::BoxPair& pair, const FrustumShown& shown) {
-  const std::string_view test = brush.session.method(0)->name;
+  const std::string_view test = brush.session.player().method(0)->name;
   const bool tested = shown.plane && !shown.plane_asked && shown.plane->plane == lesson::planes_of_frustum(3) - 1;
   if (!lesson::is_of_matrix(test) || (!tested && !shown.finished)) return;
   const lesson::FarPlane far = lesson::far_plane_of(test, pair);
@@ -234,7 +234,7 @@ NormalArrow normal_arrow(const lesson::BoxPair& pair, const FrustumShown& shown)
 }
 
 void draw_frustum(Brush& brush, const FrustumShown& shown) {
-  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
+  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.stage().subject());
   const Palette& p = brush.p;
   draw_camera(brush, pair);
   draw_volume(brush.canvas, solid_of(pair), {Stroke::kSolid, p.previous, brush.stroke(0.9f), 0.6f * p.fill});
@@ -279,12 +279,12 @@ void mark_frustum(Brush& brush, const FrustumShown& shown) {
 
 void name_frustum(PointNames& names, const FrustumShown& shown) {
   Brush& brush = names.brush;
-  const ImVec2 box = brush.at(lesson::boxes_of(brush.session.subject()).boxes[0].center);
+  const ImVec2 box = brush.at(lesson::boxes_of(brush.session.stage().subject()).boxes[0].center);
   for (const Index i : shown.vertices) {
     names.skip(i);
     const ImVec2 at = brush.at(brush.point(i));
-    brush.label(at, 15 * brush.p.mark, {at.x - box.x, at.y - box.y}, brush.session.name_of(i), brush.p.support_text,
-                Face::kSemiBold, 15);
+    brush.label(at, 15 * brush.p.mark, {at.x - box.x, at.y - box.y}, brush.session.stage().subject().name_of(i),
+                brush.p.support_text, Face::kSemiBold, 15);
   }
 }
 

@@ -130,7 +130,7 @@ struct Inset {
 bool is_small(const Brush& brush) { return brush.rect.width < 560; }
 
 Inset inset_at(const Brush& brush, ImVec2 at) {
-  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.subject());
+  const lesson::BoxPair& pair = lesson::boxes_of(brush.session.stage().subject());
   const Look& look = brush.look;
   const Eye eye{lesson::camera_of(pair)};
   const bool flat = pair.dim == 2;

@@ -17,8 +17,8 @@ std::string with_sign(double number) { return (number > 0 ? "+" : "") + lesson::
 
 /// Whether the step, or one before it, tested the plane.
 bool tested_by(const lesson::Session& session, int plane) {
-  const auto steps = lesson::frustum_run(session.run(0)).trace();
-  for (int i = 0; i < session.step(); ++i) {
+  const auto steps = lesson::frustum_run(session.player().run(0)).trace();
+  for (int i = 0; i < session.player().step(); ++i) {
     const auto* tested = std::get_if<query::PlaneTested<double, 3>>(&steps[i].step.fact);
     if (tested != nullptr && tested->plane == plane) return true;
   }
@@ -33,9 +33,9 @@ struct PlaneRow {
 
 /// Empty for a box, and while a prediction is open.
 std::vector<PlaneRow> plane_rows(const lesson::Session& session) {
-  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
-  if (pair.form == lesson::Form::kBox || session.predicting()) return {};
-  const bool hidden = session.is_hidden("distance");
+  const lesson::BoxPair& pair = lesson::boxes_of(session.stage().subject());
+  if (pair.form == lesson::Form::kBox || session.telling().predicting()) return {};
+  const bool hidden = session.telling().is_hidden("distance");
   std::vector<PlaneRow> rows;
   for (const double distance : lesson::center_distances(pair)) {
     const int plane = static_cast<int>(rows.size());
@@ -48,7 +48,7 @@ std::vector<PlaneRow> plane_rows(const lesson::Session& session) {
 }
 
 const char* planes_title(const lesson::Session& session) {
-  const bool point = lesson::boxes_of(session.subject()).form == lesson::Form::kPoint;
+  const bool point = lesson::boxes_of(session.stage().subject()).form == lesson::Form::kPoint;
   return point ? "n · p + d, for every plane" : "n · c + d, for every plane";
 }
 

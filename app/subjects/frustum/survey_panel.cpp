@@ -43,11 +43,11 @@ std::string survey_note(const lesson::FrustumSurvey& survey) {
 }
 
 const lesson::FrustumSubject& surveyed(const lesson::Session& session) {
-  return *lesson::as<lesson::FrustumSubject>(session.subject());
+  return *lesson::as<lesson::FrustumSubject>(session.stage().subject());
 }
 
 bool can_survey(const lesson::Session& session) {
-  return surveyed(session).boxes().form == lesson::Form::kBall && !session.predicting();
+  return surveyed(session).boxes().form == lesson::Form::kBall && !session.telling().predicting();
 }
 
 /// The button, or while the survey is on, how far it is.
@@ -82,7 +82,7 @@ std::optional<PanelWords> survey_in_words(const lesson::Session& session) {
   PanelWords words{{.head = {"", "Count"}, .title = std::string(kSurveyTitle)}, "", survey_button(surveyed(session))};
   const lesson::FrustumSurvey* survey = surveyed(session).survey();
   if (survey == nullptr) return words;
-  for (const CountRow& row : count_rows(survey->counts(), session.dim()))
+  for (const CountRow& row : count_rows(survey->counts(), session.stage().subject().dim()))
     words.table.rows.push_back({row.name, row.value});
   words.says = survey_note(*survey);
   return words;
@@ -107,7 +107,7 @@ float draw_survey_panel(const Look& look, lesson::Session& session, ImVec2 at, f
   const lesson::FrustumSurvey* survey = surveyed(session).survey();
   if (survey == nullptr) return y - at.y;
   PanelRows rows{look, list, at.x, y, width};
-  for (const CountRow& row : count_rows(survey->counts(), session.dim()))
+  for (const CountRow& row : count_rows(survey->counts(), session.stage().subject().dim()))
     rows.row(row.name, row.value, row.wrong ? look->wrong_text : look->ink);
   y = rows.y + kSurveyGap;
   y += paragraph(list, look, Face::kRegular, 12, 17, {at.x, y}, width, look->muted, survey_note(*survey));

@@ -22,10 +22,10 @@ class FrustumView final : public SubjectView {
 
   /// While a vertex of the box is to be tapped, the box and the plane's normal; else all.
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
-    const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.dim()); };
-    const lesson::Asked* asked = session.asked();
-    if (asked != nullptr && asked->on_stage && session.dim() == 3 && shown_.plane_at >= 0) {
+    const lesson::BoxPair& pair = lesson::boxes_of(session.stage().subject());
+    const auto ball = [&](int box) { return ball_around(pair.boxes[box], session.stage().subject().dim()); };
+    const lesson::Asked* asked = session.conversation().asked();
+    if (asked != nullptr && asked->on_stage && session.stage().subject().dim() == 3 && shown_.plane_at >= 0) {
       const auto [foot, normal] = normal_arrow(pair, shown_);
       return ball_around(ball_around(ball(0), {foot, 0}), {foot + normal, 0});
     }
@@ -33,11 +33,11 @@ class FrustumView final : public SubjectView {
   }
   /// A centre has its box's name and a knob its arc; the frustum's vertices need no names.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
-    const lesson::BoxHandle place = lesson::place_of(lesson::boxes_of(session.subject()), i);
+    const lesson::BoxHandle place = lesson::place_of(lesson::boxes_of(session.stage().subject()), i);
     return place.kind == lesson::BoxHandle::Kind::kCorner && place.box == 0;
   }
   [[nodiscard]] bool writes_name(const lesson::Session& session, Index i) const override {
-    return lesson::place_of(lesson::boxes_of(session.subject()), i).kind == lesson::BoxHandle::Kind::kCenter;
+    return lesson::place_of(lesson::boxes_of(session.stage().subject()), i).kind == lesson::BoxHandle::Kind::kCenter;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {

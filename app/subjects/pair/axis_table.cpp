@@ -130,7 +130,7 @@ struct AxisTable {
 void draw_choice(const AxisTable& table, const lesson::Session& session, int row, float y, bool hovered) {
   const Look& look = table.look;
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  const lesson::Answer* picked = session.picked();
+  const lesson::Answer* picked = session.conversation().picked();
   const bool chosen = picked != nullptr && picked->value == row;
   table.list->AddRect({table.x - 6, y + 1}, {table.x + table.width + 6, y + look.px(kRow) - 1},
                       with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
@@ -143,12 +143,12 @@ void draw_wrong_row(const AxisTable& table, float y) {
 
 /// The rows whose verdict is not the exact one, of a naive test.
 std::vector<bool> wrong_rows(const lesson::Session& session) {
-  std::vector<bool> wrong(lesson::axis_names(session.dim()).size(), false);
-  const lesson::PairRun& run = lesson::pair_run(session.run(0));
-  for (int i = 0; i < session.step(); ++i) {
+  std::vector<bool> wrong(lesson::axis_names(session.stage().subject().dim()).size(), false);
+  const lesson::PairRun& run = lesson::pair_run(session.player().run(0));
+  for (int i = 0; i < session.player().step(); ++i) {
     const auto* row = std::get_if<Axis>(&run.trace()[i].step.fact);
     if (row != nullptr && run.truth(i) != nullptr && lesson::is_wrong(*row, *run.truth(i)))
-      wrong[lesson::axis_index(session.dim(), row->axis)] = true;
+      wrong[lesson::axis_index(session.stage().subject().dim(), row->axis)] = true;
   }
   return wrong;
 }
@@ -172,7 +172,7 @@ void follow_row(const Look& look, int row, float y) {
 /// Draws the table and returns its height.
 float draw_table(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
                  AxisLight* light) {
-  const int dim = session.dim();
+  const int dim = session.stage().subject().dim();
   std::vector<Axis> seen = lesson::axes_seen(steps_shown(session));
   for (Axis& axis : seen)
     for (double* length : {&axis.distance, &axis.radius_a, &axis.radius_b, &axis.axis.gap}) *length = unit.in(*length);
@@ -181,7 +181,7 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
   const auto names = lesson::axis_names(dim);
   const std::vector<bool> wrong = wrong_rows(session);
   const AxisTable table{look, ImGui::GetWindowDrawList(), at.x, width, Columns(look, names, seen, width)};
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   const bool choosing = asked != nullptr && asked->on_axes;
   table.head(at.y);
   if (light != nullptr) light->pointed = -1;
@@ -191,7 +191,7 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
     if (light != nullptr && (touch.hovered || touch.focused)) light->pointed = i;
     if (choosing) draw_choice(table, session, i, y, touch.hovered);
     if (choosing && touch.clicked) {
-      static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, i}));
+      static_cast<void>(session.conversation().pick({lesson::Answer::Kind::kChoice, i}));
       return y - at.y;  // the click may have closed the question
     }
     if (light != nullptr && touch.clicked) light->tapped = light->tapped == i ? -1 : i;
@@ -206,12 +206,12 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
 
 int lit_row(const lesson::Session& session) {
   const auto axis = lesson::axis_at(steps_shown(session));
-  return axis ? lesson::axis_index(session.dim(), axis->axis) : -1;
+  return axis ? lesson::axis_index(session.stage().subject().dim(), axis->axis) : -1;
 }
 
 float draw_axis_panel(const Look& look, lesson::Session& session, const TableUnit& unit, ImVec2 at, float width,
                       AxisLight* light) {
-  if (lesson::axes_seen(lesson::pair_run(session.run(0)).trace()).empty()) {
+  if (lesson::axes_seen(lesson::pair_run(session.player().run(0)).trace()).empty()) {
     if (light != nullptr) light->pointed = light->tapped = -1;  // no row is there to be left or tapped again
     return 0;
   }

@@ -71,7 +71,7 @@ struct DifferenceInset {
             middle.y - static_cast<float>(p[1] - center[1]) * scale};
   }
   [[nodiscard]] std::string name_of(Index a, Index b) const {
-    const lesson::PairRun::Where where{lesson::pair_run(brush.session.run(0)), 0, nullptr};
+    const lesson::PairRun::Where where{lesson::pair_run(brush.session.player().run(0)), 0, nullptr};
     return where.vertex(0, a).name + "−" + where.vertex(1, b).name;
   }
 
@@ -149,7 +149,7 @@ struct DifferenceInset {
 
 /// Whether the open question is which vertex comes next.
 bool asks_for_vertex(const lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   return asked != nullptr && asked->asking != nullptr && asked->asking->name == "next_vertex";
 }
 
@@ -185,7 +185,7 @@ float difference_height(const Look& look, const Rect& stage) {
 
 Rect draw_difference(Brush& brush, lesson::PairSteps steps, ImVec2 at) {
   if (brush.dim() != 2) return {};
-  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair();
+  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(brush.session.stage().subject())->pair();
   ShownSimplex simplex;
   for (const auto& entry : steps) std::visit(simplex, entry.step.fact);
   const std::vector<Point3> kept = lesson::difference_points(pair, simplex.kept);

@@ -14,8 +14,8 @@ namespace {
 /// Draws what a wrong test examines: the boxes' AABBs, or a vertex.
 void draw_wrong_test(Brush& brush, const lesson::BoxPair& pair, const PairShown& shown, const SeenFrom& seen) {
   const Palette& p = brush.p;
-  if (brush.session.method(0)->name == "extents_only" && brush.session.step() > 0)
-    for (const Obb<double, 3>& box : lesson::boxes_of(brush.session.subject()).boxes) {
+  if (brush.session.player().method(0)->name == "extents_only" && brush.session.player().step() > 0)
+    for (const Obb<double, 3>& box : lesson::boxes_of(brush.session.stage().subject()).boxes) {
       const Obb<double, 3> around{box.center, Matrix<double, 3>::Identity(), box.axes.cwiseAbs() * box.half_extents};
       const bool apart = shown.outlines && shown.outlines->apart;
       draw_volume(brush.canvas, fit::Volume3(seen.box(around)),
@@ -65,7 +65,7 @@ std::array<Point3, 2> asked_arrow(const lesson::BoxPair& pair, const query::Axis
 
 void draw_pair(Brush& brush, PairShown shown, const SeenFrom& seen, bool in_frame) {
   const Palette& p = brush.p;
-  const lesson::BoxPair pair = seen.boxes(lesson::boxes_of(brush.session.subject()));
+  const lesson::BoxPair pair = seen.boxes(lesson::boxes_of(brush.session.stage().subject()));
   seen.turn(shown);
   for (int i = 0; i < 2; ++i) {
     const Obb<double, 3>& box = pair.boxes[i];

@@ -215,7 +215,7 @@ std::array<Point3, 4> plane_across(const Point3& axis, const Point3& middle, dou
 }
 
 void draw_volumes(Brush& brush, lesson::PairSteps steps) {
-  const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.subject())->pair()};
+  const Drawing drawing{brush, lesson::as<lesson::VolumesSubject>(brush.session.stage().subject())->pair()};
   for (const int side : {0, 1}) drawing.volume(side);
   if (drawing.pair.cylinders)
     for (const int side : {0, 1}) drawing.cylinder(side);

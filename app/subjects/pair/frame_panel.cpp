@@ -64,7 +64,7 @@ struct FrameTable {
 
 /// Whether the open question is answered by entries of R.
 bool asks_for_entries(const lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   return asked != nullptr && asked->asking != nullptr && asked->asking->name.starts_with("entries");
 }
 
@@ -76,13 +76,13 @@ void draw_choices(const FrameTable& table, lesson::Session& session) {
                     table.look.px(kLine) - 2};
     const std::string name = "R" + std::to_string(i + 1) + std::to_string(j + 1);
     const Touch touch = touch_area(("entry " + name).c_str(), rect, name);
-    const lesson::Answer* picked = session.picked();
+    const lesson::Answer* picked = session.conversation().picked();
     const bool chosen = picked != nullptr && (picked->value >> choice & 1) != 0;
     if (touch.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     table.list->AddRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height},
                         with_alpha(table.look->current, chosen || touch.hovered ? 0.9f : 0.35f), 3, 0,
                         chosen ? 2.5f : 1.0f);
-    if (touch.clicked) return static_cast<void>(session.pick({lesson::Answer::Kind::kChoice, choice}));
+    if (touch.clicked) return static_cast<void>(session.conversation().pick({lesson::Answer::Kind::kChoice, choice}));
   }
 }
 
@@ -128,12 +128,15 @@ float draw_formulas(const Look& look, int dim, int row, bool asks, ImVec2 at) {
 }  // namespace
 
 float draw_frame_panel(const Look& look, lesson::Session& session, const AxisLight& light, ImVec2 at, float width) {
-  const lesson::PairRun& run = lesson::pair_run(session.run(0));
+  const lesson::PairRun& run = lesson::pair_run(session.player().run(0));
   if (lesson::axes_seen(run.trace()).empty()) return 0;
   const bool asks = asks_for_entries(session);
-  const int dim = session.dim(), lit = light.row(dim), row = asks ? -1 : lit >= 0 ? lit : lit_row(session);
+  const int dim = session.stage().subject().dim(), lit = light.row(dim),
+            row = asks       ? -1
+                  : lit >= 0 ? lit
+                             : lit_row(session);
   const float head = look.px(22);
-  const lesson::BoxPair& pair = lesson::boxes_of(session.subject());
+  const lesson::BoxPair& pair = lesson::boxes_of(session.stage().subject());
   const TableUnit unit = table_unit(pair);
   ImDrawList* list = ImGui::GetWindowDrawList();
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(3)}, look->muted,

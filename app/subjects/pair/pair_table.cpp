@@ -36,13 +36,13 @@ std::string pair_test_title(const lesson::Kinds& kinds) {
 
 /// Puts a pair on the stage, with its own test, which begins anew unless the result was shown.
 void choose_pair(lesson::Session& session, const lesson::Kinds& kinds) {
-  const bool at_end = session.step() == session.steps();
-  auto next = session.subject().clone();
+  const bool at_end = session.player().step() == session.player().steps();
+  auto next = session.stage().subject().clone();
   static_cast<lesson::VolumesSubject&>(*next).choose_kinds(kinds);
-  static_cast<void>(session.become(std::move(next)));
+  static_cast<void>(session.stage().become(std::move(next)));
   const auto own = query::kPairTestNames[static_cast<std::size_t>(pair_test_of(kinds))];
-  if (lesson::is_among(session.lesson().algorithms, own)) static_cast<void>(session.choose(0, own));
-  if (!at_end) session.first();
+  if (lesson::is_among(session.lesson().algorithms, own)) static_cast<void>(session.player().choose(0, own));
+  if (!at_end) session.go(0);
 }
 
 /// What a test takes: "41", "1.2k".
@@ -141,7 +141,7 @@ struct PairTable {
 bool cheaper_waits(const lesson::Session& session) {
   const auto& questions = session.lesson().questions;
   return std::any_of(questions.begin(), questions.end(), [&](const lesson::Question& question) {
-    return question.asks == "cheaper" && session.is_open(question);
+    return question.asks == "cheaper" && session.conversation().is_open(question);
   });
 }
 
@@ -149,7 +149,7 @@ constexpr std::string_view kPredictCheaper =
     "Predict which test is cheaper. Then you can measure what each pair costs.";
 
 const lesson::VolumesSubject& volumes_on(const lesson::Session& session) {
-  return *lesson::as<lesson::VolumesSubject>(session.subject());
+  return *lesson::as<lesson::VolumesSubject>(session.stage().subject());
 }
 
 /// Whether the button would give an answer away.
@@ -211,7 +211,7 @@ bool work_on_pairs(lesson::Session& session) {
 
 std::optional<PanelWords> pairs_in_words(const lesson::Session& session) {
   const lesson::VolumesSubject& subject = volumes_on(session);
-  if (!subject.pair().any || session.conduct().decides) return std::nullopt;
+  if (!subject.pair().any || session.stage().conduct().decides) return std::nullopt;
   const PairHeat heat(subject.costs());
   PanelWords words{
       {.head = {"Pair", "Test", "Its time", "In a scene", "GJK’s time", "Apart", "Source"}, .title = "All 28 pairs"}};
@@ -234,8 +234,8 @@ std::optional<PanelWords> pairs_in_words(const lesson::Session& session) {
 }
 
 float draw_pair_table(const Look& look, lesson::Session& session, ImVec2 at, float width) {
-  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(session.subject())->pair();
-  if (!pair.any || session.conduct().decides) return 0;  // an exercise has its pair
+  const lesson::VolumePair& pair = lesson::as<lesson::VolumesSubject>(session.stage().subject())->pair();
+  if (!pair.any || session.stage().conduct().decides) return 0;  // an exercise has its pair
   ImDrawList* list = ImGui::GetWindowDrawList();
   text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(5)}, look->muted, "All 28 pairs: choose one");
   const float top = at.y + look.px(kPairHeading + kPairLine), names = look.px(kKindNames);
@@ -245,7 +245,7 @@ float draw_pair_table(const Look& look, lesson::Session& session, ImVec2 at, flo
                         (width - names) / kKinds,
                         pair.dim,
                         lesson::kinds_of(pair),
-                        PairHeat(lesson::as<lesson::VolumesSubject>(session.subject())->costs())};
+                        PairHeat(lesson::as<lesson::VolumesSubject>(session.stage().subject())->costs())};
   lesson::Kinds said = table.shown;
   for (std::size_t i = 0; i < kKinds; ++i) {
     table.names(i);

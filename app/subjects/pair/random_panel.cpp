@@ -15,14 +15,15 @@ constexpr float kRandomHeading = 24, kRandomRow = 17, kRandomName = 78, kRandomC
 
 /// Whether a question about these counts is open: then they are hidden.
 bool counts_hidden(const lesson::Session& session) {
-  for (const lesson::Figure& figure : session.figures())
-    if (figure.key.starts_with(lesson::kRandomFigure) && session.is_hidden(figure.key)) return true;
+  for (const lesson::Figure& figure : session.telling().figures())
+    if (figure.key.starts_with(lesson::kRandomFigure) && session.telling().is_hidden(figure.key)) return true;
   return false;
 }
 
 /// "1,000 random pairs, seed 1"
 std::string random_title(const lesson::Session& session, const cost::AxisCounts& counts) {
-  return lesson::count_text(counts.pairs) + " random pairs, seed " + std::to_string(session.seed());
+  return lesson::count_text(counts.pairs) + " random pairs, seed " +
+         std::to_string(session.stage().subject().origin().seed);
 }
 
 constexpr std::string_view kCountsHidden = "Shown once the question about them is answered.";
@@ -30,11 +31,11 @@ constexpr std::string_view kCountsHidden = "Shown once the question about them i
 }  // namespace
 
 std::optional<PanelWords> random_in_words(const lesson::Session& session) {
-  const cost::AxisCounts* counts = lesson::as<lesson::PairSubject>(session.subject())->random_counts();
+  const cost::AxisCounts* counts = lesson::as<lesson::PairSubject>(session.stage().subject())->random_counts();
   if (counts == nullptr) return std::nullopt;
   PanelWords words{{.head = {"Axis", "The test ends there", "It separates"}, .title = random_title(session, *counts)}};
   if (counts_hidden(session)) return words.says = kCountsHidden, words;
-  const auto names = lesson::axis_names(session.dim());
+  const auto names = lesson::axis_names(session.stage().subject().dim());
   for (std::size_t row = 0; row < names.size(); ++row)
     words.table.rows.push_back(
         {std::string(names[row].text), std::to_string(counts->first[row]), std::to_string(counts->separates[row])});
@@ -43,7 +44,7 @@ std::optional<PanelWords> random_in_words(const lesson::Session& session) {
 }
 
 float draw_random_panel(const Look& look, const lesson::Session& session, ImVec2 at, float width) {
-  const auto& subject = *lesson::as<lesson::PairSubject>(session.subject());
+  const auto& subject = *lesson::as<lesson::PairSubject>(session.stage().subject());
   const cost::AxisCounts* counts = subject.random_counts();
   if (counts == nullptr) return 0;
   ImDrawList* list = ImGui::GetWindowDrawList();

@@ -20,21 +20,21 @@ struct PairFiller {
 
 /// While a question about an axis is open, shows only the axis, and hides the answer.
 void show_axis_asked(PairShown& shown, const lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   if (asked == nullptr) return;
-  const auto& fact = lesson::pair_run(session.run(0)).trace()[asked->fact].step.fact;
+  const auto& fact = lesson::pair_run(session.player().run(0)).trace()[asked->fact].step.fact;
   if (const auto* axis = std::get_if<query::AxisTested<double, 3>>(&fact)) shown.axis_asked = *axis;
 }
 
 }  // namespace
 
 lesson::PairSteps steps_shown(const lesson::Session& session) {
-  return lesson::pair_run(session.run(0)).trace().first(session.step());
+  return lesson::pair_run(session.player().run(0)).trace().first(session.player().step());
 }
 
 void show_row(PairShown& shown, const lesson::Session& session, int row) {
   const auto in_row = [&](const query::AxisTested<double, 3>& axis) {
-    return lesson::axis_index(session.dim(), axis.axis) == row;
+    return lesson::axis_index(session.stage().subject().dim(), axis.axis) == row;
   };
   const auto tested = lesson::axes_seen(steps_shown(session));
   shown.axis.reset(), shown.axis_asked.reset();
@@ -42,7 +42,7 @@ void show_row(PairShown& shown, const lesson::Session& session, int row) {
     shown.axis = *found;
     return;
   }
-  const lesson::PairTrace all = lesson::record("sat_all", lesson::boxes_of(session.subject()));
+  const lesson::PairTrace all = lesson::record("sat_all", lesson::boxes_of(session.stage().subject()));
   const auto axes = lesson::axes_seen(all);
   if (const auto found = std::find_if(axes.begin(), axes.end(), in_row); found != axes.end()) shown.axis_asked = *found;
 }

@@ -17,7 +17,7 @@ const query::SlabTested* slab_of(const Recorder<lesson::PairStep>::Entry& entry)
 bool asks_of_intervals(std::string_view asks) { return asks == "separates" || asks == "apart" || asks == "first_axis"; }
 
 const lesson::VolumePair& volumes_of(const lesson::Session& session) {
-  return lesson::as<lesson::VolumesSubject>(session.subject())->pair();
+  return lesson::as<lesson::VolumesSubject>(session.stage().subject())->pair();
 }
 
 bool is_tested(int axis, lesson::PairSteps steps) {
@@ -48,14 +48,14 @@ Intervals intervals_along(const lesson::VolumePair& pair, int axis) {
 std::vector<int> untested_axes(const lesson::Session& session, lesson::PairSteps steps) {
   const auto& held = volumes_of(session).held;
   const auto is_box = [](const auto& one) { return std::holds_alternative<Aabb<double, 3>>(one.volume); };
-  const auto trace = lesson::pair_run(session.run(0)).trace();
+  const auto trace = lesson::pair_run(session.player().run(0)).trace();
   const bool by_slabs =
       std::any_of(trace.begin(), trace.end(), [](const auto& one) { return slab_of(one) != nullptr; });
   if (!by_slabs || !std::all_of(held.begin(), held.end(), is_box)) return {};
-  for (const lesson::Asked& asked : session.questions())
-    if (session.is_open(*asked.question) && asks_of_intervals(asked.question->asks)) return {};
+  for (const lesson::Asked& asked : session.conversation().questions())
+    if (session.conversation().is_open(*asked.question) && asks_of_intervals(asked.question->asks)) return {};
   std::vector<int> axes;
-  for (int axis = 0; axis < session.dim(); ++axis)
+  for (int axis = 0; axis < session.stage().subject().dim(); ++axis)
     if (!is_tested(axis, steps)) axes.push_back(axis);
   return axes;
 }

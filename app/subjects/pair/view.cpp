@@ -42,18 +42,19 @@ class PairView final : public SubjectView, private LocalFrame {
     return seen_from(session).back(shown);
   }
   [[nodiscard]] Point3 place_of(const lesson::Session& session, Index i) const override {
-    return place_shown(session, session.point(i));
+    return place_shown(session, session.stage().subject().at(i));
   }
   /// In its own frame A stands still: only what may be an answer is left of it.
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
-    return !in_frame_ || answered_on_stage(session) || lesson::place_of(session.dim(), i).box == 1;
+    return !in_frame_ || answered_on_stage(session) || lesson::place_of(session.stage().subject().dim(), i).box == 1;
   }
 
   /// In space the axis has a second picture, where there is room above the boxes.
   [[nodiscard]] float room_of_inset(const Look& look, const lesson::Session& session,
                                     const Rect& stage) const override {
     const bool tested = shown_.axis && !shown_.axis->skipped && !shown_.axis_asked;
-    const bool wanted = session.dim() == 3 && tested && !session.lesson().view.inset && stage.width >= kStageForBoth;
+    const bool wanted =
+        session.stage().subject().dim() == 3 && tested && !session.lesson().view.inset && stage.width >= kStageForBoth;
     ruler_ = wanted && room_over_picture(look, stage, ruler_height(look), kUnderRuler) > 0;
     return ruler_ ? ruler_height(look) : 0;
   }
@@ -67,7 +68,7 @@ class PairView final : public SubjectView, private LocalFrame {
 
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
     const auto ball = [&](int box) {
-      return ball_around(lesson::boxes_of(session.subject()).boxes[box], session.dim());
+      return ball_around(lesson::boxes_of(session.stage().subject()).boxes[box], session.stage().subject().dim());
     };
     const fit::Sphere3 both = ball_around(ball(0), ball(1));
     return {place_shown(session, both.center), kRoomForAxis * both.radius};
@@ -78,20 +79,20 @@ class PairView final : public SubjectView, private LocalFrame {
     const SeenFrom seen = seen_from(session);
     PairShown shown = shown_;
     seen.turn(shown);
-    return outline_of(seen.boxes(lesson::boxes_of(session.subject())), shown, camera);
+    return outline_of(seen.boxes(lesson::boxes_of(session.stage().subject())), shown, camera);
   }
   /// A centre has its box's name, a knob its arc.
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
-    return lesson::place_of(session.dim(), i).kind == lesson::BoxHandle::Kind::kCorner;
+    return lesson::place_of(session.stage().subject().dim(), i).kind == lesson::BoxHandle::Kind::kCorner;
   }
   [[nodiscard]] bool writes_name(const lesson::Session& session, Index i) const override {
-    return lesson::place_of(session.dim(), i).kind == lesson::BoxHandle::Kind::kCenter;
+    return lesson::place_of(session.stage().subject().dim(), i).kind == lesson::BoxHandle::Kind::kCenter;
   }
   [[nodiscard]] bool names_answers_alone() const override { return true; }
 
   float draw_panels(const Look& look, lesson::Session& session, ImVec2 at, float width) const override {
     const float frames = draw_frame_panel(look, session, light_, at, width);
-    const TableUnit unit = table_unit(lesson::boxes_of(session.subject()));
+    const TableUnit unit = table_unit(lesson::boxes_of(session.stage().subject()));
     const float axes = frames + draw_axis_panel(look, session, unit, {at.x, at.y + frames}, width, &light_),
                 gap = look.px(20);
     const float counts = draw_random_panel(look, session, {at.x, at.y + axes + gap}, width);
@@ -106,7 +107,9 @@ class PairView final : public SubjectView, private LocalFrame {
     return lesson::is_along_axis(figure.key) || figure.key.starts_with(lesson::kRandomFigure);
   }
   /// Two boxes in space have fifteen axes.
-  [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return session.dim() == 3; }
+  [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
+    return session.stage().subject().dim() == 3;
+  }
   [[nodiscard]] MarkWords mark_words(const lesson::Session&) const override {
     return {.replaced = "verdict", .best = "separating axis", .wrong = "wrong"};
   }
@@ -114,7 +117,7 @@ class PairView final : public SubjectView, private LocalFrame {
  private:
   [[nodiscard]] SeenFrom seen_from(const lesson::Session& session) const {
     if (!in_frame_) return {};
-    const Obb<double, 3>& a = lesson::boxes_of(session.subject()).boxes[0];
+    const Obb<double, 3>& a = lesson::boxes_of(session.stage().subject()).boxes[0];
     return {a.axes, a.center};
   }
 
@@ -169,7 +172,7 @@ class VolumesView final : public SubjectView {
   /// direction: they have no outline.
   [[nodiscard]] std::optional<Outline> outline(const lesson::Session& session, const Camera& camera) const override {
     const lesson::VolumePair& pair = pair_of(session);
-    const std::string_view test = session.method(0)->name;
+    const std::string_view test = session.player().method(0)->name;
     if (test == "separating_axes") return std::nullopt;
     const auto range = [&](const Point3& way) {
       const auto reach = [&](const Point3& along) {
@@ -218,12 +221,12 @@ class VolumesView final : public SubjectView {
 
  private:
   static const lesson::VolumesSubject& subject_of(const lesson::Session& session) {
-    return *lesson::as<lesson::VolumesSubject>(session.subject());
+    return *lesson::as<lesson::VolumesSubject>(session.stage().subject());
   }
   static const lesson::VolumePair& pair_of(const lesson::Session& session) { return subject_of(session).pair(); }
   template <class Fact>
   static bool reports(const lesson::Session& session) {
-    const lesson::PairSteps steps = lesson::pair_run(session.run(0)).trace();
+    const lesson::PairSteps steps = lesson::pair_run(session.player().run(0)).trace();
     return std::any_of(steps.begin(), steps.end(),
                        [](const auto& one) { return std::holds_alternative<Fact>(one.step.fact); });
   }

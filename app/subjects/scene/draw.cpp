@@ -28,7 +28,7 @@ constexpr int kRim = 24;  // points of the outline around a vertex with a radius
 
 /// Which of the colours a body was given; -1 for none.
 int painted(const Brush& brush, std::size_t i) {
-  return declared(lesson::set_of(brush.session), i, brush.session.size()).color;
+  return declared(lesson::set_of(brush.session), i, brush.session.stage().subject().size()).color;
 }
 
 /// Mixes a fraction of the second colour into the first.
@@ -75,7 +75,7 @@ void draw_loose_to_come(Brush& brush, const SceneFrame& frame) {
   const auto& effects = lesson::set_of(brush.session).effects;
   const bool come =
       std::any_of(effects.begin(), effects.end(), [](const auto& effect) { return effect.name == "broad_phase"; });
-  if (brush.session.asked() == nullptr || !come || frame.bodies.size() > kBoxesOfAll) return;
+  if (brush.session.conversation().asked() == nullptr || !come || frame.bodies.size() > kBoxesOfAll) return;
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
     if (members[i].shape.kind != scene::Shape::Kind::kBox) continue;
     const Point3 half = frame.bodies[i].rotation().cwiseAbs() * members[i].shape.half_extents;
@@ -88,7 +88,7 @@ void draw_loose_to_come(Brush& brush, const SceneFrame& frame) {
 /// Draws the AABBs that the broad phase compares, paler if nothing overlaps them; and the selected body's sphere.
 void draw_loose(Brush& brush, const SceneFrame& frame) {
   if (brush.view.shows_points(brush.session)) return;  // its volume is drawn separately
-  if (brush.session.step() == 0) return draw_loose_to_come(brush, frame);
+  if (brush.session.player().step() == 0) return draw_loose_to_come(brush, frame);
   const Palette& p = brush.p;
   const std::vector<bool> paired = in_pairs(frame.bodies.size(), frame.pairs);
   const Index chosen = brush.hands.hovered != kNoIndex ? brush.hands.hovered : brush.hands.selected;

@@ -23,7 +23,7 @@ class Graph {
  public:
   /// width: that it has room in; its lines stand closer if it has to.
   Graph(const Look& look, const lesson::Session& session, float width)
-      : look_(look), p_(*look.palette), run_(*lesson::recorded_scene(session, 0)), frame_(session.step_of(0)),
+      : look_(look), p_(*look.palette), run_(*lesson::recorded_scene(session, 0)), frame_(session.player().step_of(0)),
         rails_(scene::rails_of(run_.kinds)) {
     for (const scene::EffectTally& tally : run_.tallies) {
       names_.push_back(lesson::effect_words(tally.effect));

@@ -22,8 +22,9 @@ constexpr float kEffectRow = 26, kLeading = 16, kIndent = 20;
 constexpr float kReason = 11, kReasonToFinger = 18;  // what an effect's reason adds to its row
 
 const lesson::FrameTaken* taken(const lesson::Session& session) {
-  if (session.step() == 0) return nullptr;
-  return std::get_if<lesson::FrameTaken>(&lesson::scene_run(session.run(0)).entry(session.step() - 1).step.fact);
+  if (session.player().step() == 0) return nullptr;
+  return std::get_if<lesson::FrameTaken>(
+      &lesson::scene_run(session.player().run(0)).entry(session.player().step() - 1).step.fact);
 }
 
 class ScenePanel {
@@ -73,13 +74,15 @@ class ScenePanel {
   void funnel(const lesson::Session& session, const lesson::FrameTaken& frame) {
     heading("The funnel: how many pairs are left");
     const auto part = [&](std::string_view key, double left, Stroke stroke, Color color, bool sampled) {
-      stage(lesson::scene_figure_title(key), left, frame.all_pairs, session.is_hidden(key), stroke, color, sampled);
+      stage(lesson::scene_figure_title(key), left, frame.all_pairs, session.telling().is_hidden(key), stroke, color,
+            sampled);
     };
     part("all_pairs", frame.all_pairs, Stroke::kSolid, look_->muted, false);
     std::string compared(lesson::scene_figure_title("compared"));
     if (const int axis = frame_of(session)->swept_along; axis >= 0) compared += std::string(" along ") + "xyz"[axis];
-    figure(compared,
-           session.is_hidden("compared") ? "—" : lesson::count_text(static_cast<std::int64_t>(frame.compared)));
+    figure(compared, session.telling().is_hidden("compared")
+                         ? "—"
+                         : lesson::count_text(static_cast<std::int64_t>(frame.compared)));
     part("after_broad", frame.after_broad, Stroke::kDotted, look_->previous, true);
     part("after_loose", frame.after_loose, Stroke::kDashed, look_->examined_text, true);
     part("touching", frame.touching, Stroke::kSolid, look_->support_text, true);
@@ -107,14 +110,14 @@ class ScenePanel {
     rule(list_, x_, y_ - 1, width_, look_->muted);
     int row = 0;
     const lesson::Switch* turned = nullptr;
-    const std::vector<lesson::Switch> switches = session.switches();
+    const std::vector<lesson::Switch> switches = session.player().switches();
     for (const lesson::Switch& one : switches) {
       ImGui::PushID(row++);
       const std::string name = lesson::effect_words(one.name);
       const auto lines = lines_of(look_, Face::kRegular, kSmall, name, room_for_name(one.run));
       const float reason = one.says.empty() ? 0 : look_.fingers ? kReasonToFinger : kReason;
       const float height = look_.px(kEffectRow + kLeading * static_cast<float>(lines.size() - 1) + reason);
-      const bool enabled = session.can_toggle(one);
+      const bool enabled = session.player().can_toggle(one);
       const Touch touch = touch_area("effect", {x_ - 6, y_, width_ + 12, height}, name, enabled);
       ImGui::PopID();
       if (touch.clicked) turned = &one;
@@ -128,7 +131,7 @@ class ScenePanel {
     }
     y_ += look_.px(8);
     y_ += paragraph(list_, look_, Face::kRegular, kTiny, kLeading, {x_, y_}, width_, look_->muted, note(session));
-    if (turned != nullptr) session.toggle(*turned);
+    if (turned != nullptr) session.player().toggle(*turned);
   }
 
  private:
@@ -136,7 +139,7 @@ class ScenePanel {
     if (!lesson::set_of(session).graph)
       return "The frames in which each effect ran, those in which it was skipped because nothing that it reads had "
              "changed, and the mean time of a run. Click an effect's checkbox to switch it off or on.";
-    return session.step() == 0
+    return session.player().step() == 0
                ? "Before the first frame, an effect's checkbox takes it out of the scene's declaration, or adds it."
                : "An effect's checkbox switches it off from this frame on. To change the declaration, go to frame 0. "
                  "Tap a body to make it hop.";
@@ -189,7 +192,7 @@ float draw_scene_panel(const Look& look, lesson::Session& session, ImVec2 at, fl
   }
   if (const lesson::FrameTaken* now = taken(session)) {
     if (now->all_pairs > 0) panel.funnel(session, *now);
-    else if (session.volume(0) != nullptr) panel.updates(session);
+    else if (session.player().volume(0) != nullptr) panel.updates(session);
   }
   if (!lesson::set_of(session).graph) panel.effects(session);
   return panel.height();

@@ -61,11 +61,13 @@ void draw_cells(Brush& brush, const SceneFrame& frame, Index body) {
 
 std::optional<SearchShown> search_at(const Brush& brush, const SceneFrame& frame) {
   const lesson::Session& session = brush.session;
-  const auto& subject = static_cast<const lesson::SceneSubject&>(session.subject());
-  if (subject.off_since("broad_phase", session.step()) >= 0) return std::nullopt;  // the pairs are of another frame
-  if (lesson::set_of(session).graph) return std::nullopt;                          // the stage is about the effects
-  if (session.step() == 0 || session.asked() != nullptr || frame.volumes.size() > kCrowd) return std::nullopt;
-  const auto search = lesson::search_shown(lesson::set_of(session), session.method(0)->name);
+  const auto& subject = static_cast<const lesson::SceneSubject&>(session.stage().subject());
+  if (subject.off_since("broad_phase", session.player().step()) >= 0)
+    return std::nullopt;                                   // the pairs are of another frame
+  if (lesson::set_of(session).graph) return std::nullopt;  // the stage is about the effects
+  if (session.player().step() == 0 || session.conversation().asked() != nullptr || frame.volumes.size() > kCrowd)
+    return std::nullopt;
+  const auto search = lesson::search_shown(lesson::set_of(session), session.player().method(0)->name);
   if (!search) return std::nullopt;
   const std::vector<scene::Pair> compared = lesson::pairs_compared(frame, *search);
   SearchShown shown{.search = *search};

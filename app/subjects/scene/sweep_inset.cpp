@@ -28,7 +28,8 @@ float sweep_height(const Look& look, std::size_t intervals) {
 std::string name_of_body(const lesson::Session& session, Index body) {
   const Owner owner = owner_of(lesson::set_of(session));
   const Index handle = body - static_cast<Index>(owner.body);
-  if (owner.at_points && handle >= 0 && handle < session.size()) return session.name_of(handle);
+  if (owner.at_points && handle >= 0 && handle < session.stage().subject().size())
+    return session.stage().subject().name_of(handle);
   const std::string& name = lesson::members_of(session)[body].name;
   return name.empty() ? "a body" : name;
 }
@@ -92,7 +93,7 @@ struct SweepPicture {
 
 float sweep_room(const Look& look, const lesson::Session& session, const Rect& stage) {
   const std::size_t bodies = lesson::members_of(session).size();
-  const auto search = lesson::search_shown(lesson::set_of(session), session.method(0)->name);
+  const auto search = lesson::search_shown(lesson::set_of(session), session.player().method(0)->name);
   if (search != scene::PairSearch::kSweepAndPrune || lesson::set_of(session).graph || stage.width < kSweepStage ||
       bodies == 0 || bodies > kMostSwept)
     return 0;

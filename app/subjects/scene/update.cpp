@@ -62,7 +62,7 @@ void draw_pivot_sphere(Brush& brush, const Posed& body) {
 /// The hull that the climbs go over, and the vertices that they end at.
 void draw_hull(Brush& brush, const Posed& body) {
   if (body.points.size() > kMostOfHull) return;
-  const auto found = fit::find_algorithm("hull", "quickhull")->fit(*brush.session.subject().points(), {});
+  const auto found = fit::find_algorithm("hull", "quickhull")->fit(*brush.session.stage().subject().points(), {});
   Polytope hull = polytope_of(*std::get_if<ConvexHull<double, 3>>(&found.volume), 3);
   for (Point3& corner : hull.corners) corner = body.world(corner);
   draw_volume(brush.canvas, hull, {Stroke::kSolid, brush.p.muted, brush.stroke(0.5f)});
@@ -78,11 +78,11 @@ void draw_hull(Brush& brush, const Posed& body) {
 
 void draw_update(Brush& brush, const SceneFrame& frame) {
   const Owner owner = owner_of(lesson::set_of(brush.session));
-  if (!owner.of_points || brush.session.method(0) == nullptr) return;
+  if (!owner.of_points || brush.session.player().method(0) == nullptr) return;
   const SceneFrame::Placed& at = frame.bodies[owner.body];
   const Posed body{at, at.rotation(), lesson::members_of(brush.session)[owner.body].shape.corners};
   if (body.points.empty()) return;
-  const std::string_view method = brush.session.method(0)->name;
+  const std::string_view method = brush.session.player().method(0)->name;
   draw_local_frame(brush, body);
   if (method == "rotated_box") draw_rotated_box(brush, body);
   if (method == "loose") draw_pivot_sphere(brush, body);

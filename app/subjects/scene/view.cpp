@@ -105,7 +105,7 @@ Point3 SceneView::place_of(const lesson::Session& session, Index i) const {
     const SceneFrame::Placed& body = frame.bodies[owner.body];
     return body.position + body.rotation() * members_of(session)[owner.body].shape.corners[i];
   }
-  return owner.at_points ? frame.bodies[owner.body + i].position : session.point(i);
+  return owner.at_points ? frame.bodies[owner.body + i].position : session.stage().subject().at(i);
 }
 
 /// How deep the view reaches: below the lowest fixed body half as far as the scene rises above it. A body that misses
@@ -130,9 +130,10 @@ Aabb<double, 3> SceneView::box_around_run(const lesson::Session& session) const 
 }
 
 const SceneView::Extent& SceneView::whole(const lesson::Session& session) const {
-  if (extent_ && session.view().in_hand) return *extent_;  // that of all frames, which wait until the hand rests
-  const std::uint64_t trace = session.trace_hash();
-  const lesson::Method* beside = session.method(1);
+  if (extent_ && session.player().view().in_hand)
+    return *extent_;  // that of all frames, which wait until the hand rests
+  const std::uint64_t trace = session.player().trace_hash();
+  const lesson::Method* beside = session.player().method(1);
   if (extent_ && extent_->trace == trace && extent_->beside == beside) return *extent_;
   const Aabb<double, 3> box = box_around_run(session);
   const Point3 size = box.max - box.min;

@@ -221,7 +221,7 @@ Box2 bounds_of_merged(const fit::Volume3& volume) {
 }  // namespace
 
 Box2 stage_room(const lesson::Session& session) {
-  const auto& stage = lesson::as<lesson::TreeSubject>(session.subject())->stage();
+  const auto& stage = lesson::as<lesson::TreeSubject>(session.stage().subject())->stage();
   Box2 all = stage.boxes.front().aabb();
   const auto take = [&](const Box2& box) { all = {all.min.cwiseMin(box.min), all.max.cwiseMax(box.max)}; };
   for (const lesson::HeldBox& box : stage.boxes) take(box.aabb());
@@ -230,15 +230,15 @@ Box2 stage_room(const lesson::Session& session) {
   if (stage.query)
     for (const Point2& at : stage.query->at) take({at, at});
   if (stage.nodes != lesson::NodeKind::kAabb) {  // a circle reaches farther than the boxes in it
-    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    const lesson::TreeRun& run = lesson::tree_run(session.player().run(0));
     for (const Index root : run.forest(run.steps()).roots)
       take(lesson::bounds_of(run.forest(run.steps()).at(root).volume));
   }
-  if (const lesson::TreeRun& run = lesson::tree_run(session.run(0)); run.is_merging())
+  if (const lesson::TreeRun& run = lesson::tree_run(session.player().run(0)); run.is_merging())
     for (const auto* volumes : {&run.volumes().merged, &run.volumes().tight})
       for (const fit::Volume3& volume : *volumes) take(bounds_of_merged(volume));
   if (!stage.query) return all;
-  const lesson::QueryShape shape = lesson::shape_of_query(session.method(0)->name);
+  const lesson::QueryShape shape = lesson::shape_of_query(session.player().method(0)->name);
   if (shape == lesson::QueryShape::kFrustum)
     for (const Point2& at : lesson::corners_of_query(*stage.query)) take({at, at});
   if (shape == lesson::QueryShape::kMove)
@@ -251,7 +251,8 @@ Box2 tree_room(const lesson::Session& session, TreePlace place) {
   constexpr double kAside = 0.2, kHigh = 0.84;  // beside them; how high it is there, of their height
   const Box2 boxes = stage_room(session);
   const Point2 size = boxes.max - boxes.min, middle = (boxes.min + boxes.max) / 2;
-  const double larger = size.maxCoeff(), wide = lesson::tree_run(session.run(0)).pairing() != nullptr ? kTwo : kOne,
+  const double larger = size.maxCoeff(),
+               wide = lesson::tree_run(session.player().run(0)).pairing() != nullptr ? kTwo : kOne,
                narrowest = std::max(size[0], wide * larger);
   if (place == TreePlace::kBeside) {
     const double left = boxes.max[0] + kAside * larger, half = kHigh * size[1] / 2;
@@ -262,7 +263,7 @@ Box2 tree_room(const lesson::Session& session, TreePlace place) {
 }
 
 void draw_tree(Brush& brush, const TreeShown& shown, TreePlace place) {
-  const auto& stage = lesson::as<lesson::TreeSubject>(brush.session.subject())->stage();
+  const auto& stage = lesson::as<lesson::TreeSubject>(brush.session.stage().subject())->stage();
   const bool paired = shown.run->pairing() != nullptr;
   if (paired) draw_boxes(brush, shown, TreeSide::kCopy);
   draw_boxes(brush, shown, TreeSide::kOwn);
@@ -272,7 +273,8 @@ void draw_tree(Brush& brush, const TreeShown& shown, TreePlace place) {
   else draw_nodes(brush, shown, TreeSide::kOwn);
   draw_border(brush, shown);
   draw_tree_picture(brush, shown, place);
-  if ((shown.run->is_query() || paired) && stage.query) draw_query(brush, *stage.query, brush.session.method(0)->name);
+  if ((shown.run->is_query() || paired) && stage.query)
+    draw_query(brush, *stage.query, brush.session.player().method(0)->name);
 }
 
 }  // namespace snug::app

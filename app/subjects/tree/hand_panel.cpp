@@ -8,24 +8,24 @@ namespace snug::app {
 namespace {
 
 std::size_t row_of_mergers(const lesson::Session& session) {
-  return lesson::as<lesson::TreeSubject>(session.subject())->stage().row_of_mergers();
+  return lesson::as<lesson::TreeSubject>(session.stage().subject())->stage().row_of_mergers();
 }
 
 void merge(lesson::Session& session, Index first, Index second) {
-  lesson::Rows rows = session.subject().rows();
+  lesson::Rows rows = session.stage().subject().rows();
   std::vector<double>& mergers = rows[row_of_mergers(session)];
   mergers.front() += 1;
   mergers.push_back(first), mergers.push_back(second);
-  static_cast<void>(session.set_rows(rows));
+  static_cast<void>(session.stage().set_rows(rows));
   session.last();
 }
 
 void take_back(lesson::Session& session) {
-  lesson::Rows rows = session.subject().rows();
+  lesson::Rows rows = session.stage().subject().rows();
   std::vector<double>& mergers = rows[row_of_mergers(session)];
   mergers.front() -= 1;
   mergers.resize(mergers.size() - 2);
-  static_cast<void>(session.set_rows(rows));
+  static_cast<void>(session.stage().set_rows(rows));
   session.last();
 }
 
@@ -54,7 +54,7 @@ float draw_hand_panel(const Look& look, lesson::Session& session, const TreeShow
     return buttons.height();  // what is shown is another run now
   }
   buttons.next_row();
-  const bool any = session.subject().rows()[row_of_mergers(session)].size() > 1;
+  const bool any = session.stage().subject().rows()[row_of_mergers(session)].size() > 1;
   if (buttons.press("Take the last one back", "Take the last merger back", ButtonKind::kPlain, any)) take_back(session);
   return buttons.height();
 }

@@ -7,14 +7,14 @@ namespace {
 
 /// Keeps the choices that were needed, and adds one or takes the last one back.
 void steer(lesson::Session& session, std::optional<Index> choice) {
-  const std::size_t needed = lesson::tree_run(session.run(0)).result().chosen;
-  const std::size_t row = lesson::as<lesson::TreeSubject>(session.subject())->stage().row_of_order();
-  lesson::Rows rows = session.subject().rows();
+  const std::size_t needed = lesson::tree_run(session.player().run(0)).result().chosen;
+  const std::size_t row = lesson::as<lesson::TreeSubject>(session.stage().subject())->stage().row_of_order();
+  lesson::Rows rows = session.stage().subject().rows();
   std::vector<double>& order = rows[row];
   order.resize(needed + (choice ? 1 : 0));  // the first number is how many there are
   if (choice) order.push_back(*choice);
   order.front() = static_cast<double>(order.size() - 1);
-  static_cast<void>(session.set_rows(rows));
+  static_cast<void>(session.stage().set_rows(rows));
   session.last();
 }
 

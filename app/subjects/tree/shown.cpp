@@ -43,7 +43,7 @@ bool is_found(const lesson::PairState& state, Index box, TreeSide side) {
 
 /// What an open question is about, which its step will show.
 void show_asked(TreeShown& shown, const lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   if (asked == nullptr) return;
   shown.spoken_of.clear();
   shown.split = nullptr;
@@ -61,8 +61,8 @@ void show_asked(TreeShown& shown, const lesson::Session& session) {
 
 TreeShown tree_shown_at(const lesson::Session& session) {
   TreeShown shown{shown_at(session)};
-  shown.run = &lesson::tree_run(session.run(0));
-  shown.step = session.step();
+  shown.run = &lesson::tree_run(session.player().run(0));
+  shown.step = session.player().step();
   shown.spoken_of = named_now(session);
   if (shown.step > 0) {
     const auto& fact = shown.run->trace()[shown.step - 1].step.fact;

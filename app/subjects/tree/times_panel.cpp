@@ -75,7 +75,7 @@ std::string time_notes(const lesson::Session& session, const TreeTimes& times) {
 }  // namespace
 
 void TreeTimes::measure(const lesson::Session& session) {
-  const auto& subject = *lesson::as<lesson::TreeSubject>(session.subject());
+  const auto& subject = *lesson::as<lesson::TreeSubject>(session.stage().subject());
   lesson::Rows rows = subject.rows();
   if (rows != rows_ || situation_ != subject.origin().situation)
     rows_ = std::move(rows), situation_ = subject.origin().situation, still_ = 0, ++stage_;
@@ -83,7 +83,7 @@ void TreeTimes::measure(const lesson::Session& session) {
   const auto has_ended = [&](const lesson::Method* method) {
     return std::find(ended_.begin(), ended_.end(), method) != ended_.end();
   };
-  if (!has_ended(session.method(0))) ended_.push_back(session.method(0));
+  if (!has_ended(session.player().method(0))) ended_.push_back(session.player().method(0));
   for (const lesson::Method* method : timed_methods(session)) {
     const auto own =
         std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.method == method; });
@@ -104,10 +104,11 @@ const TreeTimes::Entry* TreeTimes::of(const lesson::Method& method) const {
 }
 
 bool shows_times(const lesson::Session& session) {
-  const lesson::TreeRun& run = lesson::tree_run(session.run(0));
-  const lesson::TreeStage& stage = lesson::as<lesson::TreeSubject>(session.subject())->stage();
-  return session.asked() == nullptr && session.step() == run.steps() && !run.is_query() && run.pairing() == nullptr &&
-         run.is_whole() && (!run.is_update() || stage.has_moved()) && timed_methods(session).size() > 1;
+  const lesson::TreeRun& run = lesson::tree_run(session.player().run(0));
+  const lesson::TreeStage& stage = lesson::as<lesson::TreeSubject>(session.stage().subject())->stage();
+  return session.conversation().asked() == nullptr && session.player().step() == run.steps() && !run.is_query() &&
+         run.pairing() == nullptr && run.is_whole() && (!run.is_update() || stage.has_moved()) &&
+         timed_methods(session).size() > 1;
 }
 
 PanelWords times_in_words(const lesson::Session& session, const TreeTimes& times) {
@@ -131,7 +132,7 @@ float draw_times_panel(const Look& look, const lesson::Session& session, const T
   float y = at.y + look.px(kTimesHead);
   for (const lesson::Method* method : timed_methods(session)) {
     const float middle = y + row / 2;
-    const Face face = method == session.method(0) ? Face::kSemiBold : Face::kRegular;
+    const Face face = method == session.player().method(0) ? Face::kSemiBold : Face::kRegular;
     text(list, look, face, kTimesWords, {at.x, middle_of(middle, look.px(kTimesWords))}, look->ink,
          timed_title(*method));
     const TreeTimes::Entry* entry = times.of(*method);

@@ -41,15 +41,15 @@ class TreeView final : public SubjectView {
   }
   /// A run by hand ends where the next choice is due.
   [[nodiscard]] std::string_view figures_are(const lesson::Session& session) const override {
-    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
-    if (session.step() < session.steps()) return SubjectView::figures_are(session);
+    const lesson::TreeRun& run = lesson::tree_run(session.player().run(0));
+    if (session.player().step() < session.player().steps()) return SubjectView::figures_are(session);
     if (run.is_steered() && run.undecided() != kNoIndex) return "So far: the next choice is yours";
     if (run.is_by_hand() && run.forest(run.steps()).roots.size() > 1) return "So far: the next merger is yours";
     return SubjectView::figures_are(session);
   }
   /// What is chosen by hand must be in view, and so must the times.
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override {
-    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    const lesson::TreeRun& run = lesson::tree_run(session.player().run(0));
     return run.is_by_hand() || run.is_steered() || shows_times(session);
   }
   void work(lesson::Session& session) const override {
@@ -62,16 +62,16 @@ class TreeView final : public SubjectView {
   }
   [[nodiscard]] bool working() const override { return times_.working(); }
   [[nodiscard]] MarkWords mark_words(const lesson::Session& session) const override {
-    const lesson::TreeRun& run = lesson::tree_run(session.run(0));
+    const lesson::TreeRun& run = lesson::tree_run(session.player().run(0));
     if (run.pairing() != nullptr) return {.replaced = "boxes overlap", .best = "left out"};
     return {.grew = "node made", .replaced = run.is_query() ? "box met" : "rotation", .best = "left out or taken"};
   }
   /// A point query has no second place.
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
-    const auto& subject = *lesson::as<lesson::TreeSubject>(session.subject());
+    const auto& subject = *lesson::as<lesson::TreeSubject>(session.stage().subject());
     if (!subject.stage().query || i + 1 < subject.size()) return true;
     const auto reads = [&](int slot) {
-      const lesson::Method* method = session.method(slot);
+      const lesson::Method* method = session.player().method(slot);
       return method != nullptr && lesson::shape_of_query(method->name) != lesson::QueryShape::kPoint;
     };
     return reads(0) || reads(1);
@@ -79,15 +79,16 @@ class TreeView final : public SubjectView {
   [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override { return shows(session, i); }
   /// Leaves have the names of their boxes.
   [[nodiscard]] bool needs_name(const lesson::Session& session, Index i) const override {
-    return i < lesson::as<lesson::TreeSubject>(session.subject())->boxes();
+    return i < lesson::as<lesson::TreeSubject>(session.stage().subject())->boxes();
   }
   /// The places of a query have their names in any crowd: the text tells to drag them.
   void name_marks(PointNames& names) const override {
     const lesson::Session& session = names.brush.session;
-    const auto& subject = *lesson::as<lesson::TreeSubject>(session.subject());
+    const auto& subject = *lesson::as<lesson::TreeSubject>(session.stage().subject());
     if (subject.stage().query && !answered_on_stage(session)) {
       for (Index i = subject.boxes(); i < subject.size(); ++i)
-        if (shows(session, i)) names.name(i, session.name_of(i), names.brush.p.ink, Face::kSemiBold, 9, 13);
+        if (shows(session, i))
+          names.name(i, session.stage().subject().name_of(i), names.brush.p.ink, Face::kSemiBold, 9, 13);
     }
     SubjectView::name_marks(names);
   }
@@ -96,7 +97,7 @@ class TreeView final : public SubjectView {
   /// What is done by hand. Returns the height.
   float draw_hands(const Look& look, lesson::Session& session, ImVec2 at, float width) const {
     const TreeShown shown = tree_shown_at(session);  // an edit in this frame has ended the run that was drawn
-    if (session.asked() != nullptr) return 0;
+    if (session.conversation().asked() != nullptr) return 0;
     if (shown.run->is_by_hand()) return draw_hand_panel(look, session, shown, at, width, first_);
     return shown.run->is_steered() ? draw_order_panel(look, session, shown, at, width) : 0;
   }

@@ -61,7 +61,7 @@ void name_climb(PointNames& names, const UpdateShown& shown) {
   const Palette& p = names.brush.p;
   const UpdateShown::Climb& climb = *shown.climb;
   const auto name = [&](Index i, Color color) {
-    names.name(i, names.brush.session.name_of(i), color, Face::kSemiBold, (kRing + 5) * p.mark);
+    names.name(i, names.brush.session.stage().subject().name_of(i), color, Face::kSemiBold, (kRing + 5) * p.mark);
   };
   if (climb.best != climb.vertex || climb.over) name(climb.best, p.support_text);
   name(climb.vertex, p.examined_text);

@@ -41,10 +41,10 @@ struct UpdateTeller {
 
 /// While a question about a climb is open, shows where the climb is, and not what it finds there.
 void show_climb_asked(UpdateShown& shown, const lesson::Session& session) {
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   if (asked == nullptr) return;
   const lesson::BodyStep::Fact& fact = shown.run->trace()[asked->fact].step.fact;
-  if (asked->fact != session.step() || !std::holds_alternative<fit::NeighborsCompared>(fact)) return;
+  if (asked->fact != session.player().step() || !std::holds_alternative<fit::NeighborsCompared>(fact)) return;
   UpdateTeller{shown, *shown.run}(*std::get_if<fit::NeighborsCompared>(&fact));
   UpdateShown::Climb& climb = *shown.climb;
   climb.neighbors.clear();
@@ -64,11 +64,11 @@ std::optional<Polytope> hull_in_world(const lesson::UpdateSubject& body) {
 
 UpdateShown update_shown_at(const lesson::Session& session) {
   UpdateShown shown{shown_at(session)};
-  shown.body = &lesson::body_of(session.subject());
-  shown.run = &lesson::update_run(session.run(0));
+  shown.body = &lesson::body_of(session.stage().subject());
+  shown.run = &lesson::update_run(session.player().run(0));
   shown.hull = hull_in_world(*shown.body);
   const UpdateTeller teller{shown, *shown.run};
-  for (int i = 0; i < session.step(); ++i) {
+  for (int i = 0; i < session.player().step(); ++i) {
     for (UpdateShown::Bound& bound : shown.bounds) bound.fresh = false;
     shown.spoken_of.clear();
     std::visit(teller, shown.run->trace()[i].step.fact);

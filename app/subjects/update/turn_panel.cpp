@@ -33,12 +33,12 @@ PanelCurve curve_over_turn(const lesson::UpdateSubject& body, const lesson::Meth
 }
 
 void draw_looseness(PanelCharts& charts, const lesson::Session& session) {
-  const lesson::UpdateSubject& body = lesson::body_of(session.subject());
+  const lesson::UpdateSubject& body = lesson::body_of(session.stage().subject());
   std::vector<PanelCurve> curves;
   for (const int slot : {1, 0})
-    if (session.method(slot) != nullptr &&
-        lesson::may_tell_result(session, *session.method(slot), lesson::kUpdateSlack))
-      curves.push_back(curve_over_turn(body, *session.method(slot), slot == 0));
+    if (session.player().method(slot) != nullptr &&
+        lesson::may_tell_result(session.conversation(), *session.player().method(slot), lesson::kUpdateSlack))
+      curves.push_back(curve_over_turn(body, *session.player().method(slot), slot == 0));
   if (curves.empty()) return;
   double most = kLeastOfScale;
   for (const PanelCurve& curve : curves)

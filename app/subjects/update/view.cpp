@@ -27,20 +27,21 @@ class UpdateView final : public SubjectView {
   }
   /// About the pivot, so that the picture stands still while the body rotates.
   [[nodiscard]] fit::Sphere3 extent(const lesson::Session& session) override {
-    const lesson::UpdateSubject& body = lesson::body_of(session.subject());
+    const lesson::UpdateSubject& body = lesson::body_of(session.stage().subject());
     const Point3& pivot = body.pose().translation;
-    double radius = (session.dim() == 2 ? kRoomInPlane : kRoomInSpace) * body.reach();
+    double radius = (session.stage().subject().dim() == 2 ? kRoomInPlane : kRoomInSpace) * body.reach();
     for (const int slot : {0, 1}) {
-      if (session.method(slot) == nullptr) continue;
-      const fit::Volume3* volume = session.run(slot).volume(session.run(slot).steps());
-      for (int axis = 0; volume != nullptr && axis < session.dim(); ++axis)
+      if (session.player().method(slot) == nullptr) continue;
+      const fit::Volume3* volume = session.player().run(slot).volume(session.player().run(slot).steps());
+      for (int axis = 0; volume != nullptr && axis < session.stage().subject().dim(); ++axis)
         for (const Point3& way : {Point3(Point3::Unit(axis)), Point3(-Point3::Unit(axis))})
-          radius = std::max(radius, kRoomForVolume * way.dot(farthest_in(*volume, way, session.dim()) - pivot));
+          radius = std::max(radius, kRoomForVolume *
+                                        way.dot(farthest_in(*volume, way, session.stage().subject().dim()) - pivot));
     }
     return {pivot, radius};
   }
   [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {
-    return i < lesson::count_of(session.subject());
+    return i < lesson::count_of(session.stage().subject());
   }
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override { return is_point(session, i); }
   [[nodiscard]] bool names_answers_alone() const override { return true; }

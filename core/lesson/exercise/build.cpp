@@ -121,23 +121,25 @@ class Search {
 
 int level_of(const Exercise& exercise, const Session& session) {
   const Task& task = session.lesson().tasks.front();
-  if ((!task.only.empty() && !session.at_task()) || is_flat(session.subject())) return 0;
-  if (const AnyPointSet* points = session.subject().points();
+  if ((!task.only.empty() && !session.stage().at_task()) || is_flat(session.stage().subject())) return 0;
+  if (const AnyPointSet* points = session.stage().subject().points();
       points != nullptr && task.points > 0 && static_cast<int>(fit::count_of(*points)) != task.points)
     return 0;
   int least = exercise.build->levels;
   for (std::size_t i = 0; i < task.conditions.size(); ++i) {
     const Requirement& due = task.conditions[i];
-    const Judged judged = judge_requirement(due, session.lesson(), task.algorithm, session.subject(), session.view());
+    const Judged judged =
+        judge_requirement(due, session.lesson(), task.algorithm, session.stage().subject(), session.player().view());
     least = std::min(least, level_of(*exercise.build, i, due, judged));
   }
   return least;
 }
 
 std::string now_says(const Session& session) {
-  if (is_flat(session.subject()))
-    return session.dim() == 2 ? "All points lie on a line, or nearly so: there is no area to compare."
-                              : "All points lie in a plane, or nearly so: there is no volume to compare.";
+  if (is_flat(session.stage().subject()))
+    return session.stage().subject().dim() == 2
+               ? "All points lie on a line, or nearly so: there is no area to compare."
+               : "All points lie in a plane, or nearly so: there is no volume to compare.";
   return session.grade(0).says;
 }
 
@@ -149,7 +151,8 @@ std::vector<std::string> level_texts(const Exercise& exercise, const Session& se
     const std::vector<double>& steps = exercise.build->steps[i];
     if (steps.empty()) continue;
     const std::string unit =
-        judge_requirement(due, session.lesson(), task.algorithm, session.subject(), session.view()).unit;
+        judge_requirement(due, session.lesson(), task.algorithm, session.stage().subject(), session.player().view())
+            .unit;
     for (std::size_t level = 0; level < texts.size(); ++level) {
       const double bound = level < steps.size() ? steps[level] : rises(due) ? due.at_least : due.at_most;
       texts[level] += (texts[level].empty() ? "" : ", ") + std::string(rises(due) ? "at least " : "at most ") +
@@ -162,7 +165,8 @@ std::vector<std::string> level_texts(const Exercise& exercise, const Session& se
 std::optional<Rows> find_model(const Exercise& exercise, const Session& instance) {
   const Task& task = exercise.stage.tasks.front();
   if (!task.searched) return task.model;
-  return Search(instance.lesson(), instance.subject(), instance.seed()).find();
+  const Subject& begins = instance.stage().subject();
+  return Search(instance.lesson(), begins, begins.origin().seed).find();
 }
 
 }  // namespace snug::lesson

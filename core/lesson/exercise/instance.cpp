@@ -181,10 +181,10 @@ tl::expected<Session, InputError> open_instance(const Exercise& exercise, const 
                                                 bool practises) {
   auto session = Session::open(instance.lesson, std::nullopt, clock);
   if (!session) return session;
-  session->scatter(instance.own);
+  session->stage().scatter(instance.own);
   if (exercise.build) {
-    session->settle();
-    session->start_task();
+    session->stage().settle();
+    session->stage().start_task();
     session->conduct({.builds = true});
   } else {
     session->conduct({.decides = true, .told = practises || exercise.told_at_once});

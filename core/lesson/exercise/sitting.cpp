@@ -62,16 +62,19 @@ std::string beside(const Outcome& outcome) {
 }
 
 std::string hint_text(const Exercise& exercise, const Session& session, std::size_t at, int hint) {
-  const Asked& asked = session.questions()[at];
+  const Asked& asked = session.conversation().questions()[at];
   if (hint == 0) return exercise.decisions[decision_of(exercise, *asked.question)].hint;
-  const std::string half = hint == 1 ? narrowed(asked, session.run(0), session.seed() + at) : std::string();
-  return half.empty() ? told(asked, session.run(0)) : half;
+  const std::string half = hint == 1
+                               ? narrowed(asked, session.player().run(0), session.stage().subject().origin().seed + at)
+                               : std::string();
+  return half.empty() ? told(asked, session.player().run(0)) : half;
 }
 
 /// How many hints there are: where half of the answers would be one, the second tells it.
 int hints_for(const Session& session, std::size_t at) {
-  const Asked& asked = session.questions()[at];
-  return narrowed(asked, session.run(0), session.seed() + at).empty() ? kMostHints - 1 : kMostHints;
+  const Asked& asked = session.conversation().questions()[at];
+  return narrowed(asked, session.player().run(0), session.stage().subject().origin().seed + at).empty() ? kMostHints - 1
+                                                                                                        : kMostHints;
 }
 
 /// A hint that tells the answer costs all of the mark.
@@ -89,7 +92,7 @@ bool follows(const Asked& asked, const Answer& decided, const Answer& answer) {
 /// The answers to one question, in order.
 std::vector<const Given*> given_to(const Session& session, const Question& question) {
   std::vector<const Given*> all;
-  for (const Given& given : session.given())
+  for (const Given& given : session.log().given())
     if (given.question == question.id) all.push_back(&given);
   return all;
 }
@@ -117,11 +120,13 @@ Answer some_wrong(const Asked& asked, const Run& run, const Answer& other) {
 
 std::size_t Sitting::at(const Session& session) const {
   if (exercise_->build) return over_ ? 1 : 0;
-  const std::vector<Asked>& all = session.questions();
-  if (const Outcome* told = session.outcome())
-    if (const Asked* now = session.question_of(*told)) return static_cast<std::size_t>(now - all.data());
+  const std::vector<Asked>& all = session.conversation().questions();
+  if (const Outcome* told = session.conversation().outcome())
+    if (const Asked* now = session.conversation().question_of(*told)) return static_cast<std::size_t>(now - all.data());
   // Wherever in the run one looks back.
-  const auto is_open = [&](const Asked& one) { return standing_of(session.outcome_of(one)) == Standing::kOpen; };
+  const auto is_open = [&](const Asked& one) {
+    return standing_of(session.conversation().outcome_of(one)) == Standing::kOpen;
+  };
   return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_open) - all.begin());
 }
 
@@ -131,9 +136,9 @@ std::vector<Marked> Sitting::marked(const Session& session) const {
   const bool tells = tells_at_once() || finished(session);
   std::vector<Marked> all;
   if (exercise_->build) return all;
-  for (std::size_t i = 0; i < session.questions().size(); ++i) {
-    const Asked& asked = session.questions()[i];
-    Marked one{&asked, tells ? standing_of(session.outcome_of(asked)) : Standing::kOpen, hints_[i], 0};
+  for (std::size_t i = 0; i < session.conversation().questions().size(); ++i) {
+    const Asked& asked = session.conversation().questions()[i];
+    Marked one{&asked, tells ? standing_of(session.conversation().outcome_of(asked)) : Standing::kOpen, hints_[i], 0};
     const auto tries = given_to(session, *asked.question);
     if (!tries.empty() && tries.back()->right)
       one.mark = std::max((tries.size() == 1 ? 1 : 0.5) - (practises_ ? 0 : price_of(session, i, hints_[i])), 0.0);
@@ -156,18 +161,18 @@ double Sitting::mark(const Session& session) const {
 }
 
 void Sitting::see(const Session& session) {
-  if (!exercise_->build || over_ || session.dragging() || seen_ == session.revision()) return;
+  if (!exercise_->build || over_ || session.stage().dragging() || seen_ == session.revision()) return;
   seen_ = session.revision();
   const int level = level_of(*exercise_, session);
   if (level <= (best_ ? best_->level : 0)) return;
-  best_ = Built{session.subject().rows(), level, session.seconds()};
+  best_ = Built{session.stage().subject().rows(), level, session.log().seconds()};
   over_ = best_->level == of();
   ++changes_;
 }
 
 bool Sitting::back_to_best(Session& session) const {
-  if (!best_ || session.subject().rows() == best_->rows) return false;
-  return session.set_rows(best_->rows).has_value();
+  if (!best_ || session.stage().subject().rows() == best_->rows) return false;
+  return session.stage().set_rows(best_->rows).has_value();
 }
 
 bool Sitting::finish() {
@@ -179,9 +184,9 @@ bool Sitting::finish() {
 
 bool Sitting::show_model(Session& session) const {
   if (!exercise_->build || !over_) return false;
-  session.reset();
+  session.stage().reset();
   const auto model = find_model(*exercise_, session);
-  return model && session.set_rows(*model);
+  return model && session.stage().set_rows(*model);
 }
 
 bool Sitting::take_hint(const Session& session) {
@@ -194,14 +199,14 @@ bool Sitting::take_hint(const Session& session) {
 bool Sitting::has_hint(const Session& session) const {
   if (exercise_->build) return !over_ && hints_.front() == 0;
   const std::size_t now = at(session);
-  return session.asked() != nullptr && now < hints_.size() && hints_[now] < hints_for(session, now);
+  return session.conversation().asked() != nullptr && now < hints_.size() && hints_[now] < hints_for(session, now);
 }
 
 std::vector<std::string> Sitting::hints(const Session& session) const {
   std::vector<std::string> texts;
   if (exercise_->build && hints_.front() > 0) return {exercise_->stage.tasks.front().hint};
   const std::size_t now = at(session);
-  if (now == hints_.size() || session.asked() == nullptr) return texts;
+  if (now == hints_.size() || session.conversation().asked() == nullptr) return texts;
   for (int i = 0; i < hints_[now]; ++i) texts.push_back(hint_text(*exercise_, session, now, i));
   return texts;
 }
@@ -229,13 +234,13 @@ const std::string* Sitting::rule_of(const Session& session, const Asked& asked, 
   int most = -1;
   for (const RuleWords& words : exercise_->decisions[decision_of(*exercise_, *asked.question)].rules) {
     const WrongRule* rule = find_rule(asked, words.name);
-    const auto decided = rule->decides(asked, session.run(0));
+    const auto decided = rule->decides(asked, session.player().run(0));
     if (!decided || !follows(asked, *decided, answer)) continue;
     int before = 0;  // how many wrong answers it explains
-    for (const Given& given : session.given())
-      for (const Asked& other : session.questions()) {
+    for (const Given& given : session.log().given())
+      for (const Asked& other : session.conversation().questions()) {
         if (given.right || other.question->id != given.question || other.asking != asked.asking) continue;
-        const auto there = rule->decides(other, session.run(0));
+        const auto there = rule->decides(other, session.player().run(0));
         before += there && follows(other, *there, given.answer);
       }
     if (before > most) best = &words.says, most = before;
@@ -246,19 +251,19 @@ const std::string* Sitting::rule_of(const Session& session, const Asked& asked, 
 std::string Sitting::rule_says(const Session& session) const {
   const std::size_t now = at(session);
   if (now == hints_.size() || exercise_->build || !(tells_at_once() || finished(session))) return {};
-  const auto tries = given_to(session, *session.questions()[now].question);
+  const auto tries = given_to(session, *session.conversation().questions()[now].question);
   if (tries.empty() || tries.back()->right) return {};
-  const std::string* says = rule_of(session, session.questions()[now], tries.back()->answer);
+  const std::string* says = rule_of(session, session.conversation().questions()[now], tries.back()->answer);
   return says != nullptr ? *says : std::string();
 }
 
 std::vector<std::string> Sitting::rules_followed(const Session& session) const {
   std::vector<std::string> all;
-  const Run& run = session.run(0);
+  const Run& run = session.player().run(0);
   for (std::size_t kind = 0; kind < exercise_->decisions.size(); ++kind)
     for (const RuleWords& words : exercise_->decisions[kind].rules) {
       int differs = 0, followed = 0;
-      for (const Asked& asked : session.questions()) {
+      for (const Asked& asked : session.conversation().questions()) {
         if (decision_of(*exercise_, *asked.question) != kind) continue;
         const auto decided = find_rule(asked, words.name)->decides(asked, run);
         const auto tries = given_to(session, *asked.question);
@@ -273,45 +278,46 @@ std::vector<std::string> Sitting::rules_followed(const Session& session) const {
 
 Sitting::Looked Sitting::looks_at(const Session& session) const {
   if (exercise_->build || !finished(session)) return Looked::kNeither;
-  if (session.outcome() != nullptr) return Looked::kOwn;
-  return session.step() < session.steps() ? Looked::kRight : Looked::kNeither;
+  if (session.conversation().outcome() != nullptr) return Looked::kOwn;
+  return session.player().step() < session.player().steps() ? Looked::kRight : Looked::kNeither;
 }
 
 bool Sitting::show(Session& session, std::size_t decision) const {
-  if (!session.review(session.questions()[decision].question->id)) return false;
-  session.show_answer();
+  if (!session.conversation().review(session.conversation().questions()[decision].question->id)) return false;
+  session.conversation().show_answer();
   return true;
 }
 
 bool Sitting::change_run(Session& session) const {
   if (exercise_->build || !finished(session)) return false;
-  const std::vector<Asked>& all = session.questions();
+  const std::vector<Asked>& all = session.conversation().questions();
   if (looks_at(session) == Looked::kOwn) {
     const int here = all[at(session)].step;
-    session.acknowledge();
+    session.conversation().acknowledge();
     return session.go(here), true;
   }
   const auto is_next = [&](const Asked& one) {
-    return session.step() == session.steps() ? !session.outcome_of(one)->right : one.step >= session.step();
+    return session.player().step() == session.player().steps() ? !session.conversation().outcome_of(one)->right
+                                                               : one.step >= session.player().step();
   };
   const auto found = std::find_if(all.begin(), all.end(), is_next);
-  const bool past = found == all.end() && session.step() < session.steps();
+  const bool past = found == all.end() && session.player().step() < session.player().steps();
   return show(session, past ? all.size() - 1 : found == all.end() ? 0 : found - all.begin());
 }
 
 bool Sitting::step_own(Session& session, int by) const {
   const std::size_t next = at(session) + by;  // it wraps below the first
-  return looks_at(session) == Looked::kOwn && next < session.questions().size() && show(session, next);
+  return looks_at(session) == Looked::kOwn && next < session.conversation().questions().size() && show(session, next);
 }
 
 std::string Sitting::compared(const Session& session) const {
   std::string says;
   if (looks_at(session) != Looked::kRight) return says;
-  const std::vector<Asked>& all = session.questions();
+  const std::vector<Asked>& all = session.conversation().questions();
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].step == session.step())
+    if (all[i].step == session.player().step())
       says += (says.empty() ? "" : " ") + ("Decision " + std::to_string(i + 1)) + " (" +
-              beside(*session.outcome_of(all[i])) + ").";
+              beside(*session.conversation().outcome_of(all[i])) + ").";
   return says.empty() ? "Nothing is decided at this step." : says;
 }
 
@@ -319,8 +325,8 @@ std::string Sitting::first_difference(const Session& session) const {
   const Asked* const first = exercise_->build ? nullptr : first_wrong(session);
   if (first == nullptr) return {};
   return "Your run first differs from the right one at decision " +
-         std::to_string(first - session.questions().data() + 1) +
-         (first->ordered ? "" : " (" + beside(*session.outcome_of(*first)) + ')') +
+         std::to_string(first - session.conversation().questions().data() + 1) +
+         (first->ordered ? "" : " (" + beside(*session.conversation().outcome_of(*first)) + ')') +
          ". After a mistake, it goes on from the right step.";
 }
 
@@ -331,9 +337,9 @@ Attempt Sitting::attempt(const Session& session) const {
     else if (hints_.front() > 0) attempt.made.push_back({hints_.front(), {}, {}, 0});
     return attempt;
   }
-  for (std::size_t i = 0; i < session.questions().size(); ++i) {
+  for (std::size_t i = 0; i < session.conversation().questions().size(); ++i) {
     Made made{hints_[i], {}, {}, 0};
-    for (const Given* given : given_to(session, *session.questions()[i].question))
+    for (const Given* given : given_to(session, *session.conversation().questions()[i].question))
       made.tries.push_back(given->answer), made.seconds = given->seconds;
     if (made.tries.empty() && made.hints == 0) break;
     attempt.made.push_back(std::move(made));
@@ -350,7 +356,7 @@ tl::expected<void, InputError> Sitting::take_up_built(Session& session, const At
   for (int hint = 0; hint < made.hints; ++hint)
     if (!take_hint(session)) return refuse("what was built has more hints than there are");
   if (made.built.empty()) return {};
-  if (const auto put = session.set_rows(made.built); !put) return tl::unexpected(put.error());
+  if (const auto put = session.stage().set_rows(made.built); !put) return tl::unexpected(put.error());
   see(session);
   if (!best_) return refuse("what was built reaches nothing that is asked");
   best_->seconds = made.seconds;
@@ -367,9 +373,9 @@ tl::expected<void, InputError> Sitting::take_up(Session& session, const Attempt&
     for (int hint = 0; hint < attempt.made[i].hints; ++hint)
       if (!take_hint(session)) return refuse(i, "has more hints than there are");
     for (const Answer& answer : attempt.made[i].tries)
-      if (answer.kind == Answer::Kind::kSkipped || at(session) != i || !session.propose(answer))
+      if (answer.kind == Answer::Kind::kSkipped || at(session) != i || !session.conversation().give(answer, false))
         return refuse(i, "cannot be answered like that");
-    while (session.acknowledge()) {
+    while (session.conversation().acknowledge()) {
     }
     if (at(session) == i && i + 1 < attempt.made.size()) return refuse(i, "was not made to its end");
   }
@@ -401,11 +407,11 @@ tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::u
     if (model) attempt.made.push_back({0, {}, *model, 0});
     return attempt;
   }
-  const std::vector<Asked>& all = session->questions();
+  const std::vector<Asked>& all = session->conversation().questions();
   if (wrong > std::ssize(all))
     return tl::unexpected(InputError{.what = "there are only " + std::to_string(all.size()) + " decisions"});
   Attempt attempt{exercise.id, exercise.hash, seed, exercise.level, {}};
-  const Run& run = session->run(0);
+  const Run& run = session->player().run(0);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Answer answer = model_answer(all[i], run);
     if (static_cast<int>(i) + 1 == wrong) {
@@ -425,15 +431,16 @@ tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::u
 }
 
 bool all_decided(const Session& session) {
-  const std::vector<Asked>& all = session.questions();
-  return std::all_of(all.begin(), all.end(),
-                     [&](const Asked& one) { return standing_of(session.outcome_of(one)) != Standing::kOpen; });
+  const std::vector<Asked>& all = session.conversation().questions();
+  return std::all_of(all.begin(), all.end(), [&](const Asked& one) {
+    return standing_of(session.conversation().outcome_of(one)) != Standing::kOpen;
+  });
 }
 
 const Asked* first_wrong(const Session& session) {
   if (!all_decided(session)) return nullptr;
-  for (const Asked& asked : session.questions())
-    if (!session.outcome_of(asked)->right) return &asked;
+  for (const Asked& asked : session.conversation().questions())
+    if (!session.conversation().outcome_of(asked)->right) return &asked;
   return nullptr;
 }
 

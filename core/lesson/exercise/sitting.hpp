@@ -35,7 +35,7 @@ class Sitting {
   /// practises: without a mark, so that hints cost nothing.
   Sitting(std::shared_ptr<const Exercise> exercise, std::uint64_t seed, const Session& session, bool practises = false)
       : exercise_(std::move(exercise)), seed_(seed), practises_(practises),
-        hints_(exercise_->build ? 1 : session.questions().size()) {}
+        hints_(exercise_->build ? 1 : session.conversation().questions().size()) {}
 
   [[nodiscard]] const Exercise& exercise() const { return *exercise_; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }

@@ -17,7 +17,7 @@ inline lesson::Session lesson_session(const std::string& id, bool asks) {
 
 /// "—" where there is none.
 inline std::string figure(const lesson::Session& session, std::string_view key) {
-  for (const lesson::Figure& figure : session.figures())
+  for (const lesson::Figure& figure : session.telling().figures())
     if (figure.key == key) return figure.text;
   return "—";
 }
@@ -27,9 +27,9 @@ template <class Check>
 void at_every_step(const char* id, Check check) {
   for (int seed = 0; seed < 6; ++seed) {
     lesson::Session session = lesson_session(id, false);
-    if (seed > 0) session.scatter(static_cast<std::uint64_t>(seed));
+    if (seed > 0) session.stage().scatter(static_cast<std::uint64_t>(seed));
     if (seed == 5) {
-      lesson::BoxPair pair = boxes_of(session.subject());
+      lesson::BoxPair pair = boxes_of(session.stage().subject());
       pair.boxes[0].center = pair.boxes[1].center;
       REQUIRE(set_boxes(session, pair).has_value());
     }
@@ -37,11 +37,11 @@ void at_every_step(const char* id, Check check) {
       CAPTURE(id);
       CAPTURE(seed);
       CAPTURE(method);
-      REQUIRE(session.choose(0, method).has_value());
-      for (int step = 0; step <= session.steps(); ++step) {
+      REQUIRE(session.player().choose(0, method).has_value());
+      for (int step = 0; step <= session.player().steps(); ++step) {
         session.jump(step);
         CAPTURE(step);
-        CAPTURE(session.caption());
+        CAPTURE(session.telling().caption());
         check(session);
       }
     }

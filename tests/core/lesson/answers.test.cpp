@@ -30,28 +30,29 @@ Session at_own(const std::string& keys) {
   text.erase(text.find("[[question]]\nid = \"growth\""),
              text.find("[[question]]\nid = \"again\"") - text.find("[[question]]\nid = \"growth\""));
   Session session = test::open(text);
-  for (int turns = 0; session.asked() == nullptr || session.asked()->question->id != "own"; ++turns) {
+  for (int turns = 0;
+       session.conversation().asked() == nullptr || session.conversation().asked()->question->id != "own"; ++turns) {
     REQUIRE(turns < 1000);
-    if (session.asked() != nullptr) REQUIRE(session.skip());
+    if (session.conversation().asked() != nullptr) REQUIRE(session.conversation().give({}, false));
     else session.forward();
   }
   return session;
 }
 
 const Outcome& outcome_of_own(const Session& session) {
-  for (const Outcome& outcome : session.outcomes())
+  for (const Outcome& outcome : session.log().outcomes())
     if (outcome.question == "own") return outcome;
   FAIL("it has no outcome");
-  return session.outcomes().front();
+  return session.log().outcomes().front();
 }
 
 constexpr const char* kSupport = "algorithm = \"welzl\"\nbefore = \"finished\"\nasks = \"points\"\n";
 
 Session at_support(const std::string& more = "") {
   Session session = test::open(with_question(kSupport + more));
-  REQUIRE(session.choose(0, "welzl").has_value());
+  REQUIRE(session.player().choose(0, "welzl").has_value());
   session.last();
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   return session;
 }
 
@@ -59,48 +60,49 @@ Session at_support(const std::string& more = "") {
 
 TEST_CASE("several points: all are tapped or typed, and only all of them are right") {
   Session session = at_support();
-  CHECK(field_word(*session.asked()) == "Names");
-  REQUIRE(session.pick(point(0)));
-  REQUIRE(session.pick(point(4)));
-  REQUIRE(session.pick(point(2)));
-  REQUIRE(session.pick(point(2)));  // taken out again
-  REQUIRE(session.picked() != nullptr);
-  CHECK(names_handle(*session.picked(), 4));
-  CHECK_FALSE(names_handle(*session.picked(), 2));
-  REQUIRE(session.commit());
-  CHECK(session.tried() != nullptr);  // two of three
-  CHECK_FALSE(session.pick("P0, P1 and P99"));
-  CHECK(session.answer_says().find("P99") != std::string::npos);
-  REQUIRE(session.pick("p4, P0 and P1"));
-  REQUIRE(session.commit());
+  CHECK(field_word(*session.conversation().asked()) == "Names");
+  REQUIRE(session.conversation().pick(point(0)));
+  REQUIRE(session.conversation().pick(point(4)));
+  REQUIRE(session.conversation().pick(point(2)));
+  REQUIRE(session.conversation().pick(point(2)));  // taken out again
+  REQUIRE(session.conversation().picked() != nullptr);
+  CHECK(names_handle(*session.conversation().picked(), 4));
+  CHECK_FALSE(names_handle(*session.conversation().picked(), 2));
+  REQUIRE(session.conversation().commit());
+  CHECK(session.conversation().tried() != nullptr);  // two of three
+  CHECK_FALSE(session.conversation().pick("P0, P1 and P99"));
+  CHECK(session.conversation().answer_says().find("P99") != std::string::npos);
+  REQUIRE(session.conversation().pick("p4, P0 and P1"));
+  REQUIRE(session.conversation().commit());
   CHECK(outcome_of_own(session).right);
   CHECK(outcome_of_own(session).tries == 2);
   CHECK(outcome_of_own(session).predicted == "P0, P1 and P4");
-  CHECK(kept_answers_of(kept_text({session.outcomes(), {}})).outcomes.front().given == outcome_of_own(session).given);
+  CHECK(kept_answers_of(kept_text({session.log().outcomes(), {}})).outcomes.front().given ==
+        outcome_of_own(session).given);
 }
 
 TEST_CASE("a number is right within its tolerance, with its unit or without") {
   const std::string keys =
       "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n";
   Session session = at_own(keys);
-  CHECK(field_word(*session.asked()) == "Number");
-  CHECK(session.asked_figure() == "radius");
-  CHECK_FALSE(session.pick("much"));
-  CHECK(session.answer_says() == "“much” is not a number. Write it like 12 or 2.5.");
-  CHECK_FALSE(session.pick(choice(0)));
-  REQUIRE(session.pick("2"));
-  REQUIRE(session.commit());
-  CHECK(session.tried() != nullptr);
-  CHECK_FALSE(session.pick("2.0"));  // tried already
-  REQUIRE(session.pick("2.245 units"));
-  REQUIRE(session.commit());
+  CHECK(field_word(*session.conversation().asked()) == "Number");
+  CHECK(session.telling().asked_figure() == "radius");
+  CHECK_FALSE(session.conversation().pick("much"));
+  CHECK(session.conversation().answer_says() == "“much” is not a number. Write it like 12 or 2.5.");
+  CHECK_FALSE(session.conversation().pick(choice(0)));
+  REQUIRE(session.conversation().pick("2"));
+  REQUIRE(session.conversation().commit());
+  CHECK(session.conversation().tried() != nullptr);
+  CHECK_FALSE(session.conversation().pick("2.0"));  // tried already
+  REQUIRE(session.conversation().pick("2.245 units"));
+  REQUIRE(session.conversation().commit());
   CHECK(outcome_of_own(session).right);
   CHECK(outcome_of_own(session).says == "Radius so far: 2.250 units.");
-  const Answer kept = kept_answers_of(kept_text({session.outcomes(), {}})).outcomes.back().given;
+  const Answer kept = kept_answers_of(kept_text({session.log().outcomes(), {}})).outcomes.back().given;
   CHECK(kept == outcome_of_own(session).given);
 
   Session other = at_own(keys);
-  REQUIRE(other.answer(Answer{.kind = Answer::Kind::kNumber, .number = 2.2601}));
+  REQUIRE(other.conversation().give(Answer{.kind = Answer::Kind::kNumber, .number = 2.2601}));
   CHECK_FALSE(outcome_of_own(other).right);
   CHECK_FALSE(
       check::checked_lesson(with_question("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"number\"\nfigure = "
@@ -123,32 +125,32 @@ TEST_CASE("an order: every choice has its place, and equal ones may change their
   Session session = test::open(test::small_lesson_with(
       "[[question]]\nid = \"pair\"",
       "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[question]]\nid = \"pair\""));
-  session.first();
-  REQUIRE(session.asked() != nullptr);
-  REQUIRE(session.asked()->ordered);
-  CHECK(session.comparing());
+  session.go(0);
+  REQUIRE(session.conversation().asked() != nullptr);
+  REQUIRE(session.conversation().asked()->ordered);
+  CHECK(session.telling().comparing());
   // Ritter's circle has radius 2.25; Welzl's and that of brute force are the smallest.
-  REQUIRE(session.pick(choice(0)));
-  CHECK_FALSE(session.commit());
-  REQUIRE(session.pick(choice(0)));
-  REQUIRE(session.pick(choice(2)));
-  REQUIRE(session.pick(choice(1)));
-  REQUIRE(session.pick(choice(0)));
-  CHECK(place_in_order(*session.picked(), 2) == 1);
-  CHECK(place_in_order(*session.picked(), 0) == 3);
-  REQUIRE(session.commit());
+  REQUIRE(session.conversation().pick(choice(0)));
+  CHECK_FALSE(session.conversation().commit());
+  REQUIRE(session.conversation().pick(choice(0)));
+  REQUIRE(session.conversation().pick(choice(2)));
+  REQUIRE(session.conversation().pick(choice(1)));
+  REQUIRE(session.conversation().pick(choice(0)));
+  CHECK(place_in_order(*session.conversation().picked(), 2) == 1);
+  CHECK(place_in_order(*session.conversation().picked(), 0) == 3);
+  REQUIRE(session.conversation().commit());
   CHECK(outcome_of_own(session).right);
-  CHECK_FALSE(session.comparing());
+  CHECK_FALSE(session.telling().comparing());
 }
 
 TEST_CASE("a wrong order has a second try, and is called an order") {
   Session session = test::open(with_question(
       "algorithm = \"ritter\"\nbefore = \"extremes_found\"\nasks = \"sequence\"\nchoices = [\"1\", \"2\", \"3\"]\n"));
-  session.first();
-  REQUIRE(session.asked() != nullptr);
-  for (int i = 0; i < 3; ++i) REQUIRE(session.pick(choice(i)));  // never shown in order
-  REQUIRE(session.commit());
-  CHECK(session.answer_says() == "Not in that order. Try once more.");
+  session.go(0);
+  REQUIRE(session.conversation().asked() != nullptr);
+  for (int i = 0; i < 3; ++i) REQUIRE(session.conversation().pick(choice(i)));  // never shown in order
+  REQUIRE(session.conversation().commit());
+  CHECK(session.conversation().answer_says() == "Not in that order. Try once more.");
 }
 
 TEST_CASE("an order is told line by line, each with its place in the answer; equal lines may change places") {
@@ -176,26 +178,26 @@ TEST_CASE("lines to be put into order are never shown in order") {
                                      "choices = [\"first\", \"second\", \"third\"]\n");
     text.replace(text.find("\"own\""), 5, '"' + std::string(id) + '"');
     Session session = test::open(text);
-    session.first();
-    REQUIRE(session.asked() != nullptr);
-    const std::vector<std::string> shown = session.asked()->choices;
+    session.go(0);
+    REQUIRE(session.conversation().asked() != nullptr);
+    const std::vector<std::string> shown = session.conversation().asked()->choices;
     CHECK(shown != std::vector<std::string>{"first", "second", "third"});
-    const Answer right = model_answer(*session.asked(), session.run(0));
+    const Answer right = model_answer(*session.conversation().asked(), session.player().run(0));
     std::vector<std::string> told;
     for (const int one : right.list) told.push_back(shown[one]);
     CHECK(told == std::vector<std::string>{"first", "second", "third"});
-    REQUIRE(session.answer(right));
-    CHECK(session.outcomes().front().right);
+    REQUIRE(session.conversation().give(right));
+    CHECK(session.log().outcomes().front().right);
   }
 }
 
 TEST_CASE("the cheapest is that with the fewest operations") {
   Session session = at_own("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"cheapest\"\n");
-  const Subject& subject = session.subject();
+  const Subject& subject = session.stage().subject();
   const auto operations = [&](const char* name) { return subject.operations(*find_method(session.lesson(), name)); };
   CHECK(operations("ritter") > 0);
   CHECK(operations("ritter") < operations("brute_force"));
-  const Answer right = model_answer(*session.asked(), session.run(0));
+  const Answer right = model_answer(*session.conversation().asked(), session.player().run(0));
   const std::array<const char*, 3> names{"ritter", "welzl", "brute_force"};
   for (const char* name : names) CHECK(operations(names[right.value]) <= operations(name));
 }
@@ -207,24 +209,25 @@ TEST_CASE("a wrong answer is told what it means, at the first try and in the out
   text.erase(text.find("[[question]]\nid = \"pair\""),
              text.find("[[question]]\nid = \"growth\"") - text.find("[[question]]\nid = \"pair\""));
   Session session = test::open(text);
-  while (session.asked() == nullptr) session.forward();
-  REQUIRE(session.asked()->question->id == "own");
-  REQUIRE(session.pick(point(4)));
-  REQUIRE(session.commit());
-  CHECK(session.answer_says() == "Not that one. Try once more. P4 is far from the origin, not from another point.");
-  REQUIRE(session.pick(point(5)));
-  REQUIRE(session.commit());
+  while (session.conversation().asked() == nullptr) session.forward();
+  REQUIRE(session.conversation().asked()->question->id == "own");
+  REQUIRE(session.conversation().pick(point(4)));
+  REQUIRE(session.conversation().commit());
+  CHECK(session.conversation().answer_says() ==
+        "Not that one. Try once more. P4 is far from the origin, not from another point.");
+  REQUIRE(session.conversation().pick(point(5)));
+  REQUIRE(session.conversation().commit());
   CHECK(outcome_of_own(session).because == "So.");
   session.forget_answers();
-  session.first();
-  while (session.asked() == nullptr) session.forward();
-  REQUIRE(session.answer(point(4)));
+  session.go(0);
+  while (session.conversation().asked() == nullptr) session.forward();
+  REQUIRE(session.conversation().give(point(4)));
   CHECK(outcome_of_own(session).because == "P4 is far from the origin, not from another point. So.");
   session.forget_answers();
-  session.first();
-  REQUIRE(session.move(5, {0.4, 0.2, 0}));  // now P4 may be anywhere
-  while (session.asked() == nullptr) session.forward();
-  REQUIRE(session.answer(point(4)));
+  session.go(0);
+  REQUIRE(session.stage().move(5, {0.4, 0.2, 0}));  // now P4 may be anywhere
+  while (session.conversation().asked() == nullptr) session.forward();
+  REQUIRE(session.conversation().give(point(4)));
   CHECK(outcome_of_own(session).because == "So.");
 }
 
@@ -235,15 +238,15 @@ TEST_CASE(
                                          "because = \"So.\"\nwrong = { \"the y pair\" = \"It is nearer together.\" }"));
   const auto told = [&](const Answer& answer) {
     session.forget_answers();
-    session.first();
-    while (session.asked() == nullptr) session.forward();
-    REQUIRE(session.answer(answer));
-    return session.outcome()->because;
+    session.go(0);
+    while (session.conversation().asked() == nullptr) session.forward();
+    REQUIRE(session.conversation().give(answer));
+    return session.conversation().outcome()->because;
   };
   CHECK(told(choice(1)) == "It is nearer together. So.");
   CHECK(told(point(4)) == "It is nearer together. So.");
   CHECK(told(point(0)) == "So.");
-  REQUIRE(session.move(5, {0.4, 0.2, 0}));
+  REQUIRE(session.stage().move(5, {0.4, 0.2, 0}));
   CHECK(told(choice(1)) == "So.");
 }
 
@@ -251,32 +254,32 @@ TEST_CASE("a wrong number and a wrong one of several points are told what they m
   Session session = at_own(
       "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n"
       "wrong = { \"2\" = \"That is the old radius.\" }\n");
-  REQUIRE(session.pick("2.005 units"));
-  REQUIRE(session.commit());
-  CHECK(session.answer_says() == "Not that one. Try once more. That is the old radius.");
-  REQUIRE(session.pick("2.5"));
-  REQUIRE(session.commit());
+  REQUIRE(session.conversation().pick("2.005 units"));
+  REQUIRE(session.conversation().commit());
+  CHECK(session.conversation().answer_says() == "Not that one. Try once more. That is the old radius.");
+  REQUIRE(session.conversation().pick("2.5"));
+  REQUIRE(session.conversation().commit());
   CHECK(outcome_of_own(session).because == "That is too much. So.");
 
   Session several = at_support("wrong = { P0 = \"Never said: P0 is right.\", P2 = \"P2 is inside.\" }\n");
-  REQUIRE((several.pick(point(0)) && several.pick(point(2))));
-  REQUIRE(several.commit());
-  CHECK(several.answer_says() == "Not those. Try once more. P2 is inside.");
+  REQUIRE((several.conversation().pick(point(0)) && several.conversation().pick(point(2))));
+  REQUIRE(several.conversation().commit());
+  CHECK(several.conversation().answer_says() == "Not those. Try once more. P2 is inside.");
 }
 
 TEST_CASE("where the lesson has no words for a wrong answer, it is told which way the right one lies") {
   Session number = at_own(
       "algorithm = \"ritter\"\nbefore = \"ball_grown\"\nasks = \"number\"\nfigure = \"radius\"\ntolerance = 0.01\n");
-  REQUIRE((number.pick("1") && number.commit()));
-  CHECK(number.answer_says() == "Not that one. Try once more. That is too little.");
-  REQUIRE((number.pick("9") && number.commit()));
+  REQUIRE((number.conversation().pick("1") && number.conversation().commit()));
+  CHECK(number.conversation().answer_says() == "Not that one. Try once more. That is too little.");
+  REQUIRE((number.conversation().pick("9") && number.conversation().commit()));
   CHECK(outcome_of_own(number).because == "That is too much. So.");
 
   Session range = at_own(
       "algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"figure\"\nfigure = \"radius\"\nbounds = [1, 2, 100]\n");
-  REQUIRE((range.pick(choice(0)) && range.commit()));
-  CHECK(range.answer_says() == "Not that one. Try once more. It is more than that.");
-  REQUIRE((range.pick(choice(3)) && range.commit()));
+  REQUIRE((range.conversation().pick(choice(0)) && range.conversation().commit()));
+  CHECK(range.conversation().answer_says() == "Not that one. Try once more. It is more than that.");
+  REQUIRE((range.conversation().pick(choice(3)) && range.conversation().commit()));
   CHECK(outcome_of_own(range).because == "It is less than that. So.");
 }
 
@@ -286,39 +289,39 @@ TEST_CASE("of two questions at one place the first is told there, before the sec
     Session session =
         test::open(with_question("algorithm = \"ritter\"\nbefore = \"ball_grown\"\nafter = \"pair_chosen\"\n"
                                  "asks = \"grows\"\n"));
-    session.play_answers(plays);
-    while (session.asked() == nullptr || session.asked()->question->id == "pair")
-      if (session.asked() != nullptr) REQUIRE(session.skip());
+    session.conversation().play_answers(plays);
+    while (session.conversation().asked() == nullptr || session.conversation().asked()->question->id == "pair")
+      if (session.conversation().asked() != nullptr) REQUIRE(session.conversation().give({}, false));
       else session.forward();
-    const int step = session.step();
-    REQUIRE(session.asked()->question->id == "growth");
-    REQUIRE(session.pick(point(4)));
-    REQUIRE(session.commit());
-    CHECK(session.step() == step);
-    CHECK(session.deciding() == nullptr);
-    REQUIRE(session.outcome() != nullptr);
-    CHECK(session.outcome()->question == "growth");
-    CHECK(session.asked() == nullptr);
-    CHECK_FALSE(session.watch_outcome());  // its step would answer the other one
-    REQUIRE(session.acknowledge());
-    REQUIRE(session.asked() != nullptr);
-    CHECK(session.asked()->question->id == "own");
-    CHECK(session.review("growth"));
-    CHECK(session.step() == step);
-    REQUIRE(session.acknowledge());
-    REQUIRE(session.asked() != nullptr);
-    REQUIRE(session.pick(choice(0)));
-    REQUIRE(session.commit());
+    const int step = session.player().step();
+    REQUIRE(session.conversation().asked()->question->id == "growth");
+    REQUIRE(session.conversation().pick(point(4)));
+    REQUIRE(session.conversation().commit());
+    CHECK(session.player().step() == step);
+    CHECK(session.conversation().deciding() == nullptr);
+    REQUIRE(session.conversation().outcome() != nullptr);
+    CHECK(session.conversation().outcome()->question == "growth");
+    CHECK(session.conversation().asked() == nullptr);
+    CHECK_FALSE(session.conversation().watch_outcome());  // its step would answer the other one
+    REQUIRE(session.conversation().acknowledge());
+    REQUIRE(session.conversation().asked() != nullptr);
+    CHECK(session.conversation().asked()->question->id == "own");
+    CHECK(session.conversation().review("growth"));
+    CHECK(session.player().step() == step);
+    REQUIRE(session.conversation().acknowledge());
+    REQUIRE(session.conversation().asked() != nullptr);
+    REQUIRE(session.conversation().pick(choice(0)));
+    REQUIRE(session.conversation().commit());
     if (plays) {
-      REQUIRE(session.deciding() != nullptr);
-      session.decide();
+      REQUIRE(session.conversation().deciding() != nullptr);
+      session.conversation().decide();
     }
-    REQUIRE(session.outcome() != nullptr);
-    CHECK(session.outcome()->question == "own");
-    CHECK(session.step() > step);
-    REQUIRE(session.acknowledge());
-    CHECK(session.outcome() == nullptr);
-    CHECK(session.asked() == nullptr);
+    REQUIRE(session.conversation().outcome() != nullptr);
+    CHECK(session.conversation().outcome()->question == "own");
+    CHECK(session.player().step() > step);
+    REQUIRE(session.conversation().acknowledge());
+    CHECK(session.conversation().outcome() == nullptr);
+    CHECK(session.conversation().asked() == nullptr);
   }
 }
 
@@ -328,34 +331,34 @@ TEST_CASE("a fixed answer with a condition is asked only where it holds") {
       "\"no\"]\nanswer = \"no\"\n[[question.require]]\nfigure = \"excess\"\nat_least = 5\n";
   Session session = test::open(with_question(keys));
   const auto is_asked = [&] {
-    const auto& all = session.questions();
+    const auto& all = session.conversation().questions();
     return std::any_of(all.begin(), all.end(), [](const Asked& asked) { return asked.question->id == "own"; });
   };
   CHECK(is_asked());
-  REQUIRE(session.move(4, {0, 1.5, 0}).has_value());  // now Ritter's circle is the smallest
+  REQUIRE(session.stage().move(4, {0, 1.5, 0}).has_value());  // now Ritter's circle is the smallest
   CHECK_FALSE(is_asked());
-  session.undo();
+  session.stage().undo();
   CHECK(is_asked());
 }
 
 TEST_CASE("a task can leave a few handles to be moved, and nothing else counts") {
   const std::string text = test::small_lesson_with("hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P2\", \"P3\"]");
   Session session = test::open(text);
-  CHECK(session.may_move(0));  // it has not begun
-  session.start_task();
-  CHECK_FALSE(session.may_move(0));
-  CHECK(session.may_move(2));
-  const Point3 before = session.point(0);
-  const Done refused = session.move(0, {5, 5, 0});
+  CHECK(session.stage().may_move(0));  // it has not begun
+  session.stage().start_task();
+  CHECK_FALSE(session.stage().may_move(0));
+  CHECK(session.stage().may_move(2));
+  const Point3 before = session.stage().subject().at(0);
+  const Done refused = session.stage().move(0, {5, 5, 0});
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().what.find("only P2 and P3 move") != std::string::npos);
-  CHECK(session.point(0) == before);
-  REQUIRE(session.move(2, {0, -1, 0}).has_value());
-  REQUIRE(session.move(3, {0, 2.5, 0}).has_value());
+  CHECK(session.stage().subject().at(0) == before);
+  REQUIRE(session.stage().move(2, {0, -1, 0}).has_value());
+  REQUIRE(session.stage().move(3, {0, 2.5, 0}).has_value());
   CHECK(session.grade()->done);
-  Rows others = session.subject().rows();
+  Rows others = session.stage().subject().rows();
   others[0][0] -= 1;
-  REQUIRE(session.set_rows(others).has_value());  // P0 as well
+  REQUIRE(session.stage().set_rows(others).has_value());  // P0 as well
   CHECK_FALSE(session.grade()->done);
   CHECK(session.was_done(0));
 }
@@ -363,19 +366,19 @@ TEST_CASE("a task can leave a few handles to be moved, and nothing else counts")
 TEST_CASE("a task is done where a drag ends, not where it passes") {
   const std::string text = test::small_lesson_with("hint = \"Think.\"", "hint = \"Think.\"\nonly = [\"P2\", \"P3\"]");
   Session session = test::open(text);
-  session.start_task();
-  REQUIRE(session.move(2, {0, -1, 0}).has_value());
-  const Point3 before = session.point(3);
-  session.begin_drag();
-  REQUIRE(session.move(3, {0, 2.5, 0}).has_value());
+  session.stage().start_task();
+  REQUIRE(session.stage().move(2, {0, -1, 0}).has_value());
+  const Point3 before = session.stage().subject().at(3);
+  session.stage().begin_drag();
+  REQUIRE(session.stage().move(3, {0, 2.5, 0}).has_value());
   CHECK(session.grade()->done);
   CHECK_FALSE(session.was_done(0));
-  REQUIRE(session.move(3, before).has_value());
-  session.end_drag();
+  REQUIRE(session.stage().move(3, before).has_value());
+  session.stage().end_drag();
   CHECK_FALSE(session.was_done(0));
-  session.begin_drag();
-  REQUIRE(session.move(3, {0, 2.5, 0}).has_value());
-  session.end_drag();
+  session.stage().begin_drag();
+  REQUIRE(session.stage().move(3, {0, 2.5, 0}).has_value());
+  session.stage().end_drag();
   CHECK(session.was_done(0));
 }
 

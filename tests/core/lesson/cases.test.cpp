@@ -39,20 +39,20 @@ bool has_lost_its_digits(const fit::Algorithm& algorithm, const AnyPointSet& poi
 
 /// Whether a naive method is wrong on what stands on the stage; none if the method is a careful one.
 std::optional<bool> is_wrong_there(const Session& session, const Method& method) {
-  if (const auto* pair = as<PairSubject>(session.subject())) {
+  if (const auto* pair = as<PairSubject>(session.stage().subject())) {
     if (!is_naive(method.name)) return std::nullopt;
     return says_overlap(method.name, pair->boxes()) != overlap_exactly(method.name, pair->boxes());
   }
-  if (const auto* frustum = as<FrustumSubject>(session.subject())) {
+  if (const auto* frustum = as<FrustumSubject>(session.stage().subject())) {
     if (!is_of_matrix(method.name) && method.name != "corners_outside") return std::nullopt;
     return verdict_of(method.name, frustum->boxes()) == query::Culling::kOutside &&
            share_a_point(frustum->boxes()).value_or(false);
   }
   const fit::Algorithm* algorithm = fit::find_algorithm(method.volume, method.name);
   if (algorithm == nullptr || !algorithm->naive) return std::nullopt;
-  const AnyPointSet& points = *session.subject().points();
+  const AnyPointSet& points = *session.stage().subject().points();
   if (!algorithm->loses_points) return has_lost_its_digits(*algorithm, points);
-  return !left_by(points, algorithm->fit(points, {.seed = session.seed()}))->none();
+  return !left_by(points, algorithm->fit(points, {.seed = session.stage().subject().origin().seed}))->none();
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ TEST_CASE("on every case each careful fit contains all points, exactly, and is t
   for (const std::string& name : names()) {
     CAPTURE(name);
     const Session session = test::session_of("cases/" + name);
-    const AnyPointSet* points = session.subject().points();
+    const AnyPointSet* points = session.stage().subject().points();
     if (points == nullptr) continue;
     for (const std::string& own : session.lesson().algorithms) {
       CAPTURE(own);
@@ -83,9 +83,9 @@ TEST_CASE("on every case each careful fit contains all points, exactly, and is t
       const fit::Algorithm& algorithm = *fit::find_algorithm(method.volume, method.name);
       if (algorithm.loses_points) continue;
       for (const bool in_float : {false, true}) {
-        const auto set = to_set(all_points(*points), session.dim(), in_float);
+        const auto set = to_set(all_points(*points), session.stage().subject().dim(), in_float);
         REQUIRE(set.has_value());
-        const fit::Watched watched = algorithm.watch(*set, {.seed = session.seed()}, {});
+        const fit::Watched watched = algorithm.watch(*set, {.seed = session.stage().subject().origin().seed}, {});
         CHECK(watched.certificate.contains);
         CHECK(watched.certificate.on_boundary);
         CHECK(watched.certificate.optimal.value_or(true));
@@ -111,7 +111,7 @@ TEST_CASE("where a case begins with a naive method, that method is wrong on it")
 
 TEST_CASE("the big box is outside the frustum, and crosses each plane that could reject it") {
   const Session session = test::session_of("cases/big-box");
-  const BoxPair& boxes = as<FrustumSubject>(session.subject())->boxes();
+  const BoxPair& boxes = as<FrustumSubject>(session.stage().subject())->boxes();
   CHECK_FALSE(share_a_point(boxes).value_or(true));
   for (const std::string& test : session.lesson().algorithms)
     CHECK(verdict_of(test, boxes) == query::Culling::kIntersecting);
@@ -120,13 +120,13 @@ TEST_CASE("the big box is outside the frustum, and crosses each plane that could
 TEST_CASE("the exact separation is that of a row, and a verdict that no axis separates has none") {
   Session session = test::session_of("cases/unit-of-length");
   const auto exact_gap = [&] {
-    const auto figures = session.figures();
+    const auto figures = session.telling().figures();
     const auto found =
         std::find_if(figures.begin(), figures.end(), [](const Figure& one) { return one.key == "exact_gap"; });
     return found != figures.end() && found->known;
   };
-  session.jump(session.steps());
+  session.jump(session.player().steps());
   CHECK_FALSE(exact_gap());
-  session.jump(session.steps() - 1);
+  session.jump(session.player().steps() - 1);
   CHECK(exact_gap());
 }

@@ -19,196 +19,198 @@ Session at_which_point() {
   return session;
 }
 
-bool give(Session& session, const Answer& answer) { return session.pick(answer) && session.commit(); }
+bool give(Session& session, const Answer& answer) {
+  return session.conversation().pick(answer) && session.conversation().commit();
+}
 
 }  // namespace
 
 TEST_CASE("an outcome is told until it is acknowledged, and only then the next question is asked") {
   Session session = open_small();
   session.last();
-  REQUIRE(session.answer(choice(0)));
-  const Outcome* told = session.outcome();
+  REQUIRE(session.conversation().give(choice(0)));
+  const Outcome* told = session.conversation().outcome();
   REQUIRE(told != nullptr);
-  CHECK(session.asked() == nullptr);
+  CHECK(session.conversation().asked() == nullptr);
   SUBCASE("by a step, which is not taken") {
-    const int step = session.step();
+    const int step = session.player().step();
     session.forward();
-    CHECK(session.step() == step);
+    CHECK(session.player().step() == step);
   }
   SUBCASE("by acknowledge") {
-    REQUIRE(session.acknowledge());
-    CHECK_FALSE(session.acknowledge());
+    REQUIRE(session.conversation().acknowledge());
+    CHECK_FALSE(session.conversation().acknowledge());
   }
-  SUBCASE("by going elsewhere") { session.first(); }
-  CHECK(session.outcome() == nullptr);
+  SUBCASE("by going elsewhere") { session.go(0); }
+  CHECK(session.conversation().outcome() == nullptr);
   session.last();
-  CHECK(session.asked() != nullptr);
+  CHECK(session.conversation().asked() != nullptr);
 }
 
 TEST_CASE("a first wrong answer is told to be wrong, and nothing else") {
   Session session = at_which_point();
-  REQUIRE(session.asked() != nullptr);
-  const int step = session.step();
-  const std::string caption = session.caption();
+  REQUIRE(session.conversation().asked() != nullptr);
+  const int step = session.player().step();
+  const std::string caption = session.telling().caption();
   REQUIRE(give(session, point(3)));
-  CHECK(session.answer_says() == "Not that one. Try once more.");
-  CHECK(standing_of(session.outcome_of(session.questions()[1])) == Standing::kOpen);
-  CHECK(session.outcome() == nullptr);
-  CHECK(session.step() == step);
-  CHECK(session.caption() == caption);
-  REQUIRE(session.tried() != nullptr);
-  CHECK(session.tried()->value == 3);
-  CHECK_FALSE(session.pick(point(3)));
-  CHECK(session.answer_says() == "You have tried that one. Try another.");
+  CHECK(session.conversation().answer_says() == "Not that one. Try once more.");
+  CHECK(standing_of(session.conversation().outcome_of(session.conversation().questions()[1])) == Standing::kOpen);
+  CHECK(session.conversation().outcome() == nullptr);
+  CHECK(session.player().step() == step);
+  CHECK(session.telling().caption() == caption);
+  REQUIRE(session.conversation().tried() != nullptr);
+  CHECK(session.conversation().tried()->value == 3);
+  CHECK_FALSE(session.conversation().pick(point(3)));
+  CHECK(session.conversation().answer_says() == "You have tried that one. Try another.");
   SUBCASE("right on the second try") {
     REQUIRE(give(session, point(4)));
-    CHECK(session.outcome()->right);
-    CHECK(session.outcome()->tries == 2);
-    CHECK(verdict_text(*session.outcome()) == "Correct on the second try");
-    CHECK(session.tally().right == 1);
-    CHECK(session.tally().second == 1);
+    CHECK(session.conversation().outcome()->right);
+    CHECK(session.conversation().outcome()->tries == 2);
+    CHECK(verdict_text(*session.conversation().outcome()) == "Correct on the second try");
+    CHECK(session.conversation().tally().right == 1);
+    CHECK(session.conversation().tally().second == 1);
   }
   SUBCASE("wrong at the second") {
     REQUIRE(give(session, point(1)));
-    CHECK_FALSE(session.outcome()->right);
-    CHECK(session.outcome()->tries == 2);
-    CHECK(session.outcome()->predicted == "P1");
-    CHECK(session.tally().wrong == 1);
-    REQUIRE(session.can_show_answer());
-    CHECK_FALSE(session.answer_shown());
-    REQUIRE(session.show_answer());
-    CHECK(session.answer_shown());
+    CHECK_FALSE(session.conversation().outcome()->right);
+    CHECK(session.conversation().outcome()->tries == 2);
+    CHECK(session.conversation().outcome()->predicted == "P1");
+    CHECK(session.conversation().tally().wrong == 1);
+    REQUIRE(session.conversation().can_show_answer());
+    CHECK_FALSE(session.conversation().answer_shown());
+    REQUIRE(session.conversation().show_answer());
+    CHECK(session.conversation().answer_shown());
   }
   SUBCASE("skipped") {
-    REQUIRE(session.skip());
-    CHECK(session.outcome()->skipped);
-    CHECK(session.outcome()->tries == 0);
-    CHECK_FALSE(session.can_show_answer());
+    REQUIRE(session.conversation().give({}, false));
+    CHECK(session.conversation().outcome()->skipped);
+    CHECK(session.conversation().outcome()->tries == 0);
+    CHECK_FALSE(session.conversation().can_show_answer());
   }
   SUBCASE("forgotten with the points") {
-    REQUIRE(session.move(2, {0.1, 1, 0}).has_value());
-    CHECK(session.tried() == nullptr);
+    REQUIRE(session.stage().move(2, {0.1, 1, 0}).has_value());
+    CHECK(session.conversation().tried() == nullptr);
   }
 }
 
 TEST_CASE("of two answers there is no second try") {
   Session session = open_small();
   session.last();
-  REQUIRE(session.asked()->choices.size() == 2);
+  REQUIRE(session.conversation().asked()->choices.size() == 2);
   REQUIRE(give(session, choice(1)));
-  REQUIRE(session.outcome() != nullptr);
-  CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->tries == 1);
+  REQUIRE(session.conversation().outcome() != nullptr);
+  CHECK_FALSE(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->tries == 1);
 }
 
 TEST_CASE("the key that goes on skips a question at its second press") {
   Session session = at_which_point();
-  const int step = session.step();
-  REQUIRE(session.pass_by());
-  CHECK(session.answer_says() == "Press again to skip this question.");
-  CHECK(standing_of(session.outcome_of(session.questions()[1])) == Standing::kOpen);
-  CHECK(session.step() == step);
+  const int step = session.player().step();
+  REQUIRE(session.conversation().pass_by());
+  CHECK(session.conversation().answer_says() == "Press again to skip this question.");
+  CHECK(standing_of(session.conversation().outcome_of(session.conversation().questions()[1])) == Standing::kOpen);
+  CHECK(session.player().step() == step);
   SUBCASE("at once") {
-    REQUIRE(session.pass_by());
-    REQUIRE(session.outcome() != nullptr);
-    CHECK(session.outcome()->skipped);
-    CHECK(standing_of(session.outcome()) == Standing::kSkipped);
-    CHECK_FALSE(session.pass_by());  // it is told
+    REQUIRE(session.conversation().pass_by());
+    REQUIRE(session.conversation().outcome() != nullptr);
+    CHECK(session.conversation().outcome()->skipped);
+    CHECK(standing_of(session.conversation().outcome()) == Standing::kSkipped);
+    CHECK_FALSE(session.conversation().pass_by());  // it is told
   }
   SUBCASE("not after an answer was chosen in between") {
-    REQUIRE(session.pick(point(3)));
-    REQUIRE(session.pass_by());
-    CHECK(standing_of(session.outcome_of(session.questions()[1])) == Standing::kOpen);
+    REQUIRE(session.conversation().pick(point(3)));
+    REQUIRE(session.conversation().pass_by());
+    CHECK(standing_of(session.conversation().outcome_of(session.conversation().questions()[1])) == Standing::kOpen);
   }
 }
 
 TEST_CASE("what lies between a question and its outcome is played where that is wanted") {
   Session session = at_which_point();
-  const int from = session.step(), until = session.asked()->until;
+  const int from = session.player().step(), until = session.conversation().asked()->until;
   REQUIRE(until - from == 6);
-  session.play_answers(true);
+  session.conversation().play_answers(true);
   REQUIRE(give(session, point(4)));
-  REQUIRE(session.deciding() != nullptr);
-  CHECK(session.step() == from);
-  CHECK(session.outcome() == nullptr);
-  CHECK(session.asked() == nullptr);
+  REQUIRE(session.conversation().deciding() != nullptr);
+  CHECK(session.player().step() == from);
+  CHECK(session.conversation().outcome() == nullptr);
+  CHECK(session.conversation().asked() == nullptr);
   SUBCASE("step by step") {
     for (int step = from + 1; step < until; ++step) {
       session.forward();
-      CHECK(session.step() == step);
-      CHECK(session.deciding() != nullptr);
-      CHECK(session.outcome() == nullptr);
+      CHECK(session.player().step() == step);
+      CHECK(session.conversation().deciding() != nullptr);
+      CHECK(session.conversation().outcome() == nullptr);
     }
     session.forward();
   }
-  SUBCASE("to its end at once") { session.decide(); }
+  SUBCASE("to its end at once") { session.conversation().decide(); }
   SUBCASE("and no farther") { session.last(); }
-  CHECK(session.step() == until);
-  CHECK(session.deciding() == nullptr);
-  REQUIRE(session.outcome() != nullptr);
-  CHECK(session.outcome()->right);
-  REQUIRE(session.watch_outcome());
-  CHECK(session.step() == from);
-  CHECK(session.outcome() == nullptr);
-  session.decide();
-  CHECK(session.outcome() != nullptr);
+  CHECK(session.player().step() == until);
+  CHECK(session.conversation().deciding() == nullptr);
+  REQUIRE(session.conversation().outcome() != nullptr);
+  CHECK(session.conversation().outcome()->right);
+  REQUIRE(session.conversation().watch_outcome());
+  CHECK(session.player().step() == from);
+  CHECK(session.conversation().outcome() == nullptr);
+  session.conversation().decide();
+  CHECK(session.conversation().outcome() != nullptr);
 }
 
 TEST_CASE("who goes elsewhere on the way to an outcome has it counted and not told") {
   Session session = at_which_point();
-  session.play_answers(true);
+  session.conversation().play_answers(true);
   REQUIRE(give(session, point(4)));
   session.forward();
-  SUBCASE("back") { session.first(); }
-  SUBCASE("by an edit") { REQUIRE(session.move(5, {0.4, 0.2, 0}).has_value()); }
-  CHECK(session.deciding() == nullptr);
-  CHECK(session.outcome() == nullptr);
-  CHECK(session.tally().right == 1);
+  SUBCASE("back") { session.go(0); }
+  SUBCASE("by an edit") { REQUIRE(session.stage().move(5, {0.4, 0.2, 0}).has_value()); }
+  CHECK(session.conversation().deciding() == nullptr);
+  CHECK(session.conversation().outcome() == nullptr);
+  CHECK(session.conversation().tally().right == 1);
 }
 
 TEST_CASE("a lesson ends with a summary once nothing is open, and each line of it leads back") {
   Session session = open_small();
-  const auto all = static_cast<int>(session.questions().size());
-  session.jump(session.steps());
-  CHECK(session.tally().open == all);  // what a jump passed is open
-  CHECK_FALSE(session.at_summary());
-  CHECK(session.score().empty());
-  session.first();
+  const auto all = static_cast<int>(session.conversation().questions().size());
+  session.jump(session.player().steps());
+  CHECK(session.conversation().tally().open == all);  // what a jump passed is open
+  CHECK_FALSE(session.conversation().at_summary());
+  CHECK(session.conversation().score().empty());
+  session.go(0);
   session.last();
-  REQUIRE(session.skip());
-  session.acknowledge();
+  REQUIRE(session.conversation().give({}, false));
+  session.conversation().acknowledge();
   snug::test::play_to_end(session);
-  session.acknowledge();
-  REQUIRE(session.at_summary());
-  CHECK(session.tally().right == all - 1);
-  CHECK(standing_text(session.outcome_of(session.questions()[0])) == "skipped");
-  CHECK(standing_text(session.outcome_of(session.questions()[1])) == "right");
-  REQUIRE(session.review(session.questions()[1].question->id));
-  REQUIRE(session.outcome() != nullptr);
-  CHECK(session.outcome()->right);
-  CHECK(session.step() == session.questions()[1].until);
-  session.acknowledge();
+  session.conversation().acknowledge();
+  REQUIRE(session.conversation().at_summary());
+  CHECK(session.conversation().tally().right == all - 1);
+  CHECK(standing_text(session.conversation().outcome_of(session.conversation().questions()[0])) == "skipped");
+  CHECK(standing_text(session.conversation().outcome_of(session.conversation().questions()[1])) == "right");
+  REQUIRE(session.conversation().review(session.conversation().questions()[1].question->id));
+  REQUIRE(session.conversation().outcome() != nullptr);
+  CHECK(session.conversation().outcome()->right);
+  CHECK(session.player().step() == session.conversation().questions()[1].until);
+  session.conversation().acknowledge();
   session.last();
-  REQUIRE(session.at_summary());
-  session.close_summary();
-  CHECK_FALSE(session.at_summary());
+  REQUIRE(session.conversation().at_summary());
+  session.conversation().close_summary();
+  CHECK_FALSE(session.conversation().at_summary());
   session.forget_answers();
-  CHECK(session.tally().open == all);
+  CHECK(session.conversation().tally().open == all);
 }
 
 TEST_CASE("a jump to the end of a lesson that opens there leads to its summary, if every question was answered") {
   Session session = snug::test::open(small_lesson_with("seed = 5", "seed = 5\nstart = \"end\""));
-  session.first();
+  session.go(0);
   snug::test::play_to_end(session);
-  session.acknowledge();
-  REQUIRE(session.at_summary());
+  session.conversation().acknowledge();
+  REQUIRE(session.conversation().at_summary());
   Session later = snug::test::open(small_lesson_with("seed = 5", "seed = 5\nstart = \"end\""));
-  later.jump(later.steps());
-  CHECK(later.previewing());
-  later.take_up_answers(session.outcomes());
-  later.jump(later.steps());
-  CHECK_FALSE(later.previewing());
-  CHECK(later.at_summary());
+  later.jump(later.player().steps());
+  CHECK(later.player().previewing());
+  later.take_up(session.log().outcomes());
+  later.jump(later.player().steps());
+  CHECK_FALSE(later.player().previewing());
+  CHECK(later.conversation().at_summary());
 }
 
 TEST_CASE("a summary's line is the prompt, or of a long one the sentence that asks") {
@@ -238,41 +240,42 @@ because = "Welzl's is."
 [[task]])";
   Session session = snug::test::open(snug::test::small_lesson_with("[[task]]", other));
   snug::test::play_to_end(session);
-  while (session.acknowledge()) {
+  while (session.conversation().acknowledge()) {
   }
-  REQUIRE(session.at_summary());
-  REQUIRE(session.waiting().size() == 1);
-  CHECK(session.waiting().front()->name == "welzl");
-  REQUIRE(session.choose(0, "welzl").has_value());
-  CHECK(session.waiting().empty());
-  session.first();
+  REQUIRE(session.conversation().at_summary());
+  REQUIRE(session.conversation().waiting().size() == 1);
+  CHECK(session.conversation().waiting().front()->name == "welzl");
+  REQUIRE(session.player().choose(0, "welzl").has_value());
+  CHECK(session.conversation().waiting().empty());
+  session.go(0);
   snug::test::play_to_end(session);
-  REQUIRE(session.choose(0, "ritter").has_value());
-  CHECK(session.waiting().empty());
-  REQUIRE(session.move(0, {-2.5, 0, 0}).has_value());
+  REQUIRE(session.player().choose(0, "ritter").has_value());
+  CHECK(session.conversation().waiting().empty());
+  REQUIRE(session.stage().move(0, {-2.5, 0, 0}).has_value());
   session.forget_answers();
-  CHECK(session.waiting().empty());  // elsewhere the question may not arise
+  CHECK(session.conversation().waiting().empty());  // elsewhere the question may not arise
 }
 
 TEST_CASE("while a prediction is asked, nothing is told of what the run comes to") {
   Session session = snug::test::open_small();
-  session.first();
+  session.go(0);
   REQUIRE(session.grade().has_value());
   const std::string stands = session.grade()->says;
-  while (session.asked() == nullptr) session.forward();
-  REQUIRE(session.predicting());
+  while (session.conversation().asked() == nullptr) session.forward();
+  REQUIRE(session.telling().predicting());
   CHECK(session.grade()->says == kTaskWaits);
   CHECK(stands != kTaskWaits);
-  for (const Rival& rival : session.rivals()) CHECK(session.hides_result(*rival.method));
-  for (const Figure& figure : session.figures())
+  for (const Rival& rival : session.player().rivals()) CHECK(session.telling().hides_result(*rival.method));
+  for (const Figure& figure : session.telling().figures())
     if (figure.key == "excess") CHECK_FALSE(figure.known);
-  REQUIRE(session.skip());
-  session.acknowledge();
-  if (session.asked() == nullptr)
-    for (const Rival& rival : session.rivals())
-      CHECK(session.hides_result(*rival.method) == (rival.method == session.method(0)));  // more is asked later
+  REQUIRE(session.conversation().give({}, false));
+  session.conversation().acknowledge();
+  if (session.conversation().asked() == nullptr)
+    for (const Rival& rival : session.player().rivals())
+      CHECK(session.telling().hides_result(*rival.method) ==
+            (rival.method == session.player().method(0)));  // more is asked later
   snug::test::play_to_end(session);
-  while (session.acknowledge()) {
+  while (session.conversation().acknowledge()) {
   }
-  for (const Rival& rival : session.rivals()) CHECK_FALSE(session.hides_result(*rival.method));
+  for (const Rival& rival : session.player().rivals()) CHECK_FALSE(session.telling().hides_result(*rival.method));
 }

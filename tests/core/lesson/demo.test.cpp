@@ -57,10 +57,10 @@ TEST_CASE("questions are passed, and the step stays") {
   Session session = open_small();
   session.go(0);
   pass_questions(session);
-  CHECK(session.step() == 0);
-  session.go(session.steps());
-  CHECK(session.step() == session.steps());
-  CHECK(session.asked() == nullptr);
+  CHECK(session.player().step() == 0);
+  session.go(session.player().steps());
+  CHECK(session.player().step() == session.player().steps());
+  CHECK(session.conversation().asked() == nullptr);
 }
 
 TEST_CASE("questions of other algorithms are passed as well: the numbers keep nothing from the class") {
@@ -68,27 +68,28 @@ TEST_CASE("questions of other algorithms are passed as well: the numbers keep no
   Session session = test::open(test::small_lesson_with(
       "[[question]]\nid = \"pair\"",
       "[[question]]\nid = \"own\"\nprompt = \"What?\"\nbecause = \"So.\"\n" + keys + "\n[[question]]\nid = \"pair\""));
-  session.jump(session.steps());
-  REQUIRE(session.comparing());
+  session.jump(session.player().steps());
+  REQUIRE(session.telling().comparing());
   pass_questions(session);
-  CHECK(session.step() == session.steps());
-  CHECK(session.waiting().empty());
-  CHECK_FALSE(session.comparing());
-  CHECK_FALSE(session.hides_result(*session.method(0)));
+  CHECK(session.player().step() == session.player().steps());
+  CHECK(session.conversation().waiting().empty());
+  CHECK_FALSE(session.telling().comparing());
+  CHECK_FALSE(session.telling().hides_result(*session.player().method(0)));
 }
 
 TEST_CASE("an answer is revealed at the step that decides it, and nothing else is asked") {
   Session session = open_small();
-  session.first();
-  while (session.asked() == nullptr && session.step() < session.steps()) session.forward();
-  REQUIRE(session.asked() != nullptr);
-  const std::string question = session.asked()->question->id;
-  const int decided = session.asked()->until;
+  session.go(0);
+  while (session.conversation().asked() == nullptr && session.player().step() < session.player().steps())
+    session.forward();
+  REQUIRE(session.conversation().asked() != nullptr);
+  const std::string question = session.conversation().asked()->question->id;
+  const int decided = session.conversation().asked()->until;
   reveal_answer(session);
-  REQUIRE(session.outcome() != nullptr);
-  CHECK(session.outcome()->question == question);
-  CHECK(session.step() == decided);
-  session.acknowledge();
-  session.go(session.steps());
-  CHECK(session.step() == session.steps());
+  REQUIRE(session.conversation().outcome() != nullptr);
+  CHECK(session.conversation().outcome()->question == question);
+  CHECK(session.player().step() == decided);
+  session.conversation().acknowledge();
+  session.go(session.player().steps());
+  CHECK(session.player().step() == session.player().steps());
 }

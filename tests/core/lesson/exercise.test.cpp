@@ -78,9 +78,9 @@ struct Sat {
         sitting(exercise, seed, session, practises) {}
   Session session;
   Sitting sitting;
-  [[nodiscard]] const Asked& asked() const { return *session.asked(); }
-  [[nodiscard]] Answer right() const { return model_answer(asked(), session.run(0)); }
-  void decide() { REQUIRE(session.propose(right())); }
+  [[nodiscard]] const Asked& asked() const { return *session.conversation().asked(); }
+  [[nodiscard]] Answer right() const { return model_answer(asked(), session.player().run(0)); }
+  void decide() { REQUIRE(session.conversation().give(right(), false)); }
   void decide_all() {
     while (!sitting.finished(session)) decide();
   }
@@ -124,12 +124,12 @@ TEST_CASE("every exercise keeps its promise at each level, and right decisions e
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       CAPTURE(seed);
       Sat sat(exercise, seed);
-      const auto decisions = static_cast<int>(sat.session.questions().size());
+      const auto decisions = static_cast<int>(sat.session.conversation().questions().size());
       CHECK(decisions >= exercise->least);
       CHECK(decisions <= exercise->most);
-      for (const Asked& asked : sat.session.questions())
-        CHECK((asked.asking->margin(asked, sat.session.run(0)) >= exercise->apart ||
-               (exercise->ties && has_tie(asked, sat.session.run(0)))));
+      for (const Asked& asked : sat.session.conversation().questions())
+        CHECK((asked.asking->margin(asked, sat.session.player().run(0)) >= exercise->apart ||
+               (exercise->ties && has_tie(asked, sat.session.player().run(0)))));
       sat.decide_all();
       CHECK(sat.sitting.mark(sat.session) == decisions);
       const auto graded = grade(exercise, sat.sitting.attempt(sat.session));
@@ -153,12 +153,12 @@ TEST_CASE("a wrong rule is wrong somewhere, and named where it was followed") {
           const Asked& asked = sat.asked();
           const WrongRule* rule =
               decision_of(*exercise, *asked.question) == kind ? find_rule(asked, words.name) : nullptr;
-          const auto answer = rule != nullptr ? rule->decides(asked, sat.session.run(0)) : std::nullopt;
-          if (!answer || judge(asked, *answer, sat.session.run(0)).right) {
+          const auto answer = rule != nullptr ? rule->decides(asked, sat.session.player().run(0)) : std::nullopt;
+          if (!answer || judge(asked, *answer, sat.session.player().run(0)).right) {
             sat.decide();
             continue;
           }
-          REQUIRE(sat.session.propose(*answer));
+          REQUIRE(sat.session.conversation().give(*answer, false));
           named = !sat.sitting.rule_says(sat.session).empty();
           CHECK(named);
         }
@@ -180,9 +180,9 @@ TEST_CASE("the instance of a seed is the same everywhere, and no other exercise'
 TEST_CASE("a second try earns a half, each hint a quarter less, and one that tells it nothing") {
   Sat sat(exercise_of("fit-a-kdop"));
   const Answer wrong{.kind = Answer::Kind::kPoints, .list = {0}};
-  REQUIRE(sat.session.propose(wrong));
+  REQUIRE(sat.session.conversation().give(wrong, false));
   CHECK(sat.sitting.mark(sat.session) == 0);
-  CHECK(sat.session.tried() != nullptr);
+  CHECK(sat.session.conversation().tried() != nullptr);
   sat.decide();
   CHECK(sat.sitting.mark(sat.session) == 0.5);
   CHECK(sat.sitting.next_price(sat.session) == 0.25);
@@ -193,7 +193,7 @@ TEST_CASE("a second try earns a half, each hint a quarter less, and one that tel
   for (int hint = 0; hint < kMostHints; ++hint) REQUIRE(sat.sitting.take_hint(sat.session));
   CHECK_FALSE(sat.sitting.take_hint(sat.session));
   CHECK(sat.sitting.hints(sat.session).back() ==
-        "The answer: " + sat.asked().asking->truth(sat.asked(), sat.session.run(0)).happened + ".");
+        "The answer: " + sat.asked().asking->truth(sat.asked(), sat.session.player().run(0)).happened + ".");
   sat.decide();
   CHECK(sat.sitting.mark(sat.session) == 1.25);
   CHECK(sat.sitting.attempt(sat.session).made[2].hints == kMostHints);
@@ -202,13 +202,14 @@ TEST_CASE("a second try earns a half, each hint a quarter less, and one that tel
 TEST_CASE("after two wrong answers the right step is shown, and the run goes on from it") {
   Sat sat(exercise_of("be-quickhull"));
   const Index right = sat.right().value;
-  for (const Index i : sat.session.targets())
-    if (i != right && sat.session.outcome() == nullptr) REQUIRE(sat.session.propose({Answer::Kind::kPoint, i}));
-  REQUIRE(sat.session.outcome() != nullptr);
+  for (const Index i : sat.session.conversation().targets())
+    if (i != right && sat.session.conversation().outcome() == nullptr)
+      REQUIRE(sat.session.conversation().give({Answer::Kind::kPoint, i}, false));
+  REQUIRE(sat.session.conversation().outcome() != nullptr);
   CHECK(sat.sitting.at(sat.session) == 0);
-  CHECK_FALSE(sat.session.outcome()->right);
-  CHECK(sat.session.step() == sat.session.outcome()->step);
-  REQUIRE(sat.session.acknowledge());
+  CHECK_FALSE(sat.session.conversation().outcome()->right);
+  CHECK(sat.session.player().step() == sat.session.conversation().outcome()->step);
+  REQUIRE(sat.session.conversation().acknowledge());
   CHECK(sat.sitting.at(sat.session) == 1);
   sat.decide_all();
   CHECK(sat.sitting.mark(sat.session) == sat.sitting.of() - 1);
@@ -217,19 +218,19 @@ TEST_CASE("after two wrong answers the right step is shown, and the run goes on 
 TEST_CASE("a tap decides, a key only chooses, nothing can be skipped, and the stage stays as it is") {
   Sat sat(exercise_of("be-quickhull"));
   const Answer right = sat.right();
-  const Rows rows = sat.session.subject().rows();
-  REQUIRE(sat.session.pick(right, false));
+  const Rows rows = sat.session.stage().subject().rows();
+  REQUIRE(sat.session.conversation().pick(right, false));
   CHECK(sat.sitting.at(sat.session) == 0);
-  CHECK_FALSE(sat.session.skip());
-  CHECK(sat.session.pass_by());
+  CHECK_FALSE(sat.session.conversation().give({}, false));
+  CHECK(sat.session.conversation().pass_by());
   CHECK(sat.sitting.at(sat.session) == 0);
-  CHECK_FALSE(sat.session.move(0, Point3(1, 1, 0)));
-  CHECK_FALSE(sat.session.may_move(0));
-  sat.session.scatter(99);
-  sat.session.reset();
-  CHECK_FALSE(sat.session.can_undo());
-  CHECK(sat.session.subject().rows() == rows);
-  REQUIRE(sat.session.pick(right));
+  CHECK_FALSE(sat.session.stage().move(0, Point3(1, 1, 0)));
+  CHECK_FALSE(sat.session.stage().may_move(0));
+  sat.session.stage().scatter(99);
+  sat.session.stage().reset();
+  CHECK_FALSE(sat.session.stage().can_undo());
+  CHECK(sat.session.stage().subject().rows() == rows);
+  REQUIRE(sat.session.conversation().pick(right));
   CHECK(sat.sitting.at(sat.session) == 1);
 }
 
@@ -237,15 +238,15 @@ TEST_CASE("where all is told at the end, a decision can be taken back, and nothi
   Sat sat(
       exercise_from(ritter_with("lesson = \"sphere-ritter\"", "lesson = \"sphere-ritter\"\ntold = \"at the end\"")));
   const Answer none{.kind = Answer::Kind::kPoints, .list = {0}};
-  REQUIRE(sat.session.propose(none));
-  CHECK(sat.session.tried() == nullptr);
-  CHECK(sat.session.outcome() == nullptr);
+  REQUIRE(sat.session.conversation().give(none, false));
+  CHECK(sat.session.conversation().tried() == nullptr);
+  CHECK(sat.session.conversation().outcome() == nullptr);
   CHECK(sat.sitting.at(sat.session) == 1);
   CHECK(sat.sitting.rule_says(sat.session).empty());
   CHECK(sat.sitting.marked(sat.session)[0].standing == Standing::kOpen);
-  REQUIRE(sat.session.take_back());
+  REQUIRE(sat.session.conversation().take_back());
   CHECK(sat.sitting.at(sat.session) == 0);
-  CHECK_FALSE(sat.session.take_back());
+  CHECK_FALSE(sat.session.conversation().take_back());
   sat.decide_all();
   CHECK(sat.sitting.mark(sat.session) == sat.sitting.of());
   CHECK(sat.sitting.marked(sat.session)[0].standing == Standing::kRight);
@@ -257,7 +258,7 @@ TEST_CASE("an attempt is written, read and replayed to the same mark") {
   sat.sitting.take_hint(sat.session);
   sat.decide();
   const Index right = sat.right().value;
-  REQUIRE(sat.session.propose({Answer::Kind::kChoice, right == 0 ? 1 : 0}));
+  REQUIRE(sat.session.conversation().give({Answer::Kind::kChoice, right == 0 ? 1 : 0}, false));
   sat.decide();
   Attempt attempt = sat.sitting.attempt(sat.session);
   CHECK(attempt.made.size() == 2);
@@ -305,21 +306,22 @@ TEST_CASE("when it is over, the student's run is gone through with what was righ
   using Looked = Sitting::Looked;
   Sat sat(exercise_of("be-quickhull"));
   Session& session = sat.session;
-  const std::string right = session.subject().name_of(sat.right().value);
+  const std::string right = session.stage().subject().name_of(sat.right().value);
   sat.decide();
   CHECK_FALSE(sat.sitting.change_run(session));
   const Asked& second = sat.asked();
   std::string last;
-  for (const Index i : session.targets())
-    if (session.outcome() == nullptr && !judge(second, {Answer::Kind::kPoint, i}, session.run(0)).right) {
-      REQUIRE(session.propose({Answer::Kind::kPoint, i}));
-      last = session.name_of(i);
+  for (const Index i : session.conversation().targets())
+    if (session.conversation().outcome() == nullptr &&
+        !judge(second, {Answer::Kind::kPoint, i}, session.player().run(0)).right) {
+      REQUIRE(session.conversation().give({Answer::Kind::kPoint, i}, false));
+      last = session.stage().subject().name_of(i);
     }
-  REQUIRE(session.acknowledge());
+  REQUIRE(session.conversation().acknowledge());
   CHECK(sat.sitting.first_difference(session).empty());
   sat.decide_all();
   CHECK(sat.sitting.looks_at(session) == Looked::kNeither);
-  const std::string both = "yours: " + last + "; right: " + session.outcome_of(second)->happened;
+  const std::string both = "yours: " + last + "; right: " + session.conversation().outcome_of(second)->happened;
   CHECK(sat.sitting.first_difference(session) == "Your run first differs from the right one at decision 2 (" + both +
                                                      "). After a mistake, it goes on from the right step.");
   const double mark = sat.sitting.mark(session);
@@ -327,27 +329,27 @@ TEST_CASE("when it is over, the student's run is gone through with what was righ
   REQUIRE(sat.sitting.change_run(session));  // to where they differ, as it was decided
   CHECK(sat.sitting.looks_at(session) == Looked::kOwn);
   CHECK(sat.sitting.finished(session));
-  CHECK(session.step() == second.step);
-  CHECK(session.answer_shown());
+  CHECK(session.player().step() == second.step);
+  CHECK(session.conversation().answer_shown());
   CHECK(sat.sitting.at(session) == 1);
   REQUIRE(sat.sitting.step_own(session, -1));
-  CHECK(session.outcome()->right);
+  CHECK(session.conversation().outcome()->right);
   CHECK_FALSE(sat.sitting.step_own(session, -1));
 
   REQUIRE(sat.sitting.change_run(session));
   CHECK(sat.sitting.looks_at(session) == Looked::kRight);
-  CHECK(session.step() == session.questions().front().step);
+  CHECK(session.player().step() == session.conversation().questions().front().step);
   CHECK(sat.sitting.compared(session) == "Decision 1 (yours: " + right + ", which is right).");
-  while (session.step() < second.step) session.forward();
+  while (session.player().step() < second.step) session.forward();
   CHECK(sat.sitting.compared(session) == "Decision 2 (" + both + ").");
   session.forward();
   REQUIRE(sat.sitting.change_run(session));  // to the next decision
   CHECK(sat.sitting.at(session) == 2);
   while (sat.sitting.step_own(session, 1)) {
   }
-  CHECK(sat.sitting.at(session) + 1 == session.questions().size());
-  session.acknowledge();
-  CHECK(session.step() == session.steps());
+  CHECK(sat.sitting.at(session) + 1 == session.conversation().questions().size());
+  session.conversation().acknowledge();
+  CHECK(session.player().step() == session.player().steps());
   CHECK(sat.sitting.looks_at(session) == Looked::kNeither);
   CHECK(sat.sitting.mark(session) == mark);
 }
@@ -397,7 +399,7 @@ TEST_CASE("what is built earns a mark for each level, and the best stage counts"
   REQUIRE(model);
 
   SUBCASE("all of it ends the exercise") {
-    REQUIRE(sat.session.set_rows(*model));
+    REQUIRE(sat.session.stage().set_rows(*model));
     sat.sitting.see(sat.session);
     CHECK(sat.sitting.mark(sat.session) == 4);
     CHECK(sat.sitting.finished(sat.session));
@@ -407,9 +409,9 @@ TEST_CASE("what is built earns a mark for each level, and the best stage counts"
     REQUIRE(sat.sitting.take_hint(sat.session));
     CHECK(sat.sitting.changes() != before);  // or a window that is closed now would give it back
     CHECK(sat.sitting.hint_words(sat.session).empty());
-    REQUIRE(sat.session.set_rows(*model));
+    REQUIRE(sat.session.stage().set_rows(*model));
     sat.sitting.see(sat.session);
-    sat.session.reset();
+    sat.session.stage().reset();
     sat.sitting.see(sat.session);
     CHECK(level_of(*exercise, sat.session) == 0);
     CHECK(sat.sitting.mark(sat.session) == 3);
@@ -417,21 +419,21 @@ TEST_CASE("what is built earns a mark for each level, and the best stage counts"
     CHECK(level_of(*exercise, sat.session) == 4);
   }
   SUBCASE("while the hand drags nothing counts") {
-    sat.session.begin_drag();
-    for (Index i = 0; i < 3; ++i) REQUIRE(sat.session.move(i, {(*model)[i][0], (*model)[i][1], 0}));
+    sat.session.stage().begin_drag();
+    for (Index i = 0; i < 3; ++i) REQUIRE(sat.session.stage().move(i, {(*model)[i][0], (*model)[i][1], 0}));
     sat.sitting.see(sat.session);
     CHECK(sat.sitting.mark(sat.session) == 0);
-    sat.session.end_drag();
+    sat.session.stage().end_drag();
     sat.sitting.see(sat.session);
     CHECK(sat.sitting.mark(sat.session) == 4);
   }
   SUBCASE("only what the task leaves to be moved") {
-    CHECK_FALSE(sat.session.move(5, {4, 4, 0}));
-    CHECK_FALSE(sat.session.add({1, 1, 0}));
-    CHECK_FALSE(sat.session.remove(0));
-    REQUIRE(sat.session.move(0, {0.1, 0.1, 0}));
-    sat.session.undo();
-    REQUIRE(sat.session.set_rows(*model));  // it is still the task's stage
+    CHECK_FALSE(sat.session.stage().move(5, {4, 4, 0}));
+    CHECK_FALSE(sat.session.stage().add({1, 1, 0}));
+    CHECK_FALSE(sat.session.stage().remove(0));
+    REQUIRE(sat.session.stage().move(0, {0.1, 0.1, 0}));
+    sat.session.stage().undo();
+    REQUIRE(sat.session.stage().set_rows(*model));  // it is still the task's stage
     CHECK(level_of(*exercise, sat.session) == 4);
     Rows foreign = *model;
     foreign[5][0] += 1;
@@ -439,11 +441,11 @@ TEST_CASE("what is built earns a mark for each level, and the best stage counts"
     CHECK_FALSE(grade(exercise, attempt));
   }
   SUBCASE("nothing else replaces the stage") {
-    const Rows before = sat.session.subject().rows();
-    sat.session.scatter(99);
-    CHECK_FALSE(sat.session.set_generator("cube", 8, 2, 1));
-    CHECK(sat.session.subject().rows() == before);
-    CHECK_FALSE(sat.session.can_undo());
+    const Rows before = sat.session.stage().subject().rows();
+    sat.session.stage().scatter(99);
+    CHECK_FALSE(sat.session.stage().set_generator("cube", 8, 2, 1));
+    CHECK(sat.session.stage().subject().rows() == before);
+    CHECK_FALSE(sat.session.stage().can_undo());
   }
 }
 
@@ -473,16 +475,16 @@ TEST_CASE("a claim is refuted with any number of points, and fewer earn more") {
   const auto mark_with = [&](int more) {
     Rows all = rows;
     for (int i = 0; i < more; ++i) all.push_back({-0.4, 0.1});
-    REQUIRE(sat.session.set_rows(all));
+    REQUIRE(sat.session.stage().set_rows(all));
     return level_of(*exercise, sat.session);
   };
   for (const Rows& flat : {Rows{{0, 0}, {1, 0.3}}, Rows{{0, 0}, {1, 1}, {2, 2}, {3, 3}}}) {
-    REQUIRE(sat.session.set_rows(flat));
+    REQUIRE(sat.session.stage().set_rows(flat));
     CHECK(level_of(*exercise, sat.session) == 0);
     CHECK(now_says(sat.session).find("line") != std::string::npos);
   }
-  CHECK_FALSE(sat.session.set_rows({{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {1, 1, 0}}));  // not in space
-  CHECK_FALSE(sat.session.set_float(true));
+  CHECK_FALSE(sat.session.stage().set_rows({{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {1, 1, 0}}));  // not in space
+  CHECK_FALSE(sat.session.stage().set_float(true));
   CHECK(mark_with(0) == 4);
   CHECK(mark_with(2) == 3);
   CHECK(mark_with(5) == 1);
@@ -501,7 +503,9 @@ TEST_CASE("practice tells at once, takes nothing for a hint, and four fifths of 
   CHECK(sitting.next_price(*session) == 0);
   REQUIRE(sitting.take_hint(*session));
   CHECK_FALSE(sitting.leads_on(*session));
-  while (!sitting.finished(*session)) REQUIRE(session->propose(model_answer(*session->asked(), session->run(0))));
+  while (!sitting.finished(*session))
+    REQUIRE(
+        session->conversation().give(model_answer(*session->conversation().asked(), session->player().run(0)), false));
   CHECK(sitting.leads_on(*session));
   CHECK(sitting.mark(*session) == sitting.of());
   const Exercise hardest = at_level(*exercise, 99);
@@ -520,13 +524,13 @@ TEST_CASE("lines are shuffled anew for each instance, and a typed number follows
   Sat sat(exercise_of("radii-of-boxes"), 4);
   const WrongRule* sum = find_rule(sat.asked(), "sum");
   REQUIRE(sum != nullptr);
-  auto answer = sum->decides(sat.asked(), sat.session.run(0));
+  auto answer = sum->decides(sat.asked(), sat.session.player().run(0));
   REQUIRE(answer);
   answer->number += 0.004;  // as it would be typed
-  REQUIRE(sat.session.propose(*answer));
+  REQUIRE(sat.session.conversation().give(*answer, false));
   CHECK(sat.sitting.rule_says(sat.session).find("half extents") != std::string::npos);
   answer->number = sat.right().number + 0.015;  // near the first try, and right
-  CHECK(sat.session.propose(*answer));
+  CHECK(sat.session.conversation().give(*answer, false));
   CHECK(sat.sitting.mark(sat.session) == 0.5);
 }
 
@@ -553,10 +557,10 @@ TEST_CASE("what the run chooses is what is right: the pair along the main axis, 
       CAPTURE(seed);
       Sat sat(exercise_of(id), seed);
       int checked = 0;
-      for (const Asked& asked : sat.session.questions()) {
+      for (const Asked& asked : sat.session.conversation().questions()) {
         if (asked.asking->name != "extremes" && asked.asking->name != "climb_to") continue;
-        std::vector<Index> right = asked.asking->truth(asked, sat.session.run(0)).points,
-                           chosen = sat.session.run(0).handles(asked.fact);
+        std::vector<Index> right = asked.asking->truth(asked, sat.session.player().run(0)).points,
+                           chosen = sat.session.player().run(0).handles(asked.fact);
         std::sort(right.begin(), right.end()), std::sort(chosen.begin(), chosen.end());
         CHECK(right == chosen);
         ++checked;
@@ -570,10 +574,10 @@ TEST_CASE("what a rectangle touches, and the edge of the smallest, is what the c
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     Sat sat(exercise_of("turn-the-calipers"), seed);
-    const FitRun& run = fit_run(sat.session.run(0));
+    const FitRun& run = fit_run(sat.session.player().run(0));
     std::array<Index, 2> best{};
     int edges = 0;
-    for (const Asked& asked : sat.session.questions()) {
+    for (const Asked& asked : sat.session.conversation().questions()) {
       const Truth truth = asked.asking->truth(asked, run);
       if (asked.asking->name == "smallest_edge") {
         const auto& ends = asked.choice_handles[static_cast<std::size_t>(truth.choices.front())];
@@ -593,10 +597,11 @@ TEST_CASE("what a rectangle touches, and the edge of the smallest, is what the c
 
 TEST_CASE("a decision is asked no more often than its exercise says") {
   Sat sat(exercise_of("be-iterative-ritter"), 5);
-  const auto sides = std::count_if(sat.session.questions().begin(), sat.session.questions().end(),
-                                   [](const Asked& asked) { return asked.asking->name == "side"; });
+  const auto sides =
+      std::count_if(sat.session.conversation().questions().begin(), sat.session.conversation().questions().end(),
+                    [](const Asked& asked) { return asked.asking->name == "side"; });
   CHECK(sides == 8);
-  CHECK(sat.session.run(0).steps() > 40);  // it goes on for more passes
+  CHECK(sat.session.player().run(0).steps() > 40);  // it goes on for more passes
 }
 
 namespace {
@@ -634,9 +639,9 @@ TEST_CASE("of what is exactly tied, each is right, and nothing else is") {
       CAPTURE(at.id);
       CAPTURE(seed);
       const Sat sat(exercise, seed);
-      const Run& run = sat.session.run(0);
+      const Run& run = sat.session.player().run(0);
       int ties = 0;
-      for (const Asked& asked : sat.session.questions()) {
+      for (const Asked& asked : sat.session.conversation().questions()) {
         const Truth truth = asked.asking->truth(asked, run);
         ties += has_tie(asked, run);
         for (const Answer& answer : tied_answers(asked, truth)) CHECK(judge(asked, answer, run).right);
@@ -663,7 +668,7 @@ TEST_CASE("points tied for the farthest from an edge are so in whole numbers") {
   int ties = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Sat sat(exercise, seed);
-    for (const Asked& asked : sat.session.questions()) {
+    for (const Asked& asked : sat.session.conversation().questions()) {
       // "from P3 to P8": the corners; the points are multiples of 1/16
       const std::size_t to = asked.of.find(" to ");
       const auto whole = [&](Index i) {
@@ -681,7 +686,7 @@ TEST_CASE("points tied for the farthest from an edge are so in whole numbers") {
       std::vector<Index> farthest;
       for (const Index i : asked.stage_points)
         if (from_edge(i) == most) farthest.push_back(i);
-      std::vector<Index> right = asked.asking->truth(asked, sat.session.run(0)).points;
+      std::vector<Index> right = asked.asking->truth(asked, sat.session.player().run(0)).points;
       std::sort(right.begin(), right.end()), std::sort(farthest.begin(), farthest.end());
       CHECK(right == farthest);
       ties += right.size() > 1;
@@ -697,10 +702,11 @@ TEST_CASE("after a wrong answer to a tie, one of those that are left is wrong to
     const auto instance = make_instance(*exercise, seed);
     REQUIRE(instance);
     const auto session = open_instance(*exercise, *instance);
-    for (const Asked& asked : session->questions()) {
-      if (!has_tie(asked, session->run(0))) continue;
+    for (const Asked& asked : session->conversation().questions()) {
+      if (!has_tie(asked, session->player().run(0))) continue;
       CAPTURE(seed);
-      const std::size_t wrong = asked.stage_points.size() - asked.asking->truth(asked, session->run(0)).points.size();
+      const std::size_t wrong =
+          asked.stage_points.size() - asked.asking->truth(asked, session->player().run(0)).points.size();
       CHECK(wrong != 1);
       ++second_tries;
     }
@@ -713,7 +719,7 @@ TEST_CASE("of four updates two give the same AABB, and the loose one is square")
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     const Sat sat(exercise, seed);
-    for (const Asked& asked : sat.session.questions()) {
+    for (const Asked& asked : sat.session.conversation().questions()) {
       const auto& body = static_cast<const UpdateSubject&>(*asked.subject);
       const auto widths = [&](const char* name) {
         const auto box = body.box_of(*find_method(*asked.lesson, name));
@@ -722,7 +728,7 @@ TEST_CASE("of four updates two give the same AABB, and the loose one is square")
       CHECK((widths("rebuild") - widths("hill_climb")).norm() < 1e-12);  // a climb allows for rounding
       CHECK(widths("loose")[0] == doctest::Approx(widths("loose")[1]));
       if (!asked.ordered) CHECK(asked.choices.size() == 3);
-      const Truth truth = asked.asking->truth(asked, sat.session.run(0));
+      const Truth truth = asked.asking->truth(asked, sat.session.player().run(0));
       if (asked.ordered) CHECK(asked.choices[static_cast<std::size_t>(truth.choices.front())].starts_with("Loose"));
     }
   }

@@ -12,32 +12,32 @@ TEST_CASE("a newcomer drags, steps and plays, and is asked no more") {
   REQUIRE(invitations.due(session, false) == Invited::kDrag);
   CHECK(invitations.due(session, false) == Invited::kDrag);
   CHECK(invitations.followed() == 0);
-  REQUIRE(session.move(5, {0.4, 0.1, 0}));
+  REQUIRE(session.stage().move(5, {0.4, 0.1, 0}));
   REQUIRE(invitations.due(session, false) == Invited::kStep);
   CHECK(invitations.followed() == 1);
   session.forward();
   // A question stands there, and what is said of it: nothing invites beside them.
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   CHECK_FALSE(invitations.due(session, false));
   CHECK(invitations.followed() == 2);
-  REQUIRE(session.skip());
-  REQUIRE(session.outcome() != nullptr);
+  REQUIRE(session.conversation().give({}, false));
+  REQUIRE(session.conversation().outcome() != nullptr);
   CHECK_FALSE(invitations.due(session, false));
-  REQUIRE(session.acknowledge());
-  REQUIRE(session.asked() != nullptr);
-  REQUIRE(session.skip());
-  REQUIRE(session.acknowledge());
-  REQUIRE(session.asked() == nullptr);
+  REQUIRE(session.conversation().acknowledge());
+  REQUIRE(session.conversation().asked() != nullptr);
+  REQUIRE(session.conversation().give({}, false));
+  REQUIRE(session.conversation().acknowledge());
+  REQUIRE(session.conversation().asked() == nullptr);
   CHECK(invitations.due(session, false) == Invited::kPlay);
   CHECK_FALSE(invitations.due(session, true));
   CHECK(invitations.followed() == Invitations::kAll);
-  session.first();
+  session.go(0);
   CHECK_FALSE(invitations.due(session, false));
 }
 
 TEST_CASE("what was done before an invitation was shown follows none") {
   Session session = open_small();
-  REQUIRE(session.move(5, {0.4, 0.1, 0}));
+  REQUIRE(session.stage().move(5, {0.4, 0.1, 0}));
   session.forward();
   Invitations invitations(0);
   CHECK_FALSE(invitations.due(session, false));  // to drag is the first thing, before the first step
@@ -48,13 +48,13 @@ TEST_CASE("none invites to step where no step is left") {
   Session session = open_small();
   Invitations invitations(0);
   REQUIRE(invitations.due(session, false) == Invited::kDrag);
-  session.jump(session.steps());
-  REQUIRE(session.move(5, {0.4, 0.1, 0}));
-  REQUIRE(session.step() == session.steps());
-  if (session.at_summary()) session.close_summary();
+  session.jump(session.player().steps());
+  REQUIRE(session.stage().move(5, {0.4, 0.1, 0}));
+  REQUIRE(session.player().step() == session.player().steps());
+  if (session.conversation().at_summary()) session.conversation().close_summary();
   CHECK_FALSE(invitations.due(session, false));
   CHECK(invitations.followed() == 1);
-  session.first();
+  session.go(0);
   CHECK(invitations.due(session, false) == Invited::kStep);
 }
 

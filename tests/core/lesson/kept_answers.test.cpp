@@ -25,11 +25,11 @@ TEST_CASE("answers are kept as they were given") {
   pending.pending = true;
   auto given = some();
   given.push_back(pending);
-  const std::vector<Session::DoneTask> done{{.task = 0}, {.task = 2, .by = packed_rows({{0.1, -2}, {1e-300, 3}})}};
+  const std::vector<DoneTask> done{{.task = 0}, {.task = 2, .by = packed_rows({{0.1, -2}, {1e-300, 3}})}};
   const KeptAnswers kept = kept_answers_of(kept_text({given, done}));
   const std::vector<Outcome>& back = kept.outcomes;
   CHECK(kept.tasks == done);
-  CHECK(kept_answers_of("tasks = [1]").tasks == std::vector<Session::DoneTask>{{.task = 1}});  // an earlier version's
+  CHECK(kept_answers_of("tasks = [1]").tasks == std::vector<DoneTask>{{.task = 1}});  // an earlier version's
   REQUIRE(back.size() == 3);
   CHECK(back[2].question == "front");
   CHECK(back[2].pending);

@@ -57,13 +57,14 @@ TEST_CASE("each lesson opens on its result, and the first step shows step 1 or a
   for (const char* id : kSphereLessons) {
     CAPTURE(id);
     Session session = session_of(id);
-    CHECK(session.previewing());
-    REQUIRE(session.line() >= 0);
+    CHECK(session.player().previewing());
+    REQUIRE(session.player().line() >= 0);
     CHECK(recording_of(session, 0)->steps.back().step.has_volume);
-    CHECK(session.asked() == nullptr);
+    CHECK(session.conversation().asked() == nullptr);
     session.forward();
-    CHECK_FALSE(session.previewing());
-    CHECK(session.step() == (session.asked() != nullptr && session.questions().front().step == 0 ? 0 : 1));
+    CHECK_FALSE(session.player().previewing());
+    CHECK(session.player().step() ==
+          (session.conversation().asked() != nullptr && session.conversation().questions().front().step == 0 ? 0 : 1));
   }
 }
 
@@ -71,9 +72,9 @@ TEST_CASE("each lesson asks at least three questions of its first algorithm, in 
   for (const char* id : kSphereLessons) {
     CAPTURE(id);
     Session session = session_of(id);
-    CHECK(session.questions().size() >= 3);
+    CHECK(session.conversation().questions().size() >= 3);
     std::set<std::string> kinds;
-    for (const Asked& asked : session.questions()) kinds.insert(asked.question->asks);
+    for (const Asked& asked : session.conversation().questions()) kinds.insert(asked.question->asks);
     CHECK(kinds.size() >= 2);
   }
 }
@@ -84,9 +85,9 @@ TEST_CASE("each lesson plays to its end with the model answers, and its task is 
     Session session = session_of(id);
     REQUIRE(session.grade().has_value());
     CHECK_FALSE(session.grade()->done);
-    session.start_task();
+    session.stage().start_task();
     CHECK_FALSE(session.grade()->done);
-    session.reset();
+    session.stage().reset();
     const auto played = check::play(session);
     REQUIRE_MESSAGE(played.has_value(), (played ? "" : played.error().message()));
     CHECK(played->sound());
@@ -102,19 +103,19 @@ TEST_CASE("each algorithm of each lesson can be stepped through, forth and back,
     for (const std::string& algorithm : session.lesson().algorithms) {
       CAPTURE(id);
       CAPTURE(algorithm);
-      REQUIRE(session.choose(0, algorithm).has_value());
-      session.first();
+      REQUIRE(session.player().choose(0, algorithm).has_value());
+      session.go(0);
       test::play_to_end(session);
-      CHECK(session.proofs().front().holds);
+      CHECK(session.player().proofs().front().holds);
       int steps = 0;
-      for (; session.step() > 0; session.back(), ++steps) {
-        REQUIRE(session.line() >= 0);
-        CHECK(session.line() < static_cast<int>(session.pseudocode(0).size()));
-        CHECK_FALSE(session.figures().empty());
+      for (; session.player().step() > 0; session.go(session.player().step() - 1), ++steps) {
+        REQUIRE(session.player().line() >= 0);
+        CHECK(session.player().line() < static_cast<int>(session.player().pseudocode(0).size()));
+        CHECK_FALSE(session.telling().figures().empty());
       }
-      CHECK(steps == session.steps());
+      CHECK(steps == session.player().steps());
     }
-    for (const auto& rival : session.rivals()) CHECK(rival.excess > -1e-12);
+    for (const auto& rival : session.player().rivals()) CHECK(rival.excess > -1e-12);
   }
 }
 
@@ -123,13 +124,13 @@ TEST_CASE("a lesson's trace is the same each time, and another for each lesson")
   for (const char* id : kSphereLessons) {
     Session first = session_of(id);
     Session second = session_of(id);
-    CHECK(first.trace_hash() == second.trace_hash());
-    CHECK(hashes.insert(first.trace_hash()).second);
-    const auto own = second.trace_hash();
-    second.scatter(second.seed() + 1);
-    CHECK(second.trace_hash() != own);
-    second.undo();
-    CHECK(second.trace_hash() == own);
+    CHECK(first.player().trace_hash() == second.player().trace_hash());
+    CHECK(hashes.insert(first.player().trace_hash()).second);
+    const auto own = second.player().trace_hash();
+    second.stage().scatter(second.stage().subject().origin().seed + 1);
+    CHECK(second.player().trace_hash() != own);
+    second.stage().undo();
+    CHECK(second.player().trace_hash() == own);
   }
 }
 
@@ -138,14 +139,14 @@ TEST_CASE("scattered anew, each lesson still plays: questions that the points do
   for (const char* id : kSphereLessons) {
     Session session = session_of(id);
     for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-      session.scatter(seed);
+      session.stage().scatter(seed);
       session.forget_answers();
-      session.first();
+      session.go(0);
       const auto all = static_cast<int>(session.lesson().questions.size());
-      asked += static_cast<int>(session.questions().size());
-      left_out += all - static_cast<int>(session.questions().size());
+      asked += static_cast<int>(session.conversation().questions().size());
+      left_out += all - static_cast<int>(session.conversation().questions().size());
       test::play_to_end(session);
-      for (const Outcome& outcome : session.outcomes()) CHECK(outcome.right);
+      for (const Outcome& outcome : session.log().outcomes()) CHECK(outcome.right);
     }
   }
   CHECK(asked > 200);
@@ -154,19 +155,19 @@ TEST_CASE("scattered anew, each lesson still plays: questions that the points do
 
 TEST_CASE("what a run does only by rounding is not asked, and no pass is better by rounding alone") {
   const auto question = [](const Session& session, const char* id) -> const Asked* {
-    for (const Asked& asked : session.questions())
+    for (const Asked& asked : session.conversation().questions())
       if (asked.question->id == id) return &asked;
     return nullptr;
   };
   Session pca = session_of("sphere-pca");
   CHECK(question(pca, "grows-first") != nullptr);
-  pca.scatter(2);  // an end of the first diameter lies outside by rounding, and no other point does
+  pca.stage().scatter(2);  // an end of the first diameter lies outside by rounding, and no other point does
   CHECK(question(pca, "grows-first") == nullptr);
   Session iterative = session_of("sphere-iterative");
-  iterative.scatter(307);  // the first pass ends with Ritter's circle, but for rounding
+  iterative.stage().scatter(307);  // the first pass ends with Ritter's circle, but for rounding
   REQUIRE(question(iterative, "first-pass") != nullptr);
   const int no = 1;
-  CHECK(model_answer(*question(iterative, "first-pass"), iterative.run(0)).value == no);
+  CHECK(model_answer(*question(iterative, "first-pass"), iterative.player().run(0)).value == no);
 }
 
 TEST_CASE("a lesson holds its questions on a mesh as well") {
@@ -176,13 +177,13 @@ TEST_CASE("a lesson holds its questions on a mesh as well") {
     const double t = 0.37 * i;
     mesh.points.emplace_back(std::cos(t), std::sin(t), 0.004 * i - 1);
   }
-  REQUIRE(session.load(mesh, "bunny").has_value());
-  CHECK(session.dim() == 3);
-  session.first();
+  REQUIRE(session.stage().load(mesh, "bunny").has_value());
+  CHECK(session.stage().subject().dim() == 3);
+  session.go(0);
   test::play_to_end(session);
-  REQUIRE_FALSE(session.outcomes().empty());
-  CHECK(session.outcomes().front().question == "which-pair");
-  CHECK(session.questions().front().choices.size() == 3);
+  REQUIRE_FALSE(session.log().outcomes().empty());
+  CHECK(session.log().outcomes().front().question == "which-pair");
+  CHECK(session.conversation().questions().front().choices.size() == 3);
 }
 
 TEST_CASE("the example that lessons/README.md gives is a sound lesson") {
@@ -215,18 +216,19 @@ TEST_CASE("whatever the stage is about, a lesson that reads as before stands as 
     CAPTURE(subject);
     const std::string id = std::string("examples/") + subject;
     Session before = session_of(id);
-    REQUIRE(before.choose(0, before.lesson().algorithms.back()));
-    before.first();
-    REQUIRE(before.move(1, before.point(1) + Point3(0.01, 0.02, before.dim() == 3 ? 0.03 : 0)));
-    before.jump(before.steps() / 2);
+    REQUIRE(before.player().choose(0, before.lesson().algorithms.back()));
+    before.go(0);
+    REQUIRE(before.stage().move(1, before.stage().subject().at(1) +
+                                       Point3(0.01, 0.02, before.stage().subject().dim() == 3 ? 0.03 : 0)));
+    before.jump(before.player().steps() / 2);
     const Reopening place(before);
     Session now = session_of(id);
     place.take(now);
-    CHECK(now.subject().rows() == before.subject().rows());
-    CHECK(now.trace_hash() == before.trace_hash());
-    CHECK(now.step() == before.step());
-    CHECK(now.method(0) == before.method(0));
-    CHECK(now.outcomes().size() == before.outcomes().size());
-    CHECK(now.caption() == before.caption());
+    CHECK(now.stage().subject().rows() == before.stage().subject().rows());
+    CHECK(now.player().trace_hash() == before.player().trace_hash());
+    CHECK(now.player().step() == before.player().step());
+    CHECK(now.player().method(0) == before.player().method(0));
+    CHECK(now.log().outcomes().size() == before.log().outcomes().size());
+    CHECK(now.telling().caption() == before.telling().caption());
   }
 }

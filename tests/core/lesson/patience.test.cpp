@@ -43,9 +43,9 @@ Session open_small(Clock clock) {
 /// Begins an edit that stays to be done, because every piece takes longer than is given at once.
 void begin_long_edit(Session& session) {
   g_step = 0.15e9;
-  session.give_way(true);
-  REQUIRE(session.set_generator("cube", 3'000, 2, 3).has_value());
-  REQUIRE(session.preparing() != nullptr);
+  session.stage().give_way(true);
+  REQUIRE(session.stage().set_generator("cube", 3'000, 2, 3).has_value());
+  REQUIRE(session.stage().preparing() != nullptr);
 }
 
 }  // namespace
@@ -81,91 +81,91 @@ TEST_CASE("times that are noise tell nothing") {
 TEST_CASE("points that a lesson cannot show in time are refused with how many it can, and the stage stays") {
   Session session = open_small(&ticking);
   g_step = 3e9;  // each measured piece takes three seconds
-  const Index before = session.size();
-  const Done done = session.set_generator("cube", 50'000, 2, 3);
+  const Index before = session.stage().subject().size();
+  const Done done = session.stage().set_generator("cube", 50'000, 2, 3);
   REQUIRE_FALSE(done.has_value());
   CHECK(done.error().what.find("would take about") != std::string::npos);
   CHECK(done.error().what.find("50,000 such points") != std::string::npos);
-  CHECK(session.size() == before);
+  CHECK(session.stage().subject().size() == before);
   g_step = 1;
-  CHECK(session.set_generator("cube", 5'000, 2, 3).has_value());
-  CHECK(session.size() == 5'000);
+  CHECK(session.stage().set_generator("cube", 5'000, 2, 3).has_value());
+  CHECK(session.stage().subject().size() == 5'000);
 }
 
 TEST_CASE("a slow moment of the machine refuses nothing: before that, the same points are measured again") {
   Session session = open_small(&hindered);
   g_looks = 0, g_slow_from = 0, g_slow_until = 1 << 30;
-  REQUIRE_FALSE(session.set_generator("cube", 50'000, 2, 3).has_value());
+  REQUIRE_FALSE(session.stage().set_generator("cube", 50'000, 2, 3).has_value());
   const int round = g_looks / 4;  // three times more and more points, and the last of them again
   g_looks = 0, g_slow_from = 2 * round, g_slow_until = 3 * round;
-  CHECK(session.set_generator("cube", 50'000, 2, 3).has_value());
+  CHECK(session.stage().set_generator("cube", 50'000, 2, 3).has_value());
   CHECK(g_looks > g_slow_until);
 }
 
 TEST_CASE("an edit that takes long goes in pieces, and the stage stays until all is there") {
   Session session = open_small(&ticking);
   Session at_once = open_small(&standing);
-  const Index before = session.size();
+  const Index before = session.stage().subject().size();
   begin_long_edit(session);
   double share = 0;
   int pieces = 0;
   bool moves = true;
-  for (; session.preparing() != nullptr; ++pieces) {
+  for (; session.stage().preparing() != nullptr; ++pieces) {
     REQUIRE(pieces < 1000);
-    moves = moves && session.preparing()->share() >= share && session.preparing()->share() <= 1;
-    share = session.preparing()->share();
-    CHECK(session.preparing()->says().find("Working on 3,000 points") == 0);
-    CHECK(session.size() == before);
+    moves = moves && session.stage().preparing()->share() >= share && session.stage().preparing()->share() <= 1;
+    share = session.stage().preparing()->share();
+    CHECK(session.stage().preparing()->says().find("Working on 3,000 points") == 0);
+    CHECK(session.stage().subject().size() == before);
     g_step = 1e6;
-    REQUIRE(session.go_on(0).has_value());
+    REQUIRE(session.stage().go_on(0).has_value());
   }
   CHECK(moves);
   CHECK(pieces > 5);
-  CHECK(session.size() == 3'000);
+  CHECK(session.stage().subject().size() == 3'000);
   // What was computed in pieces is what is computed at once.
-  REQUIRE(at_once.set_generator("cube", 3'000, 2, 3).has_value());
-  CHECK(session.trace_hash() == at_once.trace_hash());
-  REQUIRE(session.rivals().size() == at_once.rivals().size());
-  for (std::size_t i = 0; i < session.rivals().size(); ++i) {
-    CHECK(session.rivals()[i].method == at_once.rivals()[i].method);
-    CHECK(session.rivals()[i].size == at_once.rivals()[i].size);
+  REQUIRE(at_once.stage().set_generator("cube", 3'000, 2, 3).has_value());
+  CHECK(session.player().trace_hash() == at_once.player().trace_hash());
+  REQUIRE(session.player().rivals().size() == at_once.player().rivals().size());
+  for (std::size_t i = 0; i < session.player().rivals().size(); ++i) {
+    CHECK(session.player().rivals()[i].method == at_once.player().rivals()[i].method);
+    CHECK(session.player().rivals()[i].size == at_once.player().rivals()[i].size);
   }
-  session.undo();
-  CHECK(session.size() == before);
-  CHECK(session.is_own());
+  session.stage().undo();
+  CHECK(session.stage().subject().size() == before);
+  CHECK(session.stage().is_own());
 }
 
 TEST_CASE("an edit that is given up changes nothing, and can be made again") {
   Session session = open_small(&ticking);
-  const std::uint64_t trace = session.trace_hash();
+  const std::uint64_t trace = session.player().trace_hash();
   begin_long_edit(session);
-  session.give_up();
-  CHECK(session.preparing() == nullptr);
-  CHECK(session.trace_hash() == trace);
-  CHECK(session.is_own());
-  CHECK_FALSE(session.can_undo());
+  session.stage().give_up();
+  CHECK(session.stage().preparing() == nullptr);
+  CHECK(session.player().trace_hash() == trace);
+  CHECK(session.stage().is_own());
+  CHECK_FALSE(session.stage().can_undo());
   g_step = 1;
-  CHECK(session.set_generator("cube", 3'000, 2, 3).has_value());
-  CHECK(session.size() == 3'000);
+  CHECK(session.stage().set_generator("cube", 3'000, 2, 3).has_value());
+  CHECK(session.stage().subject().size() == 3'000);
 }
 
 TEST_CASE("undo and redo of many points go in pieces as well, and giving one up keeps both ways") {
   Session session = open_small(&ticking);
-  session.give_way(true);
+  session.stage().give_way(true);
   g_step = 1;
-  REQUIRE(session.set_generator("cube", 3'000, 2, 3).has_value());
-  REQUIRE(session.set_generator("cube", 4'000, 2, 3).has_value());
+  REQUIRE(session.stage().set_generator("cube", 3'000, 2, 3).has_value());
+  REQUIRE(session.stage().set_generator("cube", 4'000, 2, 3).has_value());
   g_step = 0.15e9;
-  session.undo();
-  REQUIRE(session.preparing() != nullptr);
-  session.give_up();
-  CHECK(session.size() == 4'000);
-  CHECK((session.can_undo() && !session.can_redo()));
+  session.stage().undo();
+  REQUIRE(session.stage().preparing() != nullptr);
+  session.stage().give_up();
+  CHECK(session.stage().subject().size() == 4'000);
+  CHECK((session.stage().can_undo() && !session.stage().can_redo()));
   g_step = 1;
-  session.undo();
-  CHECK(session.size() == 3'000);
-  session.redo();
-  CHECK(session.size() == 4'000);
+  session.stage().undo();
+  CHECK(session.stage().subject().size() == 3'000);
+  session.stage().redo();
+  CHECK(session.stage().subject().size() == 4'000);
 }
 
 TEST_CASE("a door that waits longer shows more points, and says what can be done with more than that") {
@@ -174,12 +174,12 @@ TEST_CASE("a door that waits longer shows more points, and says what can be done
   } again;
   const auto fit = [](double step) {
     Session session = open_small(&ticking);
-    session.give_way(true);
+    session.stage().give_way(true);
     g_step = step;
-    Done done = session.set_generator("cube", 3'000, 2, 3);
+    Done done = session.stage().set_generator("cube", 3'000, 2, 3);
     double left = 0;
-    for (; done && session.preparing() != nullptr; done = session.go_on(0))
-      left = std::max(left, session.preparing()->left());
+    for (; done && session.stage().preparing() != nullptr; done = session.stage().go_on(0))
+      left = std::max(left, session.stage().preparing()->left());
     return std::pair(done ? std::string() : done.error().what, left);
   };
   CHECK(fit(1e9).first.find("take less than 10 s here") != std::string::npos);
@@ -194,15 +194,15 @@ TEST_CASE("a door that waits longer shows more points, and says what can be done
 
 TEST_CASE("one piece that would hold the page is refused, with how many points can be shown") {
   Session session = open_small(&ticking);
-  session.give_way(true);
+  session.stage().give_way(true);
   g_step = 0.1e9;  // of each piece at an eighth of the points: less than ten seconds for all, but too long for one
-  Done done = session.set_generator("cube", 3'000, 2, 3);
-  while (done && session.preparing() != nullptr) done = session.go_on(0);
+  Done done = session.stage().set_generator("cube", 3'000, 2, 3);
+  while (done && session.stage().preparing() != nullptr) done = session.stage().go_on(0);
   REQUIRE_FALSE(done.has_value());
   CAPTURE(done.error().what);
   CHECK(done.error().what.find("would take about 3.2 s for 3,000 such points, and could not be stopped") !=
         std::string::npos);
   CHECK(done.error().what.find("up to about 1,000 can be shown here") != std::string::npos);
-  CHECK(session.is_own());
-  CHECK_FALSE(session.can_undo());
+  CHECK(session.stage().is_own());
+  CHECK_FALSE(session.stage().can_undo());
 }

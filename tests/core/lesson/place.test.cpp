@@ -32,9 +32,9 @@ void check_leads_back(const Session& stands) {
     CHECK(led_by == *place);
     Session led = open_small();
     REQUIRE(go_to(led_by, led, kNoMesh));
-    CHECK(led.trace_hash() == stands.trace_hash());
-    CHECK(led.step() == stands.step());
-    CHECK(led.subject().rows() == stands.subject().rows());
+    CHECK(led.player().trace_hash() == stands.player().trace_hash());
+    CHECK(led.player().step() == stands.player().step());
+    CHECK(led.stage().subject().rows() == stands.stage().subject().rows());
   }
 }
 
@@ -49,12 +49,12 @@ std::string refusal(const Place& at) {
 TEST_CASE("a step is one of the algorithm that is named") {
   Session session = open_small();
   REQUIRE(go_in_run({.algorithm = "welzl", .step = 3}, session));
-  CHECK(session.step() == 3);
-  CHECK(name_in(session.lesson(), *session.method(0)) == "welzl");
+  CHECK(session.player().step() == 3);
+  CHECK(name_in(session.lesson(), *session.player().method(0)) == "welzl");
   REQUIRE(go_in_run({.algorithm = "sphere/ritter", .step = 2}, session));  // with its volume, as other lessons say it
-  CHECK(name_in(session.lesson(), *session.method(0)) == "ritter");
+  CHECK(name_in(session.lesson(), *session.player().method(0)) == "ritter");
   REQUIRE(go_in_run({.step = Place::kLastStep}, session));
-  CHECK(session.step() == session.steps());
+  CHECK(session.player().step() == session.player().steps());
   CHECK(refusal({.algorithm = "wezl"}) ==
         "the lesson's algorithm is none of ritter, welzl or brute_force: wezl; did you mean welzl?");
   CHECK(refusal({.step = 12}) == "there is no step 12: ritter has 11");
@@ -65,12 +65,12 @@ TEST_CASE("a question stands open where it is asked, or with the outcome of its 
     CAPTURE(id);
     Session session = open_small();
     REQUIRE(go_in_run({.question = id}, session));
-    REQUIRE(session.asked() != nullptr);
-    CHECK(session.asked()->question->id == id);
+    REQUIRE(session.conversation().asked() != nullptr);
+    CHECK(session.conversation().asked()->question->id == id);
     REQUIRE(go_in_run({.question = id, .answered = true}, session));
-    REQUIRE(session.outcome() != nullptr);
-    CHECK(session.outcome()->question == id);
-    CHECK(session.outcome()->right);
+    REQUIRE(session.conversation().outcome() != nullptr);
+    CHECK(session.conversation().outcome()->question == id);
+    CHECK(session.conversation().outcome()->right);
   }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a question that cannot stand is refused with the reason") {
         "the question growth is about ritter, not about welzl");
   CHECK(refusal({.algorithm = "sphere/ritter", .question = "growth"}).empty());
   Session scattered = open_small();
-  scattered.scatter(6);
+  scattered.stage().scatter(6);
   const auto gone = go_in_run({.question = "number"}, scattered);  // asked on the lesson's own points alone
   REQUIRE_FALSE(gone);
   CHECK(gone.error().what == "the question number does not come on what is on the stage");
@@ -91,27 +91,27 @@ TEST_CASE("where a session stands is a place that leads back there: steps, metho
   Session session = open_small();
   check_leads_back(session);
   session.jump(4);
-  REQUIRE(session.choose(0, "welzl"));
-  REQUIRE(session.choose(1, "ritter"));
+  REQUIRE(session.player().choose(0, "welzl"));
+  REQUIRE(session.player().choose(1, "ritter"));
   check_leads_back(session);
-  REQUIRE(session.move(2, {0.1, 1.0 / 3, 0}));
+  REQUIRE(session.stage().move(2, {0.1, 1.0 / 3, 0}));
   check_leads_back(session);
   CHECK(place_now(session, kNoMesh)->moved.size() == 1);
-  REQUIRE(session.add({1, 1, 0}));
+  REQUIRE(session.stage().add({1, 1, 0}));
   check_leads_back(session);
   CHECK(place_now(session, kNoMesh)->rows.size() == 7);
-  REQUIRE(session.set_generator("gaussian", 200, 2, 9));
+  REQUIRE(session.stage().set_generator("gaussian", 200, 2, 9));
   check_leads_back(session);
-  REQUIRE(session.move(150, {3, 3, 0}));
+  REQUIRE(session.stage().move(150, {3, 3, 0}));
   check_leads_back(session);
 }
 
 TEST_CASE("800 points of one's own survive in an address, after a # that no server is told") {
   Session session = open_small();
-  REQUIRE(session.set_generator("cube", 800, 2, 3));
-  Rows rows = session.subject().rows();
+  REQUIRE(session.stage().set_generator("cube", 800, 2, 3));
+  Rows rows = session.stage().subject().rows();
   for (std::vector<double>& row : rows) row[0] *= 1.0 / 3;
-  REQUIRE(session.set_rows(rows));
+  REQUIRE(session.stage().set_rows(rows));
   check_leads_back(session);
   const std::string address = address_of(*place_now(session, kNoMesh));
   const std::size_t at = address.find("#packed=");
@@ -127,7 +127,7 @@ TEST_CASE("a place names its situation, unless it is the lesson's own") {
                            "[situation.points]\ndim = 2\nlist = [[0, 0], [1, 0], [0, 1]]\n";
   Session session = test::open(text);
   CHECK(place_now(session, kNoMesh)->situation.empty());
-  REQUIRE(session.show_situation("three"));
+  REQUIRE(session.stage().show_situation("three"));
   const auto place = place_now(session, kNoMesh);
   CHECK(place->situation == "three");
   CHECK(place->rows.empty());
@@ -178,7 +178,7 @@ TEST_CASE("a part of the way that is refused is told by its key, and the others 
   while (!way.done())
     if (const auto gone = way.go_on(session); !gone) faults.push_back(gone.error().key);
   CHECK(faults == std::vector<std::string>{"from", "algorithm"});
-  CHECK(session.step() == 4);
+  CHECK(session.player().step() == 4);
 }
 
 TEST_CASE("rows that no address has room for are left out, and that is known") {

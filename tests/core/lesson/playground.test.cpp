@@ -36,11 +36,11 @@ Session opened_text(std::string_view toml) {
 
 TEST_CASE("a cloud takes its points along as they stand on the stage") {
   Session session = opened_text(test::kSmallLesson);
-  REQUIRE(session.move(0, {-3, 1, 0}));
+  REQUIRE(session.stage().move(0, {-3, 1, 0}));
   const auto points = points_to_try(session);
   REQUIRE(points.has_value());
   CHECK(points->dim == 2);
-  REQUIRE(points->points.size() == static_cast<std::size_t>(session.size()));
+  REQUIRE(points->points.size() == static_cast<std::size_t>(session.stage().subject().size()));
   CHECK(points->points[0] == Point3(-3, 1, 0));
   CHECK(playground_text(session) == "Try every volume on these points");
 }

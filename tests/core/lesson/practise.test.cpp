@@ -12,13 +12,15 @@ namespace {
 
 /// Plays the run to its end, and gives the model answers to all that it asks.
 void play_through(Session& session) {
-  session.first();
-  for (int turns = 0; session.step() < session.steps() || session.asked() != nullptr; ++turns) {
+  session.go(0);
+  for (int turns = 0; session.player().step() < session.player().steps() || session.conversation().asked() != nullptr;
+       ++turns) {
     REQUIRE(turns < 1000);
-    if (session.asked() != nullptr) REQUIRE(session.answer(model_answer(*session.asked(), session.run(0))));
+    if (session.conversation().asked() != nullptr)
+      REQUIRE(session.conversation().give(model_answer(*session.conversation().asked(), session.player().run(0))));
     session.forward();
   }
-  while (session.acknowledge()) {
+  while (session.conversation().acknowledge()) {
   }
 }
 
@@ -27,48 +29,48 @@ void play_through(Session& session) {
 TEST_CASE("on other points each question is open again, and no answer is lost") {
   Session session = test::open_small();
   play_through(session);
-  CHECK(session.tally().open == 0);
-  const std::size_t before = session.outcomes().size();
+  CHECK(session.conversation().tally().open == 0);
+  const std::size_t before = session.log().outcomes().size();
   const Progress progress = progress_of(session);
-  REQUIRE(session.can_practise());
-  REQUIRE(session.practise());
-  CHECK(session.seed() != session.own().origin().seed);
-  CHECK(session.instance() == session.seed());
-  CHECK(session.step() == 0);
-  CHECK_FALSE(session.at_summary());
-  REQUIRE(session.questions().size() > 0);
-  CHECK(session.tally().open == static_cast<int>(session.questions().size()));
-  CHECK(session.outcomes().size() == before);
+  REQUIRE(session.conversation().can_practise());
+  REQUIRE(session.conversation().practise());
+  CHECK(session.stage().subject().origin().seed != session.stage().own().origin().seed);
+  CHECK(session.conversation().instance() == session.stage().subject().origin().seed);
+  CHECK(session.player().step() == 0);
+  CHECK_FALSE(session.conversation().at_summary());
+  REQUIRE(session.conversation().questions().size() > 0);
+  CHECK(session.conversation().tally().open == static_cast<int>(session.conversation().questions().size()));
+  CHECK(session.log().outcomes().size() == before);
   play_through(session);
-  CHECK(session.tally().open == 0);
-  CHECK(session.tally().right == static_cast<int>(session.questions().size()));
-  CHECK(session.outcomes().size() == before + session.questions().size());
+  CHECK(session.conversation().tally().open == 0);
+  CHECK(session.conversation().tally().right == static_cast<int>(session.conversation().questions().size()));
+  CHECK(session.log().outcomes().size() == before + session.conversation().questions().size());
   CHECK(progress_of(session).answered == progress.answered);
 
   const KeptAnswers kept = kept_answers_of(kept_text(answers_of(session)));
   Session again = test::open_small();
   take_up(again, kept);
-  CHECK(again.outcomes().size() == session.outcomes().size());
-  CHECK(again.instance() == 0);
-  again.scatter(session.seed());
-  CHECK(again.instance() == session.seed());  // it is known from the answers
-  CHECK(again.tally().open == 0);
+  CHECK(again.log().outcomes().size() == session.log().outcomes().size());
+  CHECK(again.conversation().instance() == 0);
+  again.stage().scatter(session.stage().subject().origin().seed);
+  CHECK(again.conversation().instance() == session.stage().subject().origin().seed);  // it is known from the answers
+  CHECK(again.conversation().tally().open == 0);
 
-  session.undo();  // all of it is one entry
-  CHECK(session.seed() == session.own().origin().seed);
-  session.reset();
-  CHECK(session.instance() == 0);
-  CHECK(session.tally().open == 0);
+  session.stage().undo();  // all of it is one entry
+  CHECK(session.stage().subject().origin().seed == session.stage().own().origin().seed);
+  session.stage().reset();
+  CHECK(session.conversation().instance() == 0);
+  CHECK(session.conversation().tally().open == 0);
 }
 
 TEST_CASE("what is changed by hand is asked nothing anew") {
   Session session = test::open_small();
   play_through(session);
-  session.scatter(session.seed() + 5);  // the button that only scatters
-  CHECK(session.instance() == 0);
-  REQUIRE(session.practise());
-  REQUIRE(session.move(0, {0.5, 0.5, 0}).has_value());
-  CHECK(session.instance() == 0);
-  session.undo();
-  CHECK(session.instance() == session.seed());
+  session.stage().scatter(session.stage().subject().origin().seed + 5);  // the button that only scatters
+  CHECK(session.conversation().instance() == 0);
+  REQUIRE(session.conversation().practise());
+  REQUIRE(session.stage().move(0, {0.5, 0.5, 0}).has_value());
+  CHECK(session.conversation().instance() == 0);
+  session.stage().undo();
+  CHECK(session.conversation().instance() == session.stage().subject().origin().seed);
 }

@@ -20,11 +20,11 @@ std::string two_runs() {
 
 /// Answers what is asked next, and goes on.
 void answer_one(Session& session) {
-  for (int turns = 0; session.asked() == nullptr; ++turns) {
+  for (int turns = 0; session.conversation().asked() == nullptr; ++turns) {
     REQUIRE(turns < 1000);
     session.forward();
   }
-  REQUIRE(session.answer(model_answer(*session.asked(), session.run(0))));
+  REQUIRE(session.conversation().give(model_answer(*session.conversation().asked(), session.player().run(0))));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ TEST_CASE("as many answers as another run asks do not make a lesson done") {
   Session session = test::open(two_runs());
   CHECK_FALSE(progress_of(session).begun);
   answer_one(session);
-  REQUIRE(session.choose(0, "welzl"));  // whose run asks one question
+  REQUIRE(session.player().choose(0, "welzl"));  // whose run asks one question
   CHECK(progress_of(session).begun);
   CHECK(progress_of(session).answered == 1);
   CHECK(progress_of(session).asked == 4);
@@ -42,21 +42,22 @@ TEST_CASE("as many answers as another run asks do not make a lesson done") {
   test::play_to_end(session);
   CHECK(progress_of(session).answered == 2);
   CHECK_FALSE(progress_of(session).done);
-  REQUIRE(session.choose(0, "ritter"));
-  session.first();
+  REQUIRE(session.player().choose(0, "ritter"));
+  session.go(0);
   test::play_to_end(session);
   CHECK(progress_of(session).answered == 4);
   CHECK(progress_of(session).done);
-  REQUIRE(session.choose(0, "brute_force"));  // which asks nothing
+  REQUIRE(session.player().choose(0, "brute_force"));  // which asks nothing
   CHECK(progress_of(session).done);
 }
 
 TEST_CASE("skipped questions are not done, and are taken over as skipped") {
   Session session = test::open_small();
   answer_one(session);
-  for (int turns = 0; session.step() < session.steps() || session.asked() != nullptr; ++turns) {
+  for (int turns = 0; session.player().step() < session.player().steps() || session.conversation().asked() != nullptr;
+       ++turns) {
     REQUIRE(turns < 1000);
-    if (session.asked() != nullptr) REQUIRE(session.skip());
+    if (session.conversation().asked() != nullptr) REQUIRE(session.conversation().give({}, false));
     session.forward();
   }
   CHECK(progress_of(session).answered == 1);
@@ -75,11 +76,11 @@ TEST_CASE("a lesson that is about a slider is done once it was moved, and its su
   test::play_to_end(session);
   CHECK(progress_of(session).answered == 4);
   CHECK_FALSE(progress_of(session).done);
-  CHECK(session.score().find("Still to do: move the slider “Offset”.") != std::string::npos);
-  REQUIRE(session.slide(0, 4));
+  CHECK(session.conversation().score().find("Still to do: move the slider “Offset”.") != std::string::npos);
+  REQUIRE(session.stage().slide(0, 4));
   CHECK(progress_of(session).done);
   Session later = test::open(text);
   take_up(later, kept_answers_of(kept_text(answers_of(session))));
   CHECK(progress_of(later).done);
-  CHECK(later.sliders_to_move().empty());
+  CHECK(later.log().to_move().empty());
 }

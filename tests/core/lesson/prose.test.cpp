@@ -50,7 +50,7 @@ std::string blocks(std::string_view text) {
 std::string now(const Session& session, std::string_view figure) {
   const auto named = figure_named(figure);
   REQUIRE(named);
-  ProseFigures figures(session);
+  ProseFigures figures(session.conversation());
   const FigureNow& found = figures.of(*named);
   return found.text + (found.says.empty() ? "" : " " + std::string(found.says));
 }
@@ -62,7 +62,7 @@ const std::string* figure_text(const std::vector<Figure>& figures, std::string_v
 
 /// As the inspector shows it, on one line.
 std::string shown(const Session& session, std::string_view key) {
-  const std::vector<Figure> figures = session.figures();
+  const std::vector<Figure> figures = session.telling().figures();
   const std::string* text = figure_text(figures, key);
   REQUIRE(text != nullptr);
   std::string line = *text;
@@ -193,8 +193,8 @@ TEST_CASE("a figure without an algorithm is that of the inspector; with one, its
       open(small_lesson_with(test::kSmallText, "Now {radius}, in the end {radius welzl} and {count radius ritter}."));
   CHECK(session.lesson().figures.size() == 3);
   CHECK(now(session, "radius") == "… not known yet");
-  while (session.asked() != nullptr || session.step() < session.steps()) {
-    if (session.asked() != nullptr) REQUIRE(session.skip());
+  while (session.conversation().asked() != nullptr || session.player().step() < session.player().steps()) {
+    if (session.conversation().asked() != nullptr) REQUIRE(session.conversation().give({}, false));
     session.forward();
   }
   CHECK(now(session, "radius") == "2.250\u00a0units");
@@ -204,9 +204,9 @@ TEST_CASE("a figure without an algorithm is that of the inspector; with one, its
   session.go(3);
   CHECK(now(session, "radius") == "2.000\u00a0units");
   CHECK(now(session, "radius ritter") == "2.250\u00a0units");
-  REQUIRE(session.move(4, {0, 1, 0}));  // now the two at the ends of the diameter are the outermost
+  REQUIRE(session.stage().move(4, {0, 1, 0}));  // now the two at the ends of the diameter are the outermost
   for (const char* name : {"radius", "radius ritter", "radius welzl"}) CHECK(now(session, name) == "2.000\u00a0units");
-  session.undo();
+  session.stage().undo();
   CHECK(now(session, "radius welzl") == "2.050\u00a0units");
   CHECK(now(session, "outside") == shown(session, "outside"));
   CHECK(now(session, "count outside") == "1");
@@ -217,7 +217,7 @@ TEST_CASE("a sentence is left out while its figure has no value yet; a list and 
       open(small_lesson_with(test::kSmallText, "One **term**. Now it is {radius}, no more. In the end {radius welzl}."
                                                "\n\n- {radius} so far\n\n| now |\n|---|\n| {radius} |\n"));
   const auto told = [&](const Block& block) {
-    ProseFigures figures(session);
+    ProseFigures figures(session.conversation());
     const Paragraph& paragraph = block.rows.back().front();
     std::string text;
     for (const Stretch& one : paragraph)
@@ -251,11 +251,11 @@ because = "So large."
   CHECK(now(session, "radius") == "… hidden until you answer");
   CHECK(now(session, "radius ritter") == "… hidden until you answer");
   session.jump(8);
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   CHECK(now(session, "radius") == "… hidden until you answer");
   CHECK(now(session, "excess welzl") == "… hidden until you answer");
   CHECK(now(session, "outside") == shown(session, "outside"));
-  REQUIRE(session.skip());
+  REQUIRE(session.conversation().give({}, false));
   CHECK(now(session, "radius") == "2.250\u00a0units");
   CHECK(now(session, "excess welzl") == "0.0\u00a0%");
 }
@@ -263,7 +263,7 @@ because = "So large."
 TEST_CASE("an algorithm that cannot take the points has no figures") {
   Session session = open(small_lesson_with(test::kSmallText, "{radius brute_force}"));
   CHECK(now(session, "radius brute_force") == "2.050\u00a0units");
-  REQUIRE(session.set_generator("cube", 60, 2, 1));
+  REQUIRE(session.stage().set_generator("cube", 60, 2, 1));
   CHECK(now(session, "radius brute_force") == "… not for these points");
 }
 
@@ -278,8 +278,8 @@ TEST_CASE("what a result has none of is not called unknown: it will not be known
 
 TEST_CASE("prompts are plain words where there is no markup, and a search finds no figures") {
   Session session = open(small_lesson_with("\"Which pair?\"", "\"Which *pair* of {count radius welzl}?\""));
-  ProseFigures figures(session);
-  CHECK(plain_now(session.questions().front().prompt, figures) == "Which pair of 2.050?");
+  ProseFigures figures(session.conversation());
+  CHECK(plain_now(session.conversation().questions().front().prompt, figures) == "Which pair of 2.050?");
   const Session strong = open(small_lesson_with(test::kSmallText, "**Bounds** and **{radius}**"));
   CHECK(search_text(strong.lesson(), 1, "", {}).find("…") == std::string::npos);
 }

@@ -506,9 +506,9 @@ TEST_CASE("a key of more dots than a file needs is refused before it is read") {
 TEST_CASE("a lesson's own pseudocode stands in for the catalogue's, line for line") {
   auto session = test::open(small_lesson_with(
       "[[task]]", "[pseudocode.ritter]\nlines = [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"]\n[[task]]"));
-  REQUIRE(session.pseudocode(0).size() == 6);
-  CHECK(session.pseudocode(0)[2] == "c");
-  REQUIRE(session.choose(0, "welzl").has_value());
-  CHECK(session.pseudocode(0).size() == session.method(0)->pseudocode.size());
-  CHECK(session.pseudocode(0)[0] == session.method(0)->pseudocode[0]);
+  REQUIRE(session.player().pseudocode(0).size() == 6);
+  CHECK(session.player().pseudocode(0)[2] == "c");
+  REQUIRE(session.player().choose(0, "welzl").has_value());
+  CHECK(session.player().pseudocode(0).size() == session.player().method(0)->pseudocode.size());
+  CHECK(session.player().pseudocode(0)[0] == session.player().method(0)->pseudocode[0]);
 }

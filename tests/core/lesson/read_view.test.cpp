@@ -99,29 +99,29 @@ TEST_CASE("what is wrong with it is told with its place and, where there is one,
 TEST_CASE("points have their names in sentences, choices, typed answers and links") {
   Session session = test::open(with_view("names = [\"Anna\", \"Ben\", \"Cleo\"]"));
   session.go(1);
-  REQUIRE(session.asked() != nullptr);
-  REQUIRE(session.answer(test::choice(0)));
-  CHECK(session.caption().find("Anna and Ben, the extremes along x") != std::string::npos);
-  CHECK(session.outcome()->says.find("Anna and Ben") != std::string::npos);
-  session.acknowledge();
+  REQUIRE(session.conversation().asked() != nullptr);
+  REQUIRE(session.conversation().give(test::choice(0)));
+  CHECK(session.telling().caption().find("Anna and Ben, the extremes along x") != std::string::npos);
+  CHECK(session.conversation().outcome()->says.find("Anna and Ben") != std::string::npos);
+  session.conversation().acknowledge();
   session.go(2);
-  CHECK(session.target_names() == std::vector<std::string>{"Anna", "Ben", "Cleo", "P3", "P4", "P5"});
-  CHECK_FALSE(session.pick("P0"));
-  CHECK(session.pick("ben"));
-  CHECK(handle_named(session.subject(), "Cleo") == Index{2});
-  CHECK_FALSE(handle_named(session.subject(), "P2"));
-  REQUIRE(session.remove(0));  // the others keep theirs
-  CHECK(session.name_of(0) == "Ben");
-  CHECK(session.name_of(2) == "P2");
-  session.undo();
-  CHECK(session.name_of(0) == "Anna");
+  CHECK(session.conversation().target_names() == std::vector<std::string>{"Anna", "Ben", "Cleo", "P3", "P4", "P5"});
+  CHECK_FALSE(session.conversation().pick("P0"));
+  CHECK(session.conversation().pick("ben"));
+  CHECK(handle_named(session.stage().subject(), "Cleo") == Index{2});
+  CHECK_FALSE(handle_named(session.stage().subject(), "P2"));
+  REQUIRE(session.stage().remove(0));  // the others keep theirs
+  CHECK(session.stage().subject().name_of(0) == "Ben");
+  CHECK(session.stage().subject().name_of(2) == "P2");
+  session.stage().undo();
+  CHECK(session.stage().subject().name_of(0) == "Anna");
 }
 
 TEST_CASE("lengths have the decimals that the file asks for, and none is written as 0 that is not") {
   const auto radius = [](const std::string& keys) {
     Session session = test::open(keys.empty() ? std::string(test::kSmallLesson) : with_view(keys));
-    session.jump(session.steps());
-    for (const Figure& figure : session.figures())
+    session.jump(session.player().steps());
+    for (const Figure& figure : session.telling().figures())
       if (figure.key == "radius") return figure.text;
     return std::string();
   };
@@ -171,16 +171,16 @@ TEST_CASE("a gap is written with two digits, and the lengths around it with deci
 TEST_CASE("the sentence about an axis shows the gap in its numbers, as the figures do") {
   Session session = boxes("[[-1, 0], [1.0003, 0]]");
   session.jump(2);
-  CHECK(session.caption().find("the distance 2.00030 is greater than r_A\u00a0+\u00a0r_B = 1.00000 + 1.00000") !=
-        std::string::npos);
-  for (const Figure& figure : session.figures()) {
+  CHECK(session.telling().caption().find(
+            "the distance 2.00030 is greater than r_A\u00a0+\u00a0r_B = 1.00000 + 1.00000") != std::string::npos);
+  for (const Figure& figure : session.telling().figures()) {
     if (figure.key == "distance") CHECK(figure.text == "2.00030 units");
     if (figure.key == "gap") CHECK(figure.text == "0.00030 units");
   }
 }
 
 TEST_CASE("the gap between two boxes is where they are nearest, and where they would touch") {
-  const auto gap = [](const std::string& centers) { return *boxes(centers).subject().with_volumes()->gap(); };
+  const auto gap = [](const std::string& centers) { return *boxes(centers).stage().subject().with_volumes()->gap(); };
   const auto apart = gap("[[-1, 0], [1.003, 0]]");
   CHECK(apart[0][0] == doctest::Approx(0));
   CHECK(apart[1][0] == doctest::Approx(0.003));

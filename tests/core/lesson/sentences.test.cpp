@@ -249,7 +249,7 @@ std::vector<lesson::Session> scene_sessions() {
       lesson.algorithms = {pairs ? "tree" : "hill_climb"};
       auto session = lesson::Session::open(std::move(lesson));
       REQUIRE(session.has_value());
-      REQUIRE(session->steps() == 30);
+      REQUIRE(session->player().steps() == 30);
       sessions.push_back(*std::move(session));
     }
   return sessions;
@@ -293,7 +293,8 @@ TEST_CASE("a caption is one sentence: a capital, a full stop, no break, no numbe
   check_fit(*fit::find_algorithm("sphere", "welzl_naive"), small_grid(200));
   for (const auto& sessions : {box_sessions, volume_sessions, frustum_sessions, field_sessions, tree_sessions,
                                scene_sessions, update_sessions})
-    for (const lesson::Session& session : sessions()) check(session.run(0), session.dim(), true);
+    for (const lesson::Session& session : sessions())
+      check(session.player().run(0), session.stage().subject().dim(), true);
   for (const lesson::SubjectRow* subject : lesson::subjects())
     for (const std::string_view fact : subject->facts()) CHECK_MESSAGE(seen.count(fact) == 1, fact);
 }

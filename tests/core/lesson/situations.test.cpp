@@ -65,7 +65,7 @@ std::string only_mistake(const std::string& more) {
 
 std::vector<std::string> asked_in(const Session& session) {
   std::vector<std::string> ids;
-  for (const Asked& asked : session.questions()) ids.push_back(asked.question->id);
+  for (const Asked& asked : session.conversation().questions()) ids.push_back(asked.question->id);
   return ids;
 }
 
@@ -73,53 +73,53 @@ std::vector<std::string> asked_in(const Session& session) {
 
 TEST_CASE("a lesson has its own situation and others, each with its points and its questions") {
   Session session = open(two_situations());
-  CHECK(session.situation() == "own");
-  CHECK(session.size() == 6);
+  CHECK(session.stage().situation() == "own");
+  CHECK(session.stage().subject().size() == 6);
   CHECK(asked_in(session) == std::vector<std::string>{"pair", "growth", "again", "number"});
-  REQUIRE(session.show_situation("square"));
-  CHECK(session.situation() == "square");
-  CHECK(session.size() == 5);
-  CHECK(session.step() == 0);
-  CHECK(session.is_own());
+  REQUIRE(session.stage().show_situation("square"));
+  CHECK(session.stage().situation() == "square");
+  CHECK(session.stage().subject().size() == 5);
+  CHECK(session.player().step() == 0);
+  CHECK(session.stage().is_own());
   CHECK(asked_in(session) == std::vector<std::string>{"square_pair"});
   CHECK(situation_title(session.lesson(), "square") == "A square");
-  CHECK(session.situations_waiting() == std::vector<std::string>{"own"});
-  const Done none = session.show_situation("circle");
+  CHECK(session.log().situations_waiting(session.stage().situation()) == std::vector<std::string>{"own"});
+  const Done none = session.stage().show_situation("circle");
   REQUIRE(!none);
   CHECK(none.error().what == "there is no situation circle");
-  CHECK(session.situation() == "square");
+  CHECK(session.stage().situation() == "square");
 }
 
 TEST_CASE("points that were moved in a situation are kept while another is shown, and reset brings back its own") {
   Session session = open(two_situations());
-  REQUIRE(session.move(5, {3, 3, 0}));
-  REQUIRE(session.show_situation("square"));
-  REQUIRE(session.move(4, {0.5, 0, 0}));
-  CHECK(!session.is_own());
-  REQUIRE(session.show_situation("own"));
-  CHECK(session.point(5) == Point3(3, 3, 0));
-  CHECK(!session.is_own());
-  REQUIRE(session.show_situation("square"));
-  CHECK(session.point(4) == Point3(0.5, 0, 0));
-  session.reset();
-  CHECK(session.situation() == "square");
-  CHECK(session.is_own());
-  CHECK(session.point(4) == Point3(0, 0, 0));
+  REQUIRE(session.stage().move(5, {3, 3, 0}));
+  REQUIRE(session.stage().show_situation("square"));
+  REQUIRE(session.stage().move(4, {0.5, 0, 0}));
+  CHECK(!session.stage().is_own());
+  REQUIRE(session.stage().show_situation("own"));
+  CHECK(session.stage().subject().at(5) == Point3(3, 3, 0));
+  CHECK(!session.stage().is_own());
+  REQUIRE(session.stage().show_situation("square"));
+  CHECK(session.stage().subject().at(4) == Point3(0.5, 0, 0));
+  session.stage().reset();
+  CHECK(session.stage().situation() == "square");
+  CHECK(session.stage().is_own());
+  CHECK(session.stage().subject().at(4) == Point3(0, 0, 0));
 }
 
 TEST_CASE("a figure of a method's result is that of the situation that is shown") {
   Session session = open(two_situations());
   const auto radius = [&] {
     std::string text;
-    for (const Figure& figure : session.result(*session.method(0)))
+    for (const Figure& figure : session.player().result(*session.player().method(0)))
       if (figure.key == "radius") text = figure.text;
     return text;
   };
   const std::string own = radius();
   REQUIRE(!own.empty());
-  REQUIRE(session.show_situation("square"));
+  REQUIRE(session.stage().show_situation("square"));
   CHECK(radius() != own);
-  REQUIRE(session.show_situation("own"));
+  REQUIRE(session.stage().show_situation("own"));
   CHECK(radius() == own);
 }
 
@@ -129,9 +129,9 @@ TEST_CASE("a lesson that opens at its end begins a situation before the first st
     return text.insert(text.find(seed) + seed.size(), "start = \"end\"\n");
   };
   Session told = open(from_end(two_situations()));
-  CHECK(told.previewing());
-  REQUIRE(told.show_situation("square"));
-  CHECK((told.previewing() && told.step() == told.steps()));
+  CHECK(told.player().previewing());
+  REQUIRE(told.stage().show_situation("square"));
+  CHECK((told.player().previewing() && told.player().step() == told.player().steps()));
 
   const std::string_view without_question = kSquare.substr(0, kSquare.find("[[question]]"));
   Session asking = open(from_end(std::string(kSmallLesson) + std::string(without_question) + R"(
@@ -145,51 +145,51 @@ asks = "axis"
 prompt = "Which pair?"
 because = "Both are as far apart."
 )"));
-  CHECK(asking.previewing());
-  REQUIRE(asking.show_situation("square"));
-  CHECK((!asking.previewing() && asking.step() == 0));
-  REQUIRE(asking.asked() != nullptr);
-  CHECK(asking.asked()->question->id == "first");
+  CHECK(asking.player().previewing());
+  REQUIRE(asking.stage().show_situation("square"));
+  CHECK((!asking.player().previewing() && asking.player().step() == 0));
+  REQUIRE(asking.conversation().asked() != nullptr);
+  CHECK(asking.conversation().asked()->question->id == "first");
 }
 
 TEST_CASE("a switch is one entry of undo, and the player stands where it stood in each situation") {
   Session session = open(two_situations());
   session.jump(4);
-  REQUIRE(session.show_situation("square"));
-  REQUIRE(session.move(4, {0.5, 0, 0}));
-  session.undo();
-  CHECK(session.situation() == "square");
-  CHECK(session.is_own());
-  session.undo();
-  CHECK(session.situation() == "own");
-  CHECK(session.step() == 4);
-  CHECK(!session.can_undo());
-  session.redo();
-  CHECK(session.situation() == "square");
-  session.redo();
-  CHECK(session.point(4) == Point3(0.5, 0, 0));
-  CHECK(!session.can_redo());
+  REQUIRE(session.stage().show_situation("square"));
+  REQUIRE(session.stage().move(4, {0.5, 0, 0}));
+  session.stage().undo();
+  CHECK(session.stage().situation() == "square");
+  CHECK(session.stage().is_own());
+  session.stage().undo();
+  CHECK(session.stage().situation() == "own");
+  CHECK(session.player().step() == 4);
+  CHECK(!session.stage().can_undo());
+  session.stage().redo();
+  CHECK(session.stage().situation() == "square");
+  session.stage().redo();
+  CHECK(session.stage().subject().at(4) == Point3(0.5, 0, 0));
+  CHECK(!session.stage().can_redo());
 }
 
 TEST_CASE("a scatter, a task and another algorithm keep to the situation") {
   Session session = open(two_situations());
-  REQUIRE(session.show_situation("square"));
-  session.scatter(9);
-  CHECK(session.situation() == "square");
-  CHECK(session.size() == 5);
-  session.scatter(5);
-  CHECK(session.is_own());
-  REQUIRE(session.choose(0, "welzl"));
-  CHECK(session.situation() == "square");
-  REQUIRE(session.set_generator("cube", 9, 2, 3));
-  CHECK(session.situation() == "square");
-  CHECK(session.size() == 9);
+  REQUIRE(session.stage().show_situation("square"));
+  session.stage().scatter(9);
+  CHECK(session.stage().situation() == "square");
+  CHECK(session.stage().subject().size() == 5);
+  session.stage().scatter(5);
+  CHECK(session.stage().is_own());
+  REQUIRE(session.player().choose(0, "welzl"));
+  CHECK(session.stage().situation() == "square");
+  REQUIRE(session.stage().set_generator("cube", 9, 2, 3));
+  CHECK(session.stage().situation() == "square");
+  CHECK(session.stage().subject().size() == 9);
 }
 
 TEST_CASE("the section about a situation is the one at hand there, and its steps' section is its own") {
   Session session = open(two_situations());
   CHECK(!section_at(session));
-  REQUIRE(session.show_situation("square"));
+  REQUIRE(session.stage().show_situation("square"));
   CHECK(section_at(session) == 1);
 }
 

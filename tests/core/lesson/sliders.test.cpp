@@ -52,27 +52,27 @@ std::string only_mistake_of(const std::string& text) {
   return mistakes.front().message();
 }
 
-double angle_of_b(const Session& session) { return session.subject().numbers()[1].rows[2].values[0]; }
+double angle_of_b(const Session& session) { return session.stage().subject().numbers()[1].rows[2].values[0]; }
 
 }  // namespace
 
 TEST_CASE("a slider shows a number of what stands on the stage, and drives it") {
   Session session = open(std::string(kBoxes));
-  REQUIRE(session.sliders().size() == 1);
-  CHECK(session.sliders()[0].text == "30°");
-  CHECK(session.sliders()[0].place == 6);
-  CHECK(session.sliders()[0].places == 72);
-  CHECK(session.is_own());
-  const auto before = session.trace_hash();
-  REQUIRE(session.slide_to_place(0, 20));
-  CHECK(session.sliders()[0].text == "100°");
+  REQUIRE(session.stage().sliders().size() == 1);
+  CHECK(session.stage().sliders()[0].text == "30°");
+  CHECK(session.stage().sliders()[0].place == 6);
+  CHECK(session.stage().sliders()[0].places == 72);
+  CHECK(session.stage().is_own());
+  const auto before = session.player().trace_hash();
+  REQUIRE(session.stage().slide_to_place(0, 20));
+  CHECK(session.stage().sliders()[0].text == "100°");
   CHECK(angle_of_b(session) == doctest::Approx(100));
-  CHECK(session.trace_hash() != before);
-  CHECK(!session.is_own());
-  CHECK(session.has_slid());
-  session.undo();
-  CHECK(session.sliders()[0].text == "30°");
-  CHECK(session.trace_hash() == before);
+  CHECK(session.player().trace_hash() != before);
+  CHECK(!session.stage().is_own());
+  CHECK(session.stage().has_slid());
+  session.stage().undo();
+  CHECK(session.stage().sliders()[0].text == "30°");
+  CHECK(session.player().trace_hash() == before);
 }
 
 TEST_CASE("what is read without its checks opens, though a slider has nothing to drive: it is not shown") {
@@ -82,72 +82,72 @@ TEST_CASE("what is read without its checks opens, though a slider has nothing to
   REQUIRE(lesson);
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session);
-  CHECK(session->sliders().empty());
-  CHECK(session->slide_to_place(0, 3));
-  CHECK(session->is_own());
+  CHECK(session->stage().sliders().empty());
+  CHECK(session->stage().slide_to_place(0, 3));
+  CHECK(session->stage().is_own());
   CHECK(only_mistake_of(text).find("did you mean B turn?") != std::string::npos);
 }
 
 TEST_CASE("from one end of a slider to the other and back, the lesson's own stands again") {
   Session session = open(std::string(kBoxes));
-  const auto own = session.trace_hash();
-  for (const int place : {0, 72, 41, 6}) REQUIRE(session.slide_to_place(0, place));
-  CHECK(session.is_own());
-  CHECK(session.trace_hash() == own);
-  CHECK(session.sliders()[0].value == doctest::Approx(30));
+  const auto own = session.player().trace_hash();
+  for (const int place : {0, 72, 41, 6}) REQUIRE(session.stage().slide_to_place(0, place));
+  CHECK(session.stage().is_own());
+  CHECK(session.player().trace_hash() == own);
+  CHECK(session.stage().sliders()[0].value == doctest::Approx(30));
 }
 
 TEST_CASE("a slider drives what the rows of numbers do not have: how near the near plane of a frustum is") {
   for (const char* id : {"frustum-matrix", "cases/far-plane"}) {
     CAPTURE(id);
     Session session = test::session_of(id);
-    const auto own = session.trace_hash();
-    const double start = session.sliders()[0].value;
-    for (const int place : {0, session.sliders()[0].places}) {
-      REQUIRE(session.slide_to_place(0, place));
-      CHECK(session.sliders()[0].place == place);
-      CHECK(session.trace_hash() != own);
-      CHECK_FALSE(session.is_own());
+    const auto own = session.player().trace_hash();
+    const double start = session.stage().sliders()[0].value;
+    for (const int place : {0, session.stage().sliders()[0].places}) {
+      REQUIRE(session.stage().slide_to_place(0, place));
+      CHECK(session.stage().sliders()[0].place == place);
+      CHECK(session.player().trace_hash() != own);
+      CHECK_FALSE(session.stage().is_own());
     }
-    REQUIRE(session.slide(0, start));
-    CHECK(session.is_own());
-    CHECK(session.trace_hash() == own);
+    REQUIRE(session.stage().slide(0, start));
+    CHECK(session.stage().is_own());
+    CHECK(session.player().trace_hash() == own);
   }
 }
 
 TEST_CASE("a drag of a slider is one entry of undo, and the run follows each of its moves") {
   Session session = open(std::string(kBoxes));
-  session.begin_drag();
+  session.stage().begin_drag();
   for (int place = 7; place < 20; ++place) {
-    REQUIRE(session.slide_to_place(0, place));
+    REQUIRE(session.stage().slide_to_place(0, place));
     CHECK(angle_of_b(session) == doctest::Approx(5 * place));
   }
-  session.end_drag();
-  session.undo();
-  CHECK(session.is_own());
-  CHECK(!session.can_undo());
+  session.stage().end_drag();
+  session.stage().undo();
+  CHECK(session.stage().is_own());
+  CHECK(!session.stage().can_undo());
 }
 
 TEST_CASE("a slider follows what is edited by other means, beyond its ends as well") {
   Session session = open(std::string(kBoxes));
   const std::array<double, 1> turned{-77.5};
-  REQUIRE(session.set_numbers(1, 2, turned));
-  CHECK(session.sliders()[0].value == doctest::Approx(282.5));  // of the angles, the one between its ends
-  CHECK(session.sliders()[0].text == "282.5°");
-  REQUIRE(session.slide_to_place(0, 57));
+  REQUIRE(session.stage().set_numbers(1, 2, turned));
+  CHECK(session.stage().sliders()[0].value == doctest::Approx(282.5));  // of the angles, the one between its ends
+  CHECK(session.stage().sliders()[0].text == "282.5°");
+  REQUIRE(session.stage().slide_to_place(0, 57));
   CHECK(angle_of_b(session) == doctest::Approx(285 - 360));
-  session.reset();
-  CHECK(session.sliders()[0].text == "30°");
+  session.stage().reset();
+  CHECK(session.stage().sliders()[0].text == "30°");
 }
 
 TEST_CASE("a slider's number keeps its decimals wherever it is dragged to") {
   std::string text(kBoxes);
   text += "\n[[slider]]\ntitle = \"A to the right\"\ndrives = \"A x\"\nfrom = -3\nto = 3\nsteps = 48\n";
   Session session = open(text);
-  CHECK(session.sliders()[1].text == "−2.000 units");
+  CHECK(session.stage().sliders()[1].text == "−2.000 units");
   const auto moved_to = [&](double x) {
-    REQUIRE(session.set_numbers(0, 0, std::array{x, 0.0}));
-    return session.sliders()[1].text;
+    REQUIRE(session.stage().set_numbers(0, 0, std::array{x, 0.0}));
+    return session.stage().sliders()[1].text;
   };
   CHECK(moved_to(0.3) == "0.300 units");
   CHECK(moved_to(-0.55) == "−0.550 units");
@@ -156,101 +156,101 @@ TEST_CASE("a slider's number keeps its decimals wherever it is dragged to") {
 
 TEST_CASE("the offset of points goes from 1 to 1e8 in equal factors, and back without a lost bit") {
   Session session = open(small_with("drives = \"offset\"\nfrom = 1\nto = 1e8\nlogarithmic = true"));
-  CHECK(session.is_own());
-  CHECK(session.sliders()[0].text == "1 unit");
-  const Rows own = session.subject().rows();
-  CHECK(session.point(1)[0] == doctest::Approx(2.8));
-  CHECK(session.point(1)[1] == doctest::Approx(0.6));
-  REQUIRE(session.slide_to_place(0, 80));
-  CHECK(session.sliders()[0].value == 1e8);
-  CHECK(session.point(1)[0] == doctest::Approx(2 + 0.8e8));
-  REQUIRE(session.slide_to_place(0, 40));
-  CHECK(session.sliders()[0].value == 1e4);
-  REQUIRE(session.slide_to_place(0, 0));
-  CHECK(session.subject().rows() == own);
-  CHECK(session.is_own());
+  CHECK(session.stage().is_own());
+  CHECK(session.stage().sliders()[0].text == "1 unit");
+  const Rows own = session.stage().subject().rows();
+  CHECK(session.stage().subject().at(1)[0] == doctest::Approx(2.8));
+  CHECK(session.stage().subject().at(1)[1] == doctest::Approx(0.6));
+  REQUIRE(session.stage().slide_to_place(0, 80));
+  CHECK(session.stage().sliders()[0].value == 1e8);
+  CHECK(session.stage().subject().at(1)[0] == doctest::Approx(2 + 0.8e8));
+  REQUIRE(session.stage().slide_to_place(0, 40));
+  CHECK(session.stage().sliders()[0].value == 1e4);
+  REQUIRE(session.stage().slide_to_place(0, 0));
+  CHECK(session.stage().subject().rows() == own);
+  CHECK(session.stage().is_own());
 }
 
 TEST_CASE("scale and angle are about the centroid, and several sliders hold together") {
   std::string text = small_with("drives = \"scale\"\nfrom = 0.5\nto = 4");
   text += "\n[[slider]]\ntitle = \"Angle\"\ndrives = \"angle\"\nfrom = -180\nto = 180\nsteps = 360\n";
   Session session = open(text);
-  const Point3 first = session.point(0), second = session.point(1);
-  REQUIRE(session.slide(0, 2));
-  REQUIRE(session.slide(1, 90));
-  const Point3 way = session.point(1) - session.point(0), before = second - first;
+  const Point3 first = session.stage().subject().at(0), second = session.stage().subject().at(1);
+  REQUIRE(session.stage().slide(0, 2));
+  REQUIRE(session.stage().slide(1, 90));
+  const Point3 way = session.stage().subject().at(1) - session.stage().subject().at(0), before = second - first;
   CHECK(way[0] == doctest::Approx(-2 * before[1]));
   CHECK(way[1] == doctest::Approx(2 * before[0]));
-  CHECK(session.sliders()[0].text == "2.000 times");
-  CHECK(session.sliders()[1].text == "90°");
-  REQUIRE(session.move(0, {5, 5, 0}));  // by hand: the sliders stay, and go on from there
-  CHECK(session.sliders()[1].text == "90°");
-  REQUIRE(session.slide(1, 0));
-  CHECK(session.sliders()[0].text == "2.000 times");
-  const Point3 after = session.point(2) - session.point(1);
+  CHECK(session.stage().sliders()[0].text == "2.000 times");
+  CHECK(session.stage().sliders()[1].text == "90°");
+  REQUIRE(session.stage().move(0, {5, 5, 0}));  // by hand: the sliders stay, and go on from there
+  CHECK(session.stage().sliders()[1].text == "90°");
+  REQUIRE(session.stage().slide(1, 0));
+  CHECK(session.stage().sliders()[0].text == "2.000 times");
+  const Point3 after = session.stage().subject().at(2) - session.stage().subject().at(1);
   CHECK(after[0] == doctest::Approx(2 * (0 - 2)));
   CHECK(after[1] == doctest::Approx(2 * (1 - 0)));
 }
 
 TEST_CASE("jitter is the same for the same seed, and no point goes farther than it says") {
   Session session = open(small_with("drives = \"jitter\"\nfrom = 0\nto = 0.5"));
-  const Rows own = session.subject().rows();
-  REQUIRE(session.slide(0, 0.25));
-  const Rows jittered = session.subject().rows();
+  const Rows own = session.stage().subject().rows();
+  REQUIRE(session.stage().slide(0, 0.25));
+  const Rows jittered = session.stage().subject().rows();
   CHECK(jittered != own);
   for (std::size_t i = 0; i < own.size(); ++i)
     for (std::size_t axis = 0; axis < 2; ++axis) CHECK(std::abs(jittered[i][axis] - own[i][axis]) <= 0.25);
-  REQUIRE(session.slide(0, 0.5));
-  REQUIRE(session.slide(0, 0.25));
-  CHECK(session.subject().rows() == jittered);
+  REQUIRE(session.stage().slide(0, 0.5));
+  REQUIRE(session.stage().slide(0, 0.25));
+  CHECK(session.stage().subject().rows() == jittered);
 }
 
 TEST_CASE("a count keeps the first points, and takes whole numbers alone") {
   Session session = open(generated_with("drives = \"count\"\nfrom = 3\nto = 20"));
-  CHECK(session.sliders()[0].text == "12 points");
-  CHECK(session.sliders()[0].places == 17);
-  const Rows own = session.subject().rows();
-  REQUIRE(session.slide_to_place(0, 1));
-  CHECK(session.size() == 4);
-  for (std::size_t i = 0; i < 4; ++i) CHECK(session.subject().rows()[i] == own[i]);
-  REQUIRE(session.slide_to_place(0, 17));
-  CHECK(session.size() == 20);
-  REQUIRE(session.slide_to_place(0, 9));
-  CHECK(session.is_own());
+  CHECK(session.stage().sliders()[0].text == "12 points");
+  CHECK(session.stage().sliders()[0].places == 17);
+  const Rows own = session.stage().subject().rows();
+  REQUIRE(session.stage().slide_to_place(0, 1));
+  CHECK(session.stage().subject().size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(session.stage().subject().rows()[i] == own[i]);
+  REQUIRE(session.stage().slide_to_place(0, 17));
+  CHECK(session.stage().subject().size() == 20);
+  REQUIRE(session.stage().slide_to_place(0, 9));
+  CHECK(session.stage().is_own());
 }
 
 TEST_CASE("after a scatter the sliders begin again, and count what is there") {
   Session session = open(generated_with("drives = \"offset\"\nfrom = 0\nto = 10"));
-  REQUIRE(session.slide(0, 5));
-  session.scatter(77);
-  CHECK(session.sliders()[0].value == 0);
-  CHECK(!session.edited());
-  REQUIRE(session.slide(0, 5));
-  session.reset();
-  CHECK(session.sliders()[0].value == 0);
-  CHECK(session.is_own());
+  REQUIRE(session.stage().slide(0, 5));
+  session.stage().scatter(77);
+  CHECK(session.stage().sliders()[0].value == 0);
+  CHECK(!session.stage().edited());
+  REQUIRE(session.stage().slide(0, 5));
+  session.stage().reset();
+  CHECK(session.stage().sliders()[0].value == 0);
+  CHECK(session.stage().is_own());
 }
 
 TEST_CASE("the values of sliders lead from the lesson's own to the same bits again") {
   Session session = open(small_with("drives = \"angle\"\nfrom = 0\nto = 90"));
-  session.begin_drag();
-  for (const int place : {3, 50, 97, 31}) REQUIRE(session.slide_to_place(0, place));
-  session.end_drag();
+  session.stage().begin_drag();
+  for (const int place : {3, 50, 97, 31}) REQUIRE(session.stage().slide_to_place(0, place));
+  session.stage().end_drag();
   Session other = open(small_with("drives = \"angle\"\nfrom = 0\nto = 90"));
-  REQUIRE(other.set_sliders(session.slider_values()));
-  CHECK(other.subject().rows() == session.subject().rows());
-  CHECK(!other.set_sliders({1, 2}));
-  CHECK(!other.set_sliders({std::nan("")}));
+  REQUIRE(other.stage().set_sliders(session.stage().slider_values()));
+  CHECK(other.stage().subject().rows() == session.stage().subject().rows());
+  CHECK(!other.stage().set_sliders({1, 2}));
+  CHECK(!other.stage().set_sliders({std::nan("")}));
 }
 
 TEST_CASE("a value that an algorithm cannot take is refused, and nothing moves") {
   Session session = open(generated_with("drives = \"count\"\nfrom = 3\nto = 60"));
-  REQUIRE(session.choose(0, "brute_force"));
-  const Done refused = session.slide(0, 50);
+  REQUIRE(session.player().choose(0, "brute_force"));
+  const Done refused = session.stage().slide(0, 50);
   REQUIRE(!refused);
   CHECK(refused.error().what == "Brute force takes at most 40 points");
-  CHECK(session.size() == 12);
-  CHECK(session.sliders()[0].value == 12);
+  CHECK(session.stage().subject().size() == 12);
+  CHECK(session.stage().sliders()[0].value == 12);
 }
 
 TEST_CASE("mistakes in sliders are told with their place") {
@@ -300,12 +300,12 @@ drives = "A x"
 from = -3
 to = 3
 )");
-  REQUIRE(session.sliders().size() == 2);
-  CHECK(session.sliders()[1].value == doctest::Approx(1));
-  REQUIRE(session.slide(1, 2));
-  CHECK(session.point(0)[0] == doctest::Approx(2));
-  const auto before = session.trace_hash();
-  REQUIRE(session.slide(0, 45));
-  CHECK(session.trace_hash() != before);
-  CHECK(session.point(0)[0] == doctest::Approx(2));
+  REQUIRE(session.stage().sliders().size() == 2);
+  CHECK(session.stage().sliders()[1].value == doctest::Approx(1));
+  REQUIRE(session.stage().slide(1, 2));
+  CHECK(session.stage().subject().at(0)[0] == doctest::Approx(2));
+  const auto before = session.player().trace_hash();
+  REQUIRE(session.stage().slide(0, 45));
+  CHECK(session.player().trace_hash() != before);
+  CHECK(session.stage().subject().at(0)[0] == doctest::Approx(2));
 }

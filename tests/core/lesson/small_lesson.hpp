@@ -127,9 +127,11 @@ inline lesson::Answer point(int value) { return {lesson::Answer::Kind::kPoint, v
 
 /// Answers everything that is asked with the model answer, to the end.
 inline void play_to_end(lesson::Session& session) {
-  for (int turns = 0; session.step() < session.steps() || session.asked() != nullptr; ++turns) {
+  for (int turns = 0; session.player().step() < session.player().steps() || session.conversation().asked() != nullptr;
+       ++turns) {
     REQUIRE(turns < 10000);
-    if (const auto* asked = session.asked()) REQUIRE(session.answer(lesson::model_answer(*asked, session.run(0))));
+    if (const auto* asked = session.conversation().asked())
+      REQUIRE(session.conversation().give(lesson::model_answer(*asked, session.player().run(0))));
     else session.forward();
   }
 }

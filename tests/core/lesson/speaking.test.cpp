@@ -31,8 +31,8 @@ text = "It **grows**."
 }
 
 void pass_question(Session& session) {
-  REQUIRE(session.skip());
-  session.acknowledge();
+  REQUIRE(session.conversation().give({}, false));
+  session.conversation().acknowledge();
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ TEST_CASE("a mark lights what the run has of it by now") {
   CHECK(marked_handles(session, "pair_chosen") == std::vector<Index>{0, 1});
   CHECK(marked_handles(session, "pair_chosen/2") == std::vector<Index>{1});
   CHECK(marked_handles(session, "pair_chosen/3").empty());
-  CHECK(marked_handles(session, "support") == session.support(0));
+  CHECK(marked_handles(session, "support") == session.player().support(0));
   CHECK(marked_handles(session, "P4") == std::vector<Index>{4});
   CHECK(marked_handles(session, "P77").empty());
   CHECK(marked_handles(session, "").empty());
@@ -140,8 +140,8 @@ TEST_CASE("while a question is answered on the stage no mark gives the answer aw
   session.jump(1);
   pass_question(session);
   session.jump(2);
-  REQUIRE(session.asked() != nullptr);
-  REQUIRE(session.asked()->on_stage);
+  REQUIRE(session.conversation().asked() != nullptr);
+  REQUIRE(session.conversation().asked()->on_stage);
   for (const auto mark : {"support", "pair_chosen", "P4"}) CHECK(marked_handles(session, mark).empty());
 }
 
@@ -149,16 +149,16 @@ TEST_CASE("the section is the step's, and the question's while one is open") {
   Session session = open(speaking_lesson());
   CHECK_FALSE(section_at(session).has_value());
   session.jump(1);
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   CHECK(section_at(session) == 0);  // asked about the pair, before that step is done
   pass_question(session);
   session.jump(2);
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   CHECK(section_at(session) == 1);  // about the growth
   pass_question(session);
   session.jump(4);
   CHECK(section_at(session) == 1);
-  REQUIRE(session.choose(0, "welzl"));
+  REQUIRE(session.player().choose(0, "welzl"));
   session.jump(3);
   CHECK_FALSE(section_at(session).has_value());  // no section speaks of Welzl's steps
 }

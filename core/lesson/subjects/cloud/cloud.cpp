@@ -324,8 +324,9 @@ std::vector<Rival> CloudSubject::rivals(const Lesson& lesson, const View& view) 
 }
 
 const fit::Recording* recording_of(const Session& session, int slot) {
-  const bool fits = as<CloudSubject>(session.subject().shape()) != nullptr && session.method(slot) != nullptr;
-  return fits ? &fit_run(session.run(slot)).recording() : nullptr;
+  const bool fits =
+      as<CloudSubject>(session.stage().subject().shape()) != nullptr && session.player().method(slot) != nullptr;
+  return fits ? &fit_run(session.player().run(slot)).recording() : nullptr;
 }
 
 }  // namespace snug::lesson

@@ -8,7 +8,7 @@ namespace {
 bool is_stored(const Session& session) {
   const Tables* tables = session.lesson().tables.get();
   for (const Situation& situation : session.lesson().situations)
-    if (situation.name == session.situation()) tables = situation.tables.get();
+    if (situation.name == session.stage().situation()) tables = situation.tables.get();
   return tables != nullptr && static_cast<const CloudTables*>(tables)->stored;
 }
 
@@ -32,19 +32,19 @@ void hide_bounds_from(StoredForm& form, std::size_t slab) {
 }  // namespace
 
 std::vector<StoredVolume> stored_fit(const Session& session) {
-  if (as<CloudSubject>(session.subject()) == nullptr || !is_stored(session)) return {};
-  const FitRun& run = fit_run(session.run(0));
-  const fit::Volume3* now = session.volume(0);
+  if (as<CloudSubject>(session.stage().subject()) == nullptr || !is_stored(session)) return {};
+  const FitRun& run = fit_run(session.player().run(0));
+  const fit::Volume3* now = session.player().volume(0);
   const fit::Volume3& volume = now != nullptr ? *now : run.recording().result.volume;
-  std::vector<StoredForm> forms = stored_forms(volume, session.dim());
+  std::vector<StoredForm> forms = stored_forms(volume, session.stage().subject().dim());
   if (forms.empty()) return {};
   if (now == nullptr)
     for (StoredForm& form : forms)
       for (StoredMember& member : form.members) hide(member);
   else if (std::holds_alternative<Kdop<double, 3>>(volume))
-    hide_bounds_from(forms.front(), slabs_found(run.trace(), session.step()));
+    hide_bounds_from(forms.front(), slabs_found(run.trace(), session.player().step()));
   std::vector<StoredVolume> all;
-  all.push_back({"V", stored_title(volume, session.dim()), std::move(forms)});
+  all.push_back({"V", stored_title(volume, session.stage().subject().dim()), std::move(forms)});
   return all;
 }
 

@@ -64,14 +64,14 @@ tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& less
 
 /// Without a clock, answers and grades are based on counted operations, and say so.
 void count_costs(Session& session) {
-  auto rows = counted_costs(session.lesson(), *session.subject().points());
+  auto rows = counted_costs(session.lesson(), *session.stage().subject().points());
   session.inform<CostSubject>([&](CostSubject& subject) { subject.measured(std::move(rows)); });
 }
 
 tl::expected<Grade, InputError> play_cost_task(Session& session, const Task& task) {
-  if (const Done made = session.set_rows(task.model); !made) return tl::unexpected(made.error());
+  if (const Done made = session.stage().set_rows(task.model); !made) return tl::unexpected(made.error());
   count_costs(session);
-  static_cast<void>(session.choose(0, cheapest_of(task, *costs_of(session))));
+  static_cast<void>(session.player().choose(0, cheapest_of(task, *costs_of(session))));
   return *session.grade();
 }
 
@@ -112,7 +112,7 @@ Grade CostSubject::grade(const Lesson& lesson, const Task& task, const View& vie
 }
 
 const std::vector<cost::CostRow>* costs_of(const Session& session) {
-  const auto* chart = as<CostSubject>(session.subject());
+  const auto* chart = as<CostSubject>(session.stage().subject());
   return chart != nullptr ? chart->costs() : nullptr;
 }
 

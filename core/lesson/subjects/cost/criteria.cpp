@@ -74,7 +74,7 @@ void count_criteria(Session& session) {
 }
 
 tl::expected<Grade, InputError> play_criteria_task(Session& session, const Task& task) {
-  if (const Done made = session.set_rows(task.model); !made) return tl::unexpected(made.error());
+  if (const Done made = session.stage().set_rows(task.model); !made) return tl::unexpected(made.error());
   count_criteria(session);
   return *session.grade();
 }
@@ -232,6 +232,6 @@ Grade CriteriaSubject::grade(const Lesson& lesson, const Task& task, const View&
   return grade;
 }
 
-const CriteriaSubject* criteria_of(const Session& session) { return as<CriteriaSubject>(session.subject()); }
+const CriteriaSubject* criteria_of(const Session& session) { return as<CriteriaSubject>(session.stage().subject()); }
 
 }  // namespace snug::lesson

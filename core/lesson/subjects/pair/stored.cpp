@@ -9,7 +9,7 @@ namespace {
 /// The tables of the situation that is shown, if it says what is stored, or else the lesson's own.
 const VolumeTables& tables_of(const Session& session) {
   for (const Situation& situation : session.lesson().situations) {
-    if (situation.name != session.situation()) continue;
+    if (situation.name != session.stage().situation()) continue;
     const auto& tables = static_cast<const VolumeTables&>(*situation.tables);
     if (tables.stored[0] || tables.stored[1]) return tables;
   }
@@ -19,7 +19,7 @@ const VolumeTables& tables_of(const Session& session) {
 }  // namespace
 
 std::vector<StoredVolume> stored_volumes(const Session& session) {
-  const auto* subject = as<VolumesSubject>(session.subject());
+  const auto* subject = as<VolumesSubject>(session.stage().subject());
   if (subject == nullptr) return {};
   const auto& wanted = tables_of(session).stored;
   std::vector<StoredVolume> all;

@@ -433,13 +433,14 @@ bool SceneSubject::push(Index i, const View& view) {
 }
 
 const SceneRecording* recorded_scene(const Session& session, int slot) {
-  if (as<SceneSubject>(session.subject()) == nullptr || session.method(slot) == nullptr) return nullptr;
-  return &recording_for(session.view(), scene_run(session.run(slot)), session.step_of(slot));
+  if (as<SceneSubject>(session.stage().subject()) == nullptr || session.player().method(slot) == nullptr)
+    return nullptr;
+  return &recording_for(session.player().view(), scene_run(session.player().run(slot)), session.player().step_of(slot));
 }
 
 const SceneFrame* frame_of(const Session& session) {
   const SceneRecording* run = recorded_scene(session, 0);
-  const std::size_t at = session.step();
+  const std::size_t at = session.player().step();
   return run != nullptr && at < run->frames.size() ? &run->frames[at] : nullptr;
 }
 

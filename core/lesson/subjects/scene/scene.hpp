@@ -133,10 +133,10 @@ class SceneSubject final : public PointSubject, public HasParts, public HasFrame
 [[nodiscard]] const SceneFrame* frame_of(const Session& session);
 // The scene of a lesson about a scene.
 [[nodiscard]] inline const SceneSet& set_of(const Session& session) {
-  return static_cast<const SceneSubject&>(session.subject()).set();
+  return static_cast<const SceneSubject&>(session.stage().subject()).set();
 }
 [[nodiscard]] inline std::span<const scene::Member> members_of(const Session& session) {
-  return scene_run(session.run(0)).recording(0).members;
+  return scene_run(session.player().run(0)).recording(0).members;
 }
 
 }  // namespace snug::lesson

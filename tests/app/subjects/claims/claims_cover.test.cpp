@@ -44,11 +44,11 @@ lesson::Session opened(std::string_view text = kClaimsLesson) {
 double no_time() { return 0; }
 
 void answer_and_measure(ClaimsCover& cover, lesson::Session& session) {
-  CHECK(session.asked() == nullptr);  // first seen, then asked
+  CHECK(session.conversation().asked() == nullptr);  // first seen, then asked
   REQUIRE(cover.command(session, "measure"));
   CHECK_FALSE(cover.running());
   CHECK_FALSE(cover.command(session, "measure"));
-  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
+  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 2}));
   REQUIRE(cover.command(session, "measure"));
   while (cover.running()) cover.work(session, -1);
 }
@@ -72,18 +72,18 @@ TEST_CASE("after Measure the answer is decided, and the worst cloud is marked an
   ClaimsCover cover({.clock = no_time});
   answer_and_measure(cover, session);
   CHECK(cover.decided(session));
-  REQUIRE(session.outcomes().size() == 1);
-  CHECK(session.outcomes()[0].right);
+  REQUIRE(session.log().outcomes().size() == 1);
+  CHECK(session.log().outcomes()[0].right);
   CHECK(cover.table(session).rows.size() == 10);
   CHECK(cover.file("csv").starts_with("# snug table: trials\n"));
   const auto worst = cost::tally_trials("four_points", cost::all_trials()).worst;
   CHECK(cover.caption(session).find("cloud " + std::to_string(worst->seed) + ":") != std::string::npos);
   REQUIRE(cover.command(session, "chart_load"));
   CHECK_FALSE(cover.shown());
-  CHECK(session.size() == worst->points);
-  CHECK(session.source() == worst->kind);
-  CHECK(session.method(0)->name == "brute_force_slide");
-  CHECK(session.step() == session.steps());
+  CHECK(session.stage().subject().size() == worst->points);
+  CHECK(session.stage().subject().origin().source == worst->kind);
+  CHECK(session.player().method(0)->name == "brute_force_slide");
+  CHECK(session.player().step() == session.player().steps());
 }
 
 TEST_CASE("keys walk along a line and from line to line, and wrap around") {
@@ -108,14 +108,14 @@ TEST_CASE("keys walk along a line and from line to line, and wrap around") {
 TEST_CASE("a run that is stopped shows its clouds and decides nothing") {
   lesson::Session session = opened();
   ClaimsCover cover({.clock = no_time});
-  session.ask_predictions();
-  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
+  session.conversation().ask_predictions();
+  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 2}));
   REQUIRE(cover.command(session, "measure"));
   for (int i = 0; i < 50; ++i) cover.work(session, -1);
   REQUIRE(cover.command(session, "stop_measuring"));
   CHECK_FALSE(cover.running());
   CHECK_FALSE(cover.decided(session));
-  CHECK(session.outcomes()[0].pending);
+  CHECK(session.log().outcomes()[0].pending);
   CHECK(cover.table(session).rows.size() == 1);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("the chart is that of the question that is asked, until another is cho
   lesson::Session session = opened(text);
   ClaimsCover cover({.clock = no_time});
   CHECK(cover.claim().name == "four_points");
-  session.ask_predictions();
+  session.conversation().ask_predictions();
   cover.work(session, 0);
   CHECK(cover.claim().name == "kdop_tighter");
   REQUIRE(cover.command(session, "show_welzl_growth"));

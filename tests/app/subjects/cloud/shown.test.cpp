@@ -35,7 +35,7 @@ TEST_CASE("before the first step there is nothing but the points, at the end the
     CHECK_FALSE(start.optimum);
     CHECK(start.support.size() == 0);
     CHECK(cloud_shown_at(session, true).optimum);
-    session.jump(session.steps());
+    session.jump(session.player().steps());
     const CloudShown end = cloud_shown_at(session, false);
     CAPTURE(algorithm);
     CHECK(end.finished);
@@ -47,16 +47,16 @@ TEST_CASE("before the first step there is nothing but the points, at the end the
 TEST_CASE("a grown ball stands beside the one before it, and outside is measured from the ball") {
   lesson::Session session = session_of("ritter", 3);
   bool grew = false;
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
     const CloudShown shown = cloud_shown_at(session, false);
     if (shown.before && shown.volume) {
       CHECK(ball_of(shown.volume).radius > ball_of(shown.before).radius);
-      CHECK(std::count(shown.support.begin(), shown.support.end(), session.support(0)[0]) == 1);
+      CHECK(std::count(shown.support.begin(), shown.support.end(), session.player().support(0)[0]) == 1);
       grew = true;
     }
     if (shown.examined_outside) {
-      const double distance = (session.point(shown.examined) - ball_of(shown.volume).center).norm();
+      const double distance = (session.stage().subject().at(shown.examined) - ball_of(shown.volume).center).norm();
       CHECK(shown.outside_by == doctest::Approx(distance - ball_of(shown.volume).radius));
       CHECK(shown.outside_by > 0);
     }
@@ -88,7 +88,7 @@ TEST_CASE("covariance and axes show the same spread") {
 TEST_CASE("Welzl: what is forced is as deep as the recursion") {
   lesson::Session session = session_of("welzl", 2);
   int deepest = 0;
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
     const CloudShown shown = cloud_shown_at(session, false);
     CHECK(shown.forced.size() <= shown.depth);
@@ -101,18 +101,18 @@ TEST_CASE("Welzl: what is forced is as deep as the recursion") {
 TEST_CASE("a candidate of brute force fails for a point, or is kept") {
   lesson::Session session = session_of("brute_force", 2, "ritter");
   int failed = 0, outside = 0;
-  for (int step = 1; step < session.steps(); ++step) {
+  for (int step = 1; step < session.player().steps(); ++step) {
     session.jump(step);
     const CloudShown shown = cloud_shown_at(session, false);
     failed += shown.candidate_fails;
     if (shown.left_outside == kNoIndex) continue;
     ++outside;
     const fit::Sphere3& candidate = ball_of(shown.candidate);
-    CHECK((session.point(shown.left_outside) - candidate.center).norm() > candidate.radius);
+    CHECK((session.stage().subject().at(shown.left_outside) - candidate.center).norm() > candidate.radius);
   }
   CHECK(failed > 0);
   CHECK(outside > 0);
-  session.jump(session.steps());
+  session.jump(session.player().steps());
   CHECK(cloud_shown_at(session, false).rival);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("Quickhull's hull stands on the stage until the result does, with its 
     lesson.algorithms = {"quickhull"};
     lesson::Session session = *lesson::Session::open(std::move(lesson));
     bool merged = false;
-    for (int step = 1; step < session.steps(); ++step) {
+    for (int step = 1; step < session.player().steps(); ++step) {
       session.jump(step);
       const CloudShown shown = cloud_shown_at(session, false);
       REQUIRE(shown.growing);
@@ -135,7 +135,7 @@ TEST_CASE("Quickhull's hull stands on the stage until the result does, with its 
       merged = merged || shown.growing->merged;
     }
     CHECK(merged == (dim == 3));
-    session.jump(session.steps());
+    session.jump(session.player().steps());
     CHECK(cloud_shown_at(session, false).volume);
   }
 }
@@ -143,13 +143,13 @@ TEST_CASE("Quickhull's hull stands on the stage until the result does, with its 
 TEST_CASE("where Ritter's ball grows, the lengths of his formula are shown, and nowhere else") {
   lesson::Session session = session_of("ritter", 2);
   int grown = 0;
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
     const CloudShown shown = cloud_shown_at(session, false);
-    CHECK(shown.grown.has_value() == (session.run(0).fact(step - 1) == "ball_grown"));
+    CHECK(shown.grown.has_value() == (session.player().run(0).fact(step - 1) == "ball_grown"));
     if (!shown.grown) continue;
     ++grown;
-    const double dist = (session.point(shown.grown->point) - shown.grown->before.center).norm();
+    const double dist = (session.stage().subject().at(shown.grown->point) - shown.grown->before.center).norm();
     CHECK(ball_of(shown.volume).radius == doctest::Approx((shown.grown->before.radius + dist) / 2));
   }
   CHECK(grown > 0);

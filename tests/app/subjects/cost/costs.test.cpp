@@ -64,12 +64,12 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK(costs.shown());  // empty
   CHECK(costs.caption(session) == "Press Measure: first you predict, then it is measured.");
   CHECK(costs.status(session) == costs.caption(session));
-  CHECK(session.asked() == nullptr);  // first seen, then asked
+  CHECK(session.conversation().asked() == nullptr);  // first seen, then asked
   REQUIRE(costs.command(session, "measure"));
   CHECK_FALSE(costs.running());
   CHECK(costs.caption(session) == "Predict first, then measure.");
   CHECK_FALSE(costs.command(session, "measure"));
-  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 1}));
+  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 1}));
   CHECK(costs.caption(session) == "Your predictions are in: now press Measure.");
   CHECK(costs.status(session) == "Now press Measure: 5 points.");
   REQUIRE(costs.command(session, "measure"));
@@ -82,7 +82,7 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK(costs.version() != version);
   REQUIRE(lesson::costs_of(session) != nullptr);
   CHECK(lesson::costs_of(session)->size() == 2);
-  CHECK_FALSE(session.outcomes()[0].pending);
+  CHECK_FALSE(session.log().outcomes()[0].pending);
   CHECK(costs.accuracy().provenance.points == "own");
   CHECK(costs.accuracy().provenance.version == "9");
   CHECK(costs.accuracy().provenance.clock_resolution_ns > 0);
@@ -94,7 +94,7 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK(costs.command(session, "chart_next"));
   CHECK(costs.command(session, "chart_load"));
   CHECK_FALSE(costs.shown());
-  CHECK(session.step() == session.steps());
+  CHECK(session.player().step() == session.player().steps());
 }
 
 TEST_CASE("a front with a time that could not be measured reliably is told with a reservation") {
@@ -111,8 +111,8 @@ TEST_CASE("a front with a time that could not be measured reliably is told with 
 TEST_CASE("what is ready stays when it is stopped, and other points are other figures") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
-  session.ask_predictions();
-  session.answer({});
+  session.conversation().ask_predictions();
+  session.conversation().give({});
   REQUIRE(costs.command(session, "measure"));
   for (int slices = 0; costs.accuracy().rows.empty() && slices < 10'000; ++slices) costs.work(session, 0);
   REQUIRE(costs.command(session, "stop_measuring"));
@@ -120,7 +120,7 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
   CHECK_FALSE(costs.running());
   CHECK(lesson::costs_of(session) == nullptr);
   REQUIRE(costs.command(session, "measure"));
-  REQUIRE(session.move(0, {7, 7, 0}).has_value());
+  REQUIRE(session.stage().move(0, {7, 7, 0}).has_value());
   finish(costs, session);
   CHECK(costs.accuracy().rows.size() == 2);
   CHECK(lesson::costs_of(session) == nullptr);
@@ -128,17 +128,17 @@ TEST_CASE("what is ready stays when it is stopped, and other points are other fi
   REQUIRE(costs.command(session, "measure"));
   finish(costs, session);
   CHECK(costs.status(session) == "2 measured. Points: own.");
-  REQUIRE(session.move(0, {8, 7, 0}).has_value());
+  REQUIRE(session.stage().move(0, {8, 7, 0}).has_value());
   CHECK(costs.status(session) == "2 measured. Points: own. The points have changed since.");
 }
 
 TEST_CASE("a large file is measured whole and shown in part; above two million points it is refused") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
-  session.ask_predictions();
-  session.answer({});
+  session.conversation().ask_predictions();
+  session.conversation().give({});
   REQUIRE(costs.load(session, cloud(6000), "large.xyz").has_value());
-  CHECK(session.size() == 5000);
+  CHECK(session.stage().subject().size() == 5000);
   CHECK(costs.size(session) == 6000);
   REQUIRE(costs.command(session, "measure"));
   finish(costs, session);
@@ -149,7 +149,7 @@ TEST_CASE("a large file is measured whole and shown in part; above two million p
   CHECK(refused.error().message().find("2,000,001 points, and costs are measured on at most 2,000,000") !=
         std::string::npos);
   CHECK(costs.size(session) == 6000);
-  session.reset();
+  session.stage().reset();
   CHECK(costs.size(session) == 5);
 }
 
@@ -191,8 +191,8 @@ TEST_CASE("the other charts are not to be had before the predictions, whose answ
   cost::GrowthRow row{.volume = "sphere", .algorithm = "ritter", .points = 10, .time = {.median = 5}};
   CHECK_FALSE(costs.lay_over(session, GrowthTable{{}, {row}}));
   CHECK(costs.view() == CostView::kAccuracy);
-  session.ask_predictions();
-  session.answer({});
+  session.conversation().ask_predictions();
+  session.conversation().give({});
   CHECK(costs.command(session, "show_other"));
   CHECK(costs.view() == CostView::kGrowth);
   CHECK(costs.sheet().then() == nullptr);  // what was refused is not there either
@@ -203,8 +203,8 @@ TEST_CASE("the other charts are not to be had before the predictions, whose answ
 TEST_CASE("growth is measured on a kind of points; what is ready stays, and figures are to be had by key") {
   Costs costs({.clock = now, .longest_run = 2e4, .here = {}});
   lesson::Session session = opened();
-  session.ask_predictions();
-  session.answer({});
+  session.conversation().ask_predictions();
+  session.conversation().give({});
   REQUIRE(costs.command(session, "show_growth"));
   CHECK(costs.shown());
   REQUIRE(costs.command(session, "measure"));
@@ -235,10 +235,10 @@ TEST_CASE("growth is measured on a kind of points; what is ready stays, and figu
 TEST_CASE("a generated set grows as its kind, a large file's by samples of itself") {
   Costs costs({.clock = now, .longest_run = 1e4, .here = {}});
   lesson::Session session = opened();
-  session.ask_predictions();
-  session.answer({});
+  session.conversation().ask_predictions();
+  session.conversation().give({});
   REQUIRE(costs.command(session, "show_growth"));
-  REQUIRE(session.set_generator("gaussian", 50, 2, 7).has_value());
+  REQUIRE(session.stage().set_generator("gaussian", 50, 2, 7).has_value());
   REQUIRE(costs.command(session, "measure"));
   REQUIRE(costs.command(session, "stop_measuring"));
   CHECK(costs.growth().provenance.points == "gaussian:1000000");
@@ -253,8 +253,8 @@ TEST_CASE("a generated set grows as its kind, a large file's by samples of itsel
 TEST_CASE("a turn has each update at every angle; another chart can be looked at while it is measured") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
-  session.ask_predictions();
-  session.answer({});
+  session.conversation().ask_predictions();
+  session.conversation().give({});
   REQUIRE(costs.command(session, "show_turn"));
   REQUIRE(costs.command(session, "measure"));
   while (costs.turn().rows.empty()) costs.work(session, 0);

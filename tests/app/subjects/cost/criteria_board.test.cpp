@@ -69,21 +69,21 @@ TEST_CASE("the table is seen once the question is answered and all is measured, 
   CriteriaBoard board({.clock = ticking, .here = {.version = "9"}});
   lesson::Session session = opened_board();
   CHECK(board.shown());
-  CHECK(session.asked() == nullptr);
+  CHECK(session.conversation().asked() == nullptr);
   REQUIRE(board.command(session, "measure"));  // the question comes first
   CHECK_FALSE(board.running());
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   CHECK_FALSE(board.command(session, "measure"));
   CHECK(board.table(session).rows.empty());
-  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 0}));
   CHECK(board.table(session).sorts.empty());
   REQUIRE(board.command(session, "measure"));
   CHECK_FALSE(board.command(session, "measure"));
   board.work(session, 0);
-  REQUIRE(session.slide(0, 500));
+  REQUIRE(session.stage().slide(0, 500));
   finish_board(board, session);
   CHECK(board.decided(session));
-  CHECK_FALSE(session.outcomes()[0].pending);
+  CHECK_FALSE(session.log().outcomes()[0].pending);
   const WordTable table = board.table(session);
   REQUIRE(table.rows.size() == 3);
   CHECK(table.sorts.size() == table.head.size());
@@ -99,8 +99,8 @@ TEST_CASE("the table is seen once the question is answered and all is measured, 
 TEST_CASE("stopped, it has measured nothing; measured anew, all of it") {
   CriteriaBoard board({.clock = ticking, .here = {}});
   lesson::Session session = opened_board();
-  session.ask_predictions();
-  session.skip();
+  session.conversation().ask_predictions();
+  session.conversation().give({}, false);
   REQUIRE(board.command(session, "measure"));
   board.work(session, 0);
   REQUIRE(board.command(session, "stop_measuring"));
@@ -108,18 +108,18 @@ TEST_CASE("stopped, it has measured nothing; measured anew, all of it") {
   CHECK_FALSE(board.decided(session));
   CHECK(board.file("csv").empty());
   REQUIRE(board.command(session, "measure"));
-  REQUIRE(session.move(0, {7, 7, 7}).has_value());
+  REQUIRE(session.stage().move(0, {7, 7, 7}).has_value());
   finish_board(board, session);
   CHECK_FALSE(board.decided(session));  // other points stand there now
-  session.undo();
+  session.stage().undo();
   CHECK(board.decided(session));
 }
 
 TEST_CASE("a column sorts its table, the least first, and once more restores the order; a row chooses its volume") {
   CriteriaBoard board({.clock = ticking, .here = {}});
   lesson::Session session = opened_board();
-  session.ask_predictions();
-  session.skip();
+  session.conversation().ask_predictions();
+  session.conversation().give({}, false);
   REQUIRE(board.command(session, "measure"));
   finish_board(board, session);
   const std::vector<std::string> names = column(board.table(session), 0);
@@ -131,13 +131,13 @@ TEST_CASE("a column sorts its table, the least first, and once more restores the
   CHECK(sorted.best[0][2]);
   CHECK_FALSE(sorted.best[1][2]);
   REQUIRE(board.command(session, sorted.picks[0]));
-  CHECK(session.method(0)->volume == "hull");
+  CHECK(session.player().method(0)->volume == "hull");
   CHECK(board.table(session).picked == 0);
   CHECK(board.caption(session).find("Hull: T = ") == 0);
   REQUIRE(board.command(session, "sort:2"));
   CHECK(column(board.table(session), 0) == names);
   REQUIRE(board.command(session, "next_volume"));  // after the last comes the first
-  CHECK(session.method(0)->volume == "sphere");
+  CHECK(session.player().method(0)->volume == "sphere");
   for (const char* wrong : {"sort:", "sort:x", "sort:8", "sort:-1", "pick:3", "pick:", "show_nothing"})
     CHECK_FALSE(board.command(session, wrong));
   for (const char* kind : {"show_total", "show_ranks"}) {
@@ -152,7 +152,7 @@ TEST_CASE("of a large file a part is taken, and a table is no points") {
   io::PointFile file;
   for (int i = 0; i < 6000; ++i) file.points.emplace_back(i % 7, i % 11, i % 13);
   REQUIRE(board.load(session, file, "large.xyz").has_value());
-  CHECK(session.size() == 5000);
+  CHECK(session.stage().subject().size() == 5000);
   const auto laid = board.lay_over(session, "# snug table: costs\n", "costs.csv");
   REQUIRE(laid.has_value());
   CHECK_FALSE(laid->has_value());

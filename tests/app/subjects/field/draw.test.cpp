@@ -21,7 +21,7 @@ lesson::Session field_on_stage() {
 }
 
 const lesson::FieldStage& stage_of(const lesson::Session& session) {
-  return lesson::as<lesson::FieldSubject>(session.subject())->stage();
+  return lesson::as<lesson::FieldSubject>(session.stage().subject())->stage();
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ TEST_CASE("one method is measured in a frame, none while the stage changes, and 
   session.go(2);
   costs.measure(session);
   CHECK(measured() == 6);
-  REQUIRE(session.move(1, Point3(0, 6, 2)).has_value());
+  REQUIRE(session.stage().move(1, Point3(0, 6, 2)).has_value());
   costs.measure(session);
   CHECK(measured() == 0);
   CHECK(costs.of(lesson::field_methods()[0]) != nullptr);

@@ -25,13 +25,15 @@ TEST_CASE("the plane on the stage is the one in the sentence and in the figures"
   for (const char* id : {"frustum-2d", "frustum-3d"})
     at_every_step(id, [&](const lesson::Session& session) {
       const FrustumShown shown = frustum_shown_at(session);
-      const std::string staged = shown.plane_at < 0 ? "—" : lesson::plane_name(session.dim(), shown.plane_at);
-      if (session.step() > 0) REQUIRE(plane_in(session.caption(), session.dim()) == staged);
+      const std::string staged =
+          shown.plane_at < 0 ? "—" : lesson::plane_name(session.stage().subject().dim(), shown.plane_at);
+      if (session.player().step() > 0)
+        REQUIRE(plane_in(session.telling().caption(), session.stage().subject().dim()) == staged);
       REQUIRE(figure(session, "plane") == staged);
       if (shown.plane) REQUIRE(shown.plane->plane == shown.plane_at);
       if (!shown.finished)
         for (const auto& corner : shown.corners)
-          if (session.method(0)->name == "corners_per_plane") REQUIRE(corner.plane == shown.plane_at);
+          if (session.player().method(0)->name == "corners_per_plane") REQUIRE(corner.plane == shown.plane_at);
       ++(shown.plane_at < 0 ? without : with_plane);
     });
   CHECK(with_plane > 50);
@@ -44,7 +46,7 @@ TEST_CASE("knobs that a task forbids are not drawn") {
     REQUIRE_FALSE(lesson.tasks.at(0).only.empty());
     if (!forbids) lesson.tasks[0].only.clear();
     Bench bench(std::move(lesson));
-    bench.session().start_task(0);
+    bench.session().stage().start_task(0);
     bench.frames(3);
     return ImGui::GetDrawData()->TotalVtxCount;
   };

@@ -24,7 +24,7 @@ lesson::Session frustum_session(const std::string& test, bool asks) {
     question.asks = "p_vertex";
   }
   lesson::Session session = *lesson::Session::open(std::move(lesson));
-  session.first();
+  session.go(0);
   return session;
 }
 
@@ -65,13 +65,13 @@ TEST_CASE("a question about a plane shows that plane, and its vertices only when
   CHECK(asked.plane_asked);
   CHECK(asked.vertices.empty());
   CHECK_FALSE(asked.verdict);
-  REQUIRE(session.answer({lesson::Answer::Kind::kChoice, 2}));
+  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 2}));
   const FrustumShown told = frustum_shown_at(session);
   REQUIRE(told.plane);
   CHECK_FALSE(told.plane_asked);
   REQUIRE(told.vertices.size() == 2);
-  CHECK(session.name_of(told.vertices[0]) == "−+");
-  CHECK(session.name_of(told.vertices[1]) == "+−");
+  CHECK(session.stage().subject().name_of(told.vertices[0]) == "−+");
+  CHECK(session.stage().subject().name_of(told.vertices[1]) == "+−");
   CHECK(told.verdict == query::Culling::kIntersecting);
   CHECK(told.right == std::vector<Index>{told.vertices[0]});
 }
@@ -79,7 +79,7 @@ TEST_CASE("a question about a plane shows that plane, and its vertices only when
 TEST_CASE("corners are marked as they are tested: of one plane at a time, or of all") {
   lesson::Session per_plane = frustum_session("corners_per_plane", false),
                   all = frustum_session("corners_outside", false);
-  for (int step = 1; step < per_plane.steps(); ++step) {
+  for (int step = 1; step < per_plane.player().steps(); ++step) {
     per_plane.jump(step);
     const FrustumShown shown = frustum_shown_at(per_plane);
     CHECK(shown.corners.size() == static_cast<std::size_t>((step - 1) % 4 + 1));
@@ -87,7 +87,7 @@ TEST_CASE("corners are marked as they are tested: of one plane at a time, or of 
   }
   all.jump(3);
   CHECK(frustum_shown_at(all).corners.size() == 3);
-  all.jump(all.steps());
+  all.jump(all.player().steps());
   CHECK(frustum_shown_at(all).corners.size() == 4);
   CHECK(frustum_shown_at(all).verdict == query::Culling::kIntersecting);
 }

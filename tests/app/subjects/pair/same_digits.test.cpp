@@ -42,7 +42,7 @@ TEST_CASE("no figures of the table run into each other, however many digits they
                 {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 270, 900}});
     std::vector<DrawnWords> drawn;
     bench.app.note_words(&drawn);
-    bench.session().jump(bench.session().steps());
+    bench.session().jump(bench.session().player().steps());
     bench.frames(2);
     std::map<float, std::map<float, DrawnWords>> rows;  // from the left
     for (const DrawnWords& one : drawn)

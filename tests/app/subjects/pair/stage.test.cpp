@@ -58,11 +58,11 @@ TEST_CASE("at each step both boxes take three fifths of the free stage's smaller
         CAPTURE(card);
         Bench bench(course_lesson(id, false),
                     {.stage = {0, 0, size.x, size.y}, .timeline = {0, size.y, size.x, 140}, .foot = card});
-        for (int step = 0; step <= bench.session().steps(); ++step) {
+        for (int step = 0; step <= bench.session().player().steps(); ++step) {
           CAPTURE(step);
           bench.session().jump(step);
           bench.frames(6);
-          const float ruler = step > 0 && bench.session().dim() == 3 && size.x >= 560 ? kRuler : 0;
+          const float ruler = step > 0 && bench.session().stage().subject().dim() == 3 && size.x >= 560 ? kRuler : 0;
           CHECK(extent_on_stage(bench) >= 0.6f * free_side(size, card, ruler));
         }
       }
@@ -131,11 +131,11 @@ TEST_CASE("a row that was pointed at is not lit any more when a test without axe
   lesson::Session session = lesson_session("obb-sat", false);
   AxisLight light;
   light.pointed = 1, light.tapped = 2;
-  REQUIRE(session.choose(0, "extents_only").has_value());
+  REQUIRE(session.player().choose(0, "extents_only").has_value());
   ImGui::NewFrame();
   CHECK(draw_axis_panel(bench.app.look(), session, {}, {0, 0}, 240, &light) == 0);
   ImGui::EndFrame();
-  CHECK(light.row(session.dim()) == -1);
+  CHECK(light.row(session.stage().subject().dim()) == -1);
 }
 
 TEST_CASE("another pair of the table begins at its first step, or shows its result where a result was shown") {
@@ -143,16 +143,16 @@ TEST_CASE("another pair of the table begins at its first step, or shows its resu
     CAPTURE(at_end);
     Bench bench(course_lesson("overlap-any", false),
                 {.stage = {280, 0, 800, 600}, .timeline = {280, 600, 800, 100}, .inspector = {0, 0, 280, 700}});
-    bench.session().jump(at_end ? bench.session().steps() : 2);
+    bench.session().jump(at_end ? bench.session().player().steps() : 2);
     const std::vector<DrawnWords> drawn = bench.drawn_words();
     const auto cell = std::find_if(drawn.begin(), drawn.end(),
                                    [](const DrawnWords& one) { return one.high.x <= 280 && one.words == "GJK"; });
     REQUIRE(cell != drawn.end());
     bench.press((cell->low.x + cell->high.x) / 2, (cell->low.y + cell->high.y) / 2);
     bench.release();
-    CHECK(bench.session().edited());
-    CHECK(bench.session().method(0)->name == "gjk");
-    CHECK(bench.session().step() == (at_end ? bench.session().steps() : 0));
+    CHECK(bench.session().stage().edited());
+    CHECK(bench.session().player().method(0)->name == "gjk");
+    CHECK(bench.session().player().step() == (at_end ? bench.session().player().steps() : 0));
   }
 }
 

@@ -37,7 +37,7 @@ TEST_CASE("no two numbers in a row of the tables overlap, however large or small
                          ", 0.9" + e + "]]\nturn = [[17, -13, -29], [17, -13, -28.9999427042204869]]");
     Bench bench(std::move(boxes),
                 {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 280, 900}});
-    bench.session().jump(bench.session().steps());
+    bench.session().jump(bench.session().player().steps());
     std::vector<DrawnWords> drawn;
     bench.app.note_words(&drawn);
     bench.frames(2);
@@ -61,7 +61,7 @@ TEST_CASE("the axes of two volumes have the stage's unit") {
   Bench bench(test::viewed("volume = \"volume_pair\"\nalgorithms = [\"separating_axes\"]",
                            "[volumes]\ndim = 2\na = " + box("[0.0, 0.0]") + "\nb = " + box("[3.0, 0.5]")),
               {.stage = {0, 0, 800, 600}, .timeline = {0, 600, 800, 100}, .inspector = {800, 0, 280, 900}});
-  bench.session().jump(bench.session().steps());
+  bench.session().jump(bench.session().player().steps());
   const std::vector<std::string> words = bench.words();
   CHECK(std::find(words.begin(), words.end(), "The axes") != words.end());
 }

@@ -7,7 +7,7 @@ namespace snug::app {
 namespace {
 
 std::vector<int> untested_now(const lesson::Session& session) {
-  return untested_axes(session, lesson::pair_run(session.run(0)).trace().first(session.step()));
+  return untested_axes(session, lesson::pair_run(session.player().run(0)).trace().first(session.player().step()));
 }
 
 }  // namespace
@@ -15,9 +15,9 @@ std::vector<int> untested_now(const lesson::Session& session) {
 TEST_CASE("before the test every axis of two AABBs has its intervals, and the test takes its own from them") {
   lesson::Session session = lesson_session("aabb-space", false);
   CHECK(untested_now(session) == std::vector<int>{0, 1, 2});
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
-    const std::string fact(session.run(0).fact(step - 1));
+    const std::string fact(session.player().run(0).fact(step - 1));
     if (fact == "slab_tested") CHECK(untested_now(session).size() == static_cast<std::size_t>(3 - step));
   }
   CHECK(untested_now(lesson_session("sphere-overlap", false)).empty());
@@ -27,15 +27,16 @@ TEST_CASE("before the test every axis of two AABBs has its intervals, and the te
 TEST_CASE("while a question is open whose answer two intervals show, none is drawn before its step") {
   lesson::Session session = lesson_session("aabb-space", true);
   CHECK(untested_now(session).empty());
-  while (session.asked() != nullptr || session.step() < session.steps()) {
-    if (session.asked() == nullptr) {
+  while (session.conversation().asked() != nullptr || session.player().step() < session.player().steps()) {
+    if (session.conversation().asked() == nullptr) {
       session.forward();
       continue;
     }
-    const std::string asks = session.asked()->question->asks;
+    const std::string asks = session.conversation().asked()->question->asks;
     if (asks == "separates" || asks == "first_axis") CHECK(untested_now(session).empty());
-    REQUIRE(session.answer(lesson::model_answer(*session.asked(), session.run(0))));
-    session.acknowledge();
+    REQUIRE(
+        session.conversation().give(lesson::model_answer(*session.conversation().asked(), session.player().run(0))));
+    session.conversation().acknowledge();
   }
   session.jump(0);
   CHECK(untested_now(session) == std::vector<int>{0, 1, 2});

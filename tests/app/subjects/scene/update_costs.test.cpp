@@ -33,7 +33,7 @@ bool is_drawn(const std::vector<std::string>& words, const std::string& one) {
 
 /// The points that an update examines in the last frame, as a text.
 std::string last_cost_text(const lesson::Session& session, std::string_view algorithm) {
-  for (const lesson::Figure& figure : session.result(*lesson::find_method(session.lesson(), algorithm)))
+  for (const lesson::Figure& figure : session.player().result(*lesson::find_method(session.lesson(), algorithm)))
     if (figure.key == "cost") return lesson::count_text(static_cast<std::int64_t>(figure.value));
   return "no cost";
 }
@@ -56,7 +56,7 @@ TEST_CASE("the scale of the looseness ends at the greatest one, in the words of 
   bench.session().jump(6);
   double most = 0;
   for (int step = 0; step < 6; ++step) {
-    const auto& fact = lesson::scene_run(bench.session().run(0)).entry(step).step.fact;
+    const auto& fact = lesson::scene_run(bench.session().player().run(0)).entry(step).step.fact;
     most = std::max(most, lesson::figure_of(*std::get_if<lesson::FrameTaken>(&fact), "slack"));
   }
   REQUIRE(most > 100);
@@ -78,7 +78,7 @@ because = "So many."
 )"),
               kNumbersBeside);
   bench.session().go(5);
-  REQUIRE(bench.session().asked() != nullptr);
+  REQUIRE(bench.session().conversation().asked() != nullptr);
   const auto words = bench.words();
   CHECK(is_drawn(words, "Looseness, frame by frame"));
   CHECK_FALSE(is_drawn(words, "Points examined, frame by frame"));

@@ -33,21 +33,21 @@ TEST_CASE("a point is where its body has come to, and is placed where the scene 
   CHECK(view->shows_points(session));
   session.jump(0);
   CHECK(view->can_move(session));
-  CHECK((view->place_of(session, 3) - session.point(3)).norm() < 1e-9);
+  CHECK((view->place_of(session, 3) - session.stage().subject().at(3)).norm() < 1e-9);
   session.jump(15);
   CHECK_FALSE(view->can_move(session));
-  CHECK((view->place_of(session, 3) - session.point(3)).norm() > 0.1);
+  CHECK((view->place_of(session, 3) - session.stage().subject().at(3)).norm() > 0.1);
 }
 
 TEST_CASE("where a body stands at each point, it is drawn in the point's place, and the view holds all frames") {
   lesson::Session session = turning(true);
   const auto view = scene_view();
   CHECK_FALSE(view->shows_points(session));
-  CHECK(session.subject().tools().word == "Bodies");
+  CHECK(session.stage().subject().tools().word == "Bodies");
   const fit::Sphere3 room = view->extent(session);
-  for (Index i = 0; i < session.size(); ++i) {
+  for (Index i = 0; i < session.stage().subject().size(); ++i) {
     CHECK(view->place_of(session, i) == frame_of(session)->bodies[i].position);
-    CHECK((session.point(i) - room.center).cwiseAbs().maxCoeff() <= room.radius);
+    CHECK((session.stage().subject().at(i) - room.center).cwiseAbs().maxCoeff() <= room.radius);
   }
 }
 

@@ -23,7 +23,7 @@ lesson::Session tree_session(std::string_view volume, const std::string& method,
     question.asks = asks;
   }
   lesson::Session session = *lesson::Session::open(std::move(lesson));
-  session.first();
+  session.go(0);
   return session;
 }
 
@@ -47,8 +47,8 @@ TEST_CASE("a split's prices stay until its node is divided") {
 
 TEST_CASE("a question about a split shows the node, and neither the border nor the boxes") {
   lesson::Session session = tree_session(lesson::kTreeBuild, "top_down_sah", "split_chosen", "points");
-  session.go(session.steps());
-  REQUIRE(session.asked() != nullptr);
+  session.go(session.player().steps());
+  REQUIRE(session.conversation().asked() != nullptr);
   const TreeShown shown = tree_shown_at(session);
   CHECK(shown.branch == 0);
   CHECK(shown.split == nullptr);
@@ -57,15 +57,15 @@ TEST_CASE("a question about a split shows the node, and neither the border nor t
 
 TEST_CASE("a question about an insertion shows the box, and not where it goes") {
   lesson::Session session = tree_session(lesson::kTreeBuild, "insertion", "body_inserted", "beside", 3);
-  session.go(session.steps());
-  REQUIRE(session.asked() != nullptr);
+  session.go(session.player().steps());
+  REQUIRE(session.conversation().asked() != nullptr);
   CHECK(tree_shown_at(session).incoming == 2);
   CHECK(tree_shown_at(session).branch == kNoIndex);
 }
 
 TEST_CASE("what a query leaves out is crossed where it was tested, and pale below") {
   lesson::Session session = tree_session(lesson::kTreeQuery, "point_query", "", nullptr);
-  session.go(session.steps());
+  session.go(session.player().steps());
   const TreeShown shown = tree_shown_at(session);
   int crossed = 0, pale = 0;
   for (const Index i : shown.forest().there()) {
@@ -89,7 +89,7 @@ TEST_CASE(
   CHECK(roots.partner == 0);
   const bool apart = roots.pairs()->apart;
   for (const TreeSide side : {TreeSide::kOwn, TreeSide::kCopy}) CHECK(ink_of(kLight, roots, 0, side).crossed == apart);
-  session.go(session.steps());
+  session.go(session.player().steps());
   const TreeShown end = tree_shown_at(session);
   CHECK(end.branch == kNoIndex);
   CHECK(end.partner == kNoIndex);
@@ -97,7 +97,7 @@ TEST_CASE(
     for (const TreeSide side : {TreeSide::kOwn, TreeSide::kCopy}) CHECK_FALSE(ink_of(kLight, end, i, side).crossed);
 
   lesson::Session asked = tree_session(lesson::kTreeQuery, std::string(lesson::kTwoTrees), "pair_tested", "apart");
-  REQUIRE(asked.asked() != nullptr);
+  REQUIRE(asked.conversation().asked() != nullptr);
   const TreeShown before = tree_shown_at(asked);
   CHECK(before.branch == 0);
   CHECK(before.partner == 0);

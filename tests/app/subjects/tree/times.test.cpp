@@ -20,11 +20,11 @@ TEST_CASE("no title stands over what its way costs") {
   Bench bench(course_lesson("bvh-build", false), kBesideStage);
   for (const char* const way : {"top_down_median", "top_down_sah", "bottom_up", "insertion"}) {
     CAPTURE(way);
-    REQUIRE(bench.session().choose(0, way).has_value());
-    bench.session().go(bench.session().steps());
+    REQUIRE(bench.session().player().choose(0, way).has_value());
+    bench.session().go(bench.session().player().steps());
     bench.frames(30);  // it is timed once the view has been still
     const std::vector<DrawnWords> drawn = bench.drawn_words();
-    const std::string title(bench.session().method(0)->title);
+    const std::string title(bench.session().player().method(0)->title);
     bool timed = false;
     for (const DrawnWords& words : drawn) {
       if (words.words != title || words.low.x < 628) continue;

@@ -21,7 +21,7 @@ lesson::Session climbing(std::string_view question = "") {
 TEST_CASE("a climb's way grows vertex by vertex, and each climb begins anew") {
   lesson::Session session = climbing();
   std::size_t longest = 0, bounds = 0;
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
     const UpdateShown shown = update_shown_at(session);
     const auto& fact = shown.run->trace()[step - 1].step.fact;
@@ -53,8 +53,8 @@ asks = "point"
 prompt = "Which is next?"
 because = "It reaches farthest."
 )");
-  session.first();
-  REQUIRE(session.asked() != nullptr);
+  session.go(0);
+  REQUIRE(session.conversation().asked() != nullptr);
   const UpdateShown shown = update_shown_at(session);
   REQUIRE(shown.climb);
   const auto& walk = *std::get_if<fit::NeighborsCompared>(&shown.run->trace()[0].step.fact);
@@ -66,10 +66,10 @@ because = "It reaches farthest."
 
 TEST_CASE("both bounds of an axis are shown at once, and the sphere's point once it is known") {
   lesson::Session session = climbing();
-  REQUIRE(session.choose(0, "rotated_box").has_value());
+  REQUIRE(session.player().choose(0, "rotated_box").has_value());
   session.jump(1);
   CHECK(update_shown_at(session).bounds.size() == 2);
-  REQUIRE(session.choose(0, "loose").has_value());
+  REQUIRE(session.player().choose(0, "loose").has_value());
   session.jump(1);
   CHECK(update_shown_at(session).farthest.has_value());
 }

@@ -47,10 +47,10 @@ because = "So."
 )"),
               kPanelBeside);
   CHECK_FALSE(is_said(bench.words(), "Looseness over a whole turn"));  // nor before it is asked
-  bench.session().first();
-  REQUIRE(bench.session().asked() != nullptr);
+  bench.session().go(0);
+  REQUIRE(bench.session().conversation().asked() != nullptr);
   CHECK_FALSE(is_said(bench.words(), "Looseness over a whole turn"));
-  REQUIRE(bench.session().skip());
+  REQUIRE(bench.session().conversation().give({}, false));
   bench.session().last();
   CHECK(is_said(bench.words(), "Looseness over a whole turn"));
 }

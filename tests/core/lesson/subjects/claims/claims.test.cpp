@@ -82,32 +82,33 @@ Answer choice(int i) { return {Answer::Kind::kChoice, i}; }
 TEST_CASE("the answers wait for the clouds, and no edit of the stage changes them") {
   Session session = opened();
   CHECK(session.lesson().subject == &kClaimsRow);
-  CHECK(session.asked() == nullptr);  // first seen, then asked
-  session.ask_predictions();
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->choices.size() == 3);
-  REQUIRE(session.answer(choice(2)));
-  REQUIRE(session.answer(choice(0)));
-  REQUIRE(session.outcomes().size() == 2);
-  for (const Outcome& outcome : session.outcomes()) CHECK(outcome.pending);
+  CHECK(session.conversation().asked() == nullptr);  // first seen, then asked
+  session.conversation().ask_predictions();
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->choices.size() == 3);
+  REQUIRE(session.conversation().give(choice(2)));
+  REQUIRE(session.conversation().give(choice(0)));
+  REQUIRE(session.log().outcomes().size() == 2);
+  for (const Outcome& outcome : session.log().outcomes()) CHECK(outcome.pending);
   try_claims(session);
-  CHECK(session.outcomes()[0].right);
-  CHECK(session.outcomes()[0].says.find(" of 240 clouds.") != std::string::npos);
-  CHECK_FALSE(session.outcomes()[1].right);
-  REQUIRE(session.set_generator("stick", 12, 3, 5));
-  CHECK(session.outcomes().size() == 2);
-  CHECK(session.asked() == nullptr);
-  CHECK(as<ClaimsSubject>(session.subject())->trials().size() == cost::all_trials().size());
+  CHECK(session.log().outcomes()[0].right);
+  CHECK(session.log().outcomes()[0].says.find(" of 240 clouds.") != std::string::npos);
+  CHECK_FALSE(session.log().outcomes()[1].right);
+  REQUIRE(session.stage().set_generator("stick", 12, 3, 5));
+  CHECK(session.log().outcomes().size() == 2);
+  CHECK(session.conversation().asked() == nullptr);
+  CHECK(as<ClaimsSubject>(session.stage().subject())->trials().size() == cost::all_trials().size());
 }
 
 TEST_CASE("a cloud of a row is the one that its kind, number and seed scatter") {
   Session session = opened();
   const auto worst = cost::tally_trials("four_points", cost::all_trials()).worst;
   REQUIRE(worst.has_value());
-  REQUIRE(session.set_generator(worst->kind, worst->points, 3, static_cast<std::uint64_t>(worst->seed)));
+  REQUIRE(session.stage().set_generator(worst->kind, worst->points, 3, static_cast<std::uint64_t>(worst->seed)));
   const AnyPointSet cloud = cost::trial_cloud(worst->kind, worst->points, worst->seed);
-  REQUIRE(session.size() == fit::count_of(cloud));
-  for (Index i = 0; i < session.size(); ++i) CHECK(session.point(i) == fit::point_of(cloud, i));
+  REQUIRE(session.stage().subject().size() == fit::count_of(cloud));
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
+    CHECK(session.stage().subject().at(i) == fit::point_of(cloud, i));
   CHECK(shown_by(session.lesson(), *cost::find_trial("four_points")) == "brute_force_slide");
   CHECK(shown_by(session.lesson(), *cost::find_trial("kdop_tighter")) == "kdop/k14");
 }
@@ -117,7 +118,7 @@ TEST_CASE("its model answers are sound, and its task is graded on the points") {
   const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->sound());
-  session.start_task(0);
+  session.stage().start_task(0);
   CHECK_FALSE(session.grade(0).done);
 }
 

@@ -36,14 +36,15 @@ Session opened(const std::string& text) {
 Session at_question(const std::string& text) {
   Session session = opened(text);
   session.last();
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   return session;
 }
 
 std::vector<std::string> right_choices(const Session& session) {
-  const Asked& asked = *session.asked();
+  const Asked& asked = *session.conversation().asked();
   std::vector<std::string> right;
-  for (const int choice : asked.asking->truth(asked, session.run(0)).choices) right.push_back(asked.choices[choice]);
+  for (const int choice : asked.asking->truth(asked, session.player().run(0)).choices)
+    right.push_back(asked.choices[choice]);
   return right;
 }
 
@@ -53,18 +54,21 @@ TEST_CASE("an edge: that of the hull on which the smallest rectangle lies") {
   // Each edge of this trapezium but P1 to P2 has a rectangle of area 4 on it.
   Session session =
       at_question(lesson_of("list = [[0, 0], [4, 0], [3, 1], [0, 1]]", "obb/pca_rectangle", "rectangle_found", "edge"));
-  CHECK(session.asked()->choices.size() == 4);
+  CHECK(session.conversation().asked()->choices.size() == 4);
   const auto right = right_choices(session);
   REQUIRE(right.size() == 1);
   CHECK(right.front() != "P1 to P2");
-  CHECK(session.asked()->asking->truth(*session.asked(), session.run(0)).sentence.ends_with("with area 4.000."));
+  CHECK(session.conversation()
+            .asked()
+            ->asking->truth(*session.conversation().asked(), session.player().run(0))
+            .sentence.ends_with("with area 4.000."));
 }
 
 TEST_CASE("an edge in space: that of the projection on which the calipers found the smallest rectangle") {
   Session session = at_question(
       lesson_of("dim = 3\ngenerate = \"clusters\"\ncount = 12", "obb/pca_rectangle", "rectangle_found", "edge"));
-  const Asked asked = *session.asked();
-  const auto turn = calipers_turn(fit_run(session.run(0)).trace(), asked.fact);
+  const Asked asked = *session.conversation().asked();
+  const auto turn = calipers_turn(fit_run(session.player().run(0)).trace(), asked.fact);
   REQUIRE(turn.size() >= 3);
   CHECK(asked.choices.size() == turn.size());
   const auto least =
@@ -79,7 +83,7 @@ TEST_CASE("smaller: whether the next edge of the calipers' turn has a smaller re
   for (const int nth : {1, 2, 3}) {
     Session session = at_question(lesson_of("dim = 3\ngenerate = \"clusters\"\ncount = 12", "obb/pca_rectangle",
                                             "calipers_turned", "smaller", nth));
-    const auto turn = calipers_turn(fit_run(session.run(0)).trace(), session.asked()->fact + 1);
+    const auto turn = calipers_turn(fit_run(session.player().run(0)).trace(), session.conversation().asked()->fact + 1);
     REQUIRE(static_cast<int>(turn.size()) == nth);
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i + 1 < nth; ++i) before = std::min(before, turn[i]->area);
@@ -91,14 +95,16 @@ TEST_CASE("faces: those that the eye lies beyond, all of them and no other") {
   Session session = at_question(lesson_of(
       "dim = 3\nlist = [[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8], [5, 5, 5], [1, 1, 1], [7, 4, -1], [-1, 2, 3]]",
       "hull/quickhull", "horizon_found", "faces"));
-  const Asked asked = *session.asked();
-  const Index eye = fact_of<fit::HorizonFound>(asked, session.run(0)).eye;
+  const Asked asked = *session.conversation().asked();
+  const Index eye = fact_of<fit::HorizonFound>(asked, session.player().run(0)).eye;
   std::vector<std::string> seen;
   for (std::size_t i = 0; i < asked.choices.size(); ++i) {
     const auto& face = asked.choice_handles[i];
     REQUIRE(face.size() == 3);
-    const Point3 a = session.point(face[0]), b = session.point(face[1]), c = session.point(face[2]);
-    if ((b - a).cross(c - a).dot(session.point(eye) - a) > 0) seen.push_back(asked.choices[i]);  // small integers
+    const Point3 a = session.stage().subject().at(face[0]), b = session.stage().subject().at(face[1]),
+                 c = session.stage().subject().at(face[2]);
+    if ((b - a).cross(c - a).dot(session.stage().subject().at(eye) - a) > 0)
+      seen.push_back(asked.choices[i]);  // small integers
   }
   CHECK(!seen.empty());
   CHECK(seen.size() < asked.choices.size());

@@ -16,7 +16,7 @@ const Figure* find(const std::vector<Figure>& figures, std::string_view key) {
 }
 
 Figure figure(const Session& session, std::string_view key) {
-  const auto figures = session.figures();
+  const auto figures = session.telling().figures();
   const Figure* found = find(figures, key);
   REQUIRE_MESSAGE(found != nullptr, key);
   return *found;
@@ -71,7 +71,7 @@ TEST_CASE("two numbers have the digits that tell them apart") {
 
 TEST_CASE("the figures of a place in the run") {
   Session session = open_small();
-  CHECK(find(session.figures(), "radius") == nullptr);
+  CHECK(find(session.telling().figures(), "radius") == nullptr);
   CHECK(figure(session, "distance_tests").value == 0);
 
   session.jump(7);  // P4 was examined and lies outside
@@ -88,26 +88,26 @@ TEST_CASE("the figures of a place in the run") {
   session.jump(8);  // the circle grew to it
   CHECK(figure(session, "radius").value == 2.25);
   CHECK(figure(session, "outside").value == 0);
-  CHECK(find(session.figures(), "outside_by") == nullptr);
-  session.jump(session.steps());
+  CHECK(find(session.telling().figures(), "outside_by") == nullptr);
+  session.jump(session.player().steps());
   CHECK(figure(session, "radius").name == "Radius");
   CHECK(figure(session, "excess").text == "+9.8 %");
   CHECK(figure(session, "excess").known);
   CHECK(figure(session, "excess").value == doctest::Approx(100 * (2.25 / 2.05 - 1)));
-  REQUIRE(session.choose(0, "welzl").has_value());
+  REQUIRE(session.player().choose(0, "welzl").has_value());
   CHECK(figure(session, "support").name == "Support set");
 }
 
 TEST_CASE("operations: those that the algorithm spends, the same rows at every step, never falling") {
   Session session = open_small();
   for (const char* algorithm : {"ritter", "pca", "welzl", "brute_force"}) {
-    REQUIRE(session.choose(0, algorithm).has_value());
+    REQUIRE(session.player().choose(0, algorithm).has_value());
     std::vector<std::string> keys;
     double before = 0;
-    for (int step = 0; step <= session.steps(); ++step) {
+    for (int step = 0; step <= session.player().steps(); ++step) {
       session.jump(step);
       std::vector<std::string> now;
-      for (const Figure& f : session.figures())
+      for (const Figure& f : session.telling().figures())
         if (std::find(kOperationNames.begin(), kOperationNames.end(), f.key) != kOperationNames.end())
           now.push_back(f.key);
       if (step == 0) keys = now;
@@ -118,14 +118,14 @@ TEST_CASE("operations: those that the algorithm spends, the same rows at every s
     CHECK(keys.size() >= 2);
     CHECK(before > 0);
   }
-  CHECK(find(session.figures(), "dot_products") == nullptr);
+  CHECK(find(session.telling().figures(), "dot_products") == nullptr);
 }
 
 TEST_CASE("the points that a sum of products has touched are counted as it grows") {
   for (const char* const way : {"pca_sums", "pca_one_pass"}) {
     CAPTURE(way);
     Session session = test::session_of("covariance");
-    REQUIRE(session.choose(0, way).has_value());
+    REQUIRE(session.player().choose(0, way).has_value());
     session.jump(2);
     for (int step = 3; step < 8; ++step) {
       const double before = figure(session, "points_touched").value;
@@ -137,43 +137,43 @@ TEST_CASE("the points that a sum of products has touched are counted as it grows
 
 TEST_CASE("the statistics have their figures where they are found") {
   Session session = test::open(test::small_lesson_with("\"welzl\", ", "\"welzl\", \"pca\", "));
-  REQUIRE(session.choose(0, "pca").has_value());
+  REQUIRE(session.player().choose(0, "pca").has_value());
   session.jump(1);
   CHECK(figure(session, "mean_x").value == doctest::Approx(0.5 / 6));
   CHECK(figure(session, "mean_y").value == doctest::Approx(2.7 / 6));
-  CHECK(find(session.figures(), "mean_z") == nullptr);
+  CHECK(find(session.telling().figures(), "mean_z") == nullptr);
   session.jump(3);
   const double first = figure(session, "variance_1").value;
   const double second = figure(session, "variance_2").value;
   CHECK(first >= second);
   CHECK(second > 0);
   CHECK(figure(session, "deviation_1").value == doctest::Approx(std::sqrt(first)));
-  CHECK(find(session.figures(), "variance_3") == nullptr);
+  CHECK(find(session.telling().figures(), "variance_3") == nullptr);
 }
 
 TEST_CASE("the proof: what is claimed, and whether it holds") {
   Session session = open_small();
-  CHECK(session.proofs().empty());
+  CHECK(session.player().proofs().empty());
   session.jump(2);
-  auto proofs = session.proofs();
+  auto proofs = session.player().proofs();
   REQUIRE(proofs.size() == 2);
   CHECK(proofs[0].text == "contains 5 of 6 points");
   CHECK_FALSE(proofs[0].holds);
   CHECK(proofs[1].holds);
-  session.jump(session.steps());
-  proofs = session.proofs();
+  session.jump(session.player().steps());
+  proofs = session.player().proofs();
   REQUIRE(proofs.size() == 3);
   CHECK(proofs[0].text == "contains all 6 points, exactly");
   CHECK(proofs[0].holds);
   CHECK_FALSE(proofs[2].claimed);
 
-  REQUIRE(session.choose(0, "welzl").has_value());
-  for (int step = 1; step <= session.steps(); ++step) {
+  REQUIRE(session.player().choose(0, "welzl").has_value());
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
-    for (const Proof& proof : session.proofs())
+    for (const Proof& proof : session.player().proofs())
       if (proof.claimed) CHECK_MESSAGE(proof.holds, proof.text, " at ", step);
   }
-  proofs = session.proofs();
+  proofs = session.player().proofs();
   REQUIRE(proofs.size() == 3);
   CHECK(proofs[2].claimed);
   CHECK(proofs[2].holds);
@@ -196,11 +196,11 @@ text = "A **term**."
     std::string text(kHead);
     text.append("volume = \"").append(volume).append("\"\nalgorithms = [\"").append(algorithm).append("\"]\n");
     Session session = test::open(text.append(kPoints));
-    session.jump(session.steps());
-    const Proof last = session.proofs().back();
+    session.jump(session.player().steps());
+    const Proof last = session.player().proofs().back();
     CHECK(last.claimed);
     CHECK(last.holds);
-    const auto figures = session.figures();
+    const auto figures = session.telling().figures();
     const Figure* over = find(figures, "excess");
     CHECK((over == nullptr || over->text == "0.0 %"));
     return last.text;
@@ -228,18 +228,18 @@ text = "A **term**."
 )");
   const auto supported = [&](int step) {
     session.jump(step);
-    CHECK(session.caption().find(": nothing") == std::string::npos);
-    const auto figures = session.figures();
+    CHECK(session.telling().caption().find(": nothing") == std::string::npos);
+    const auto figures = session.telling().figures();
     const Figure* support = find(figures, "support");
     return support != nullptr ? support->text : "none";
   };
   CHECK(supported(1) == "none");  // there is no volume yet
   CHECK(supported(2) == "4 points");
   CHECK(supported(3) == "4 points");
-  CHECK(session.caption() == "Slab 3 lies between P0 and P4, the extremes along x+y.");
-  CHECK(session.support(0) == std::vector<Index>{0, 1, 3, 4});
+  CHECK(session.telling().caption() == "Slab 3 lies between P0 and P4, the extremes along x+y.");
+  CHECK(session.player().support(0) == std::vector<Index>{0, 1, 3, 4});
   CHECK(supported(4) == "4 points");
-  CHECK(session.caption().find("along x−y.") != std::string::npos);
+  CHECK(session.telling().caption().find("along x−y.") != std::string::npos);
 }
 
 TEST_CASE("how many facets an eye sees is known where its horizon is found, and never none") {
@@ -258,11 +258,11 @@ title = "One"
 text = "Words."
 )");
   int found = 0;
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
-    const bool known = session.run(0).fact(step - 1) == "horizon_found";
+    const bool known = session.player().run(0).fact(step - 1) == "horizon_found";
     found += known ? 1 : 0;
-    const auto figures = session.figures();
+    const auto figures = session.telling().figures();
     const Figure* seen = find(figures, "seen_facets");
     if (seen != nullptr) CHECK_MESSAGE(seen->known == known, step);
     if (known) CHECK(seen->value > 0);
@@ -273,9 +273,9 @@ text = "Words."
 TEST_CASE("a support set of no points is not counted") {
   Session session = open_small();
   session.jump(1);
-  for (int step = 1; step <= session.steps(); ++step) {
+  for (int step = 1; step <= session.player().steps(); ++step) {
     session.jump(step);
-    for (const Figure& f : session.figures())
+    for (const Figure& f : session.telling().figures())
       if (f.key == "support") CHECK_MESSAGE(f.known == (f.value > 0), step);
   }
 }
@@ -283,21 +283,21 @@ TEST_CASE("a support set of no points is not counted") {
 TEST_CASE("figures and proofs are there at every step of every algorithm, also of a thousand points and of one") {
   Session session = open_small();
   for (const int count : {1, 2, 300}) {
-    REQUIRE(session.set_generator("gaussian", count, 3, 11).has_value());
+    REQUIRE(session.stage().set_generator("gaussian", count, 3, 11).has_value());
     for (const char* algorithm : {"aabb_center", "ritter", "ritter_iterative", "pca", "welzl"}) {
-      REQUIRE(session.choose(0, algorithm).has_value());
-      const int stride = 1 + session.steps() / 60;
-      for (int step = 0; step <= session.steps(); step += stride) {
+      REQUIRE(session.player().choose(0, algorithm).has_value());
+      const int stride = 1 + session.player().steps() / 60;
+      for (int step = 0; step <= session.player().steps(); step += stride) {
         session.jump(step);
-        for (const Figure& f : session.figures()) {
+        for (const Figure& f : session.telling().figures()) {
           CHECK(std::isfinite(f.value));
           CHECK_FALSE(f.text.empty());
         }
-        static_cast<void>(session.proofs());
+        static_cast<void>(session.player().proofs());
       }
-      session.jump(session.steps());
+      session.jump(session.player().steps());
       CHECK(figure(session, "outside").value == 0);
-      CHECK(session.proofs().front().holds);
+      CHECK(session.player().proofs().front().holds);
     }
   }
 }

@@ -12,7 +12,7 @@ Grade graded(const Session& session, std::string_view algorithm, Requirement due
   Task task;
   task.algorithm = algorithm;
   task.conditions.push_back(std::move(due));
-  return session.subject().grade(session.lesson(), task, session.view());
+  return session.stage().subject().grade(session.lesson(), task, session.player().view());
 }
 
 Requirement excess(double at_least, std::string over = {}) {
@@ -29,12 +29,12 @@ TEST_CASE("the task is graded on the points as they stand") {
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->points == 6);
   CHECK(session.grade()->says.find("There are 6 points; the task is for 4.") == 0);
-  REQUIRE(session.remove(5).has_value());
-  REQUIRE(session.remove(2).has_value());
+  REQUIRE(session.stage().remove(5).has_value());
+  REQUIRE(session.stage().remove(2).has_value());
   CHECK(session.grade()->done);
   CHECK(session.grade()->excess == doctest::Approx(2.25 / 2.05 - 1));
   CHECK(session.grade()->says == "Excess over the optimum: 9.8 %. Done.");
-  REQUIRE(session.move(3, {0, 1, 0}).has_value());
+  REQUIRE(session.stage().move(3, {0, 1, 0}).has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says == "Excess over the optimum: 0.0 %; it must be at least 5 %.");
 }
@@ -60,29 +60,29 @@ TEST_CASE("a requirement can be about another algorithm, and an excess over any"
 
 TEST_CASE("points all in one place solve nothing") {
   Session session = open_small();
-  REQUIRE(session.remove(5).has_value());
-  REQUIRE(session.remove(4).has_value());
-  for (Index i = 0; i < 4; ++i) REQUIRE(session.move(i, {1, 1, 0}).has_value());
+  REQUIRE(session.stage().remove(5).has_value());
+  REQUIRE(session.stage().remove(4).has_value());
+  for (Index i = 0; i < 4; ++i) REQUIRE(session.stage().move(i, {1, 1, 0}).has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->excess == 0);
 }
 
 TEST_CASE("the start of a task has as many points as it is for, and its result on the stage") {
   Session session = open_small();
-  REQUIRE(session.choose(0, "welzl").has_value());
-  session.start_task();
-  CHECK(session.size() == 4);
-  CHECK(session.method(0)->name == "ritter");
-  CHECK(session.step() == session.steps());
-  CHECK(session.asked() == nullptr);
-  session.undo();
-  CHECK(session.size() == 6);
+  REQUIRE(session.player().choose(0, "welzl").has_value());
+  session.stage().start_task();
+  CHECK(session.stage().subject().size() == 4);
+  CHECK(session.player().method(0)->name == "ritter");
+  CHECK(session.player().step() == session.player().steps());
+  CHECK(session.conversation().asked() == nullptr);
+  session.stage().undo();
+  CHECK(session.stage().subject().size() == 6);
 }
 
 TEST_CASE("a lesson without a task has no grade") {
   const auto text = std::string(test::kSmallLesson);
   Session session = test::open(text.substr(0, text.find("[[task]]")));
   CHECK_FALSE(session.grade().has_value());
-  session.start_task();
-  CHECK(session.size() == 6);
+  session.stage().start_task();
+  CHECK(session.stage().subject().size() == 6);
 }

@@ -29,87 +29,90 @@ std::string with_fraction() {
 constexpr double kExact = 0.1;
 const double kRounded = static_cast<double>(0.1f);
 
-double fraction(const Session& session) { return session.point(5)[1]; }
+double fraction(const Session& session) { return session.stage().subject().at(5)[1]; }
 
 }  // namespace
 
 TEST_CASE("in float the points are rounded; double shows them as they were, and undo goes back") {
   Session session = open(with_fraction());
-  const std::uint64_t in_double = session.trace_hash();
-  REQUIRE(session.set_float(true));
+  const std::uint64_t in_double = session.player().trace_hash();
+  REQUIRE(session.stage().set_float(true));
   CHECK(fraction(session) == kRounded);
-  CHECK(session.subject().rows()[5][1] == kExact);
-  CHECK(session.trace_hash() != in_double);
-  CHECK_FALSE(session.edited());
-  CHECK_FALSE(session.is_own());
-  REQUIRE(session.set_float(false));
+  CHECK(session.stage().subject().rows()[5][1] == kExact);
+  CHECK(session.player().trace_hash() != in_double);
+  CHECK_FALSE(session.stage().edited());
+  CHECK_FALSE(session.stage().is_own());
+  REQUIRE(session.stage().set_float(false));
   CHECK(fraction(session) == kExact);
-  CHECK(session.trace_hash() == in_double);
-  session.undo();
-  CHECK(session.subject().in_float());
+  CHECK(session.player().trace_hash() == in_double);
+  session.stage().undo();
+  CHECK(session.stage().subject().in_float());
   CHECK(fraction(session) == kRounded);
-  session.undo();
-  CHECK_FALSE(session.subject().in_float());
-  CHECK_FALSE(session.can_undo());
+  session.stage().undo();
+  CHECK_FALSE(session.stage().subject().in_float());
+  CHECK_FALSE(session.stage().can_undo());
 }
 
 TEST_CASE("float is kept by drags, sliders and scattering, and given up by a reset") {
   Session session = open(with_fraction());
-  REQUIRE(session.slide(0, 10));  // the next slide begins at what stood before, in float from then on
-  REQUIRE(session.set_float(true));
-  REQUIRE(session.slide(0, 20));
-  CHECK(session.subject().in_float());
-  REQUIRE(session.slide(0, 0));
-  CHECK(session.subject().in_float());
+  REQUIRE(session.stage().slide(0, 10));  // the next slide begins at what stood before, in float from then on
+  REQUIRE(session.stage().set_float(true));
+  REQUIRE(session.stage().slide(0, 20));
+  CHECK(session.stage().subject().in_float());
+  REQUIRE(session.stage().slide(0, 0));
+  CHECK(session.stage().subject().in_float());
   CHECK(fraction(session) == kRounded);
-  REQUIRE(session.move(0, {kExact, kExact, 0}));
-  CHECK(session.point(0)[0] == kRounded);
-  session.scatter(9);
-  CHECK(session.subject().in_float());
-  CHECK(session.point(3)[0] == static_cast<double>(static_cast<float>(session.point(3)[0])));
-  session.start_task();
-  CHECK(session.subject().in_float());
-  session.reset();
-  CHECK_FALSE(session.subject().in_float());
+  REQUIRE(session.stage().move(0, {kExact, kExact, 0}));
+  CHECK(session.stage().subject().at(0)[0] == kRounded);
+  session.stage().scatter(9);
+  CHECK(session.stage().subject().in_float());
+  CHECK(session.stage().subject().at(3)[0] ==
+        static_cast<double>(static_cast<float>(session.stage().subject().at(3)[0])));
+  session.stage().start_task();
+  CHECK(session.stage().subject().in_float());
+  session.stage().reset();
+  CHECK_FALSE(session.stage().subject().in_float());
 }
 
 TEST_CASE("a squeeze brings points as near to a line as it says, and back to the last bit") {
   Session session = open(std::string(kSmallLesson) +
                          "\n[[slider]]\ntitle = \"Squeeze\"\ndrives = \"squeeze\"\nfrom = 1e-9\nto = 1\nstart = 1\n");
   const auto across = [&](Index i) {  // from the first point, at a right angle to the line
-    const Point3 offset = session.point(i) - session.point(0);
+    const Point3 offset = session.stage().subject().at(i) - session.stage().subject().at(0);
     return offset[0] * -0.6 + offset[1] * 0.8;
   };
   std::vector<double> before;
-  for (Index i = 0; i < session.size(); ++i) before.push_back(across(i));
-  REQUIRE(session.slide(0, 1e-3));
-  for (Index i = 0; i < session.size(); ++i) CHECK(across(i) == doctest::Approx(1e-3 * before[i]).epsilon(1e-9));
-  CHECK(session.point(1)[0] - session.point(0)[0] == doctest::Approx(4 * 0.8 * 0.8).epsilon(1e-2));
-  REQUIRE(session.slide(0, 1));
-  CHECK(session.is_own());
+  for (Index i = 0; i < session.stage().subject().size(); ++i) before.push_back(across(i));
+  REQUIRE(session.stage().slide(0, 1e-3));
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
+    CHECK(across(i) == doctest::Approx(1e-3 * before[i]).epsilon(1e-9));
+  CHECK(session.stage().subject().at(1)[0] - session.stage().subject().at(0)[0] ==
+        doctest::Approx(4 * 0.8 * 0.8).epsilon(1e-2));
+  REQUIRE(session.stage().slide(0, 1));
+  CHECK(session.stage().is_own());
 }
 
 TEST_CASE("what float cannot hold is refused, and nothing changes") {
   Session session = open(std::string(kSmallLesson));
-  REQUIRE(session.move(0, {1e30, 0, 0}));
-  CHECK_FALSE(session.set_float(true));
-  CHECK(session.point(0)[0] == 1e30);
-  session.undo();
-  REQUIRE(session.set_float(true));
-  CHECK_FALSE(session.move(0, {1e30, 0, 0}));
-  CHECK(session.point(0)[0] == -2);
-  CHECK_FALSE(session.set_rows({{0, 0}, {1e30, 0}}));
-  CHECK(session.size() == 6);
+  REQUIRE(session.stage().move(0, {1e30, 0, 0}));
+  CHECK_FALSE(session.stage().set_float(true));
+  CHECK(session.stage().subject().at(0)[0] == 1e30);
+  session.stage().undo();
+  REQUIRE(session.stage().set_float(true));
+  CHECK_FALSE(session.stage().move(0, {1e30, 0, 0}));
+  CHECK(session.stage().subject().at(0)[0] == -2);
+  CHECK_FALSE(session.stage().set_rows({{0, 0}, {1e30, 0}}));
+  CHECK(session.stage().subject().size() == 6);
 }
 
 TEST_CASE("a lesson's file chooses the scalar of its points, for a cloud alone") {
   const std::string in_float = with(std::string(kSmallLesson), "dim = 2", "dim = 2\nscalar = \"float\"");
   Session session = open(in_float);
-  CHECK(session.subject().in_float());
-  CHECK(session.is_own());
-  REQUIRE(session.set_float(false));
-  session.reset();
-  CHECK(session.subject().in_float());
+  CHECK(session.stage().subject().in_float());
+  CHECK(session.stage().is_own());
+  REQUIRE(session.stage().set_float(false));
+  session.stage().reset();
+  CHECK(session.stage().subject().in_float());
   const Draft draft = check::checked_draft(with(in_float, "\"float\"", "\"half\""), "small.toml");
   REQUIRE(draft.mistakes.size() == 1);
   CHECK(draft.mistakes[0].message().find("\"float\" or \"double\"") != std::string::npos);
@@ -168,10 +171,10 @@ TEST_CASE("a ball that a distance's own rounding would call right is told by exa
 TEST_CASE("a finished run's certificate comes with its numbers, where a naive method is offered") {
   const std::string naive = with(std::string(kSmallLesson), "\"brute_force\"]", "\"welzl_naive\"]");
   Session session = open(naive);
-  REQUIRE(session.choose(0, "welzl"));
+  REQUIRE(session.player().choose(0, "welzl"));
   session.last();
   const auto value = [&](std::string_view key) {
-    for (const Figure& figure : session.subject().figures(session.view()))
+    for (const Figure& figure : session.stage().subject().figures(session.player().view()))
       if (figure.key == key) return figure.value;
     return -1.0;
   };
@@ -186,8 +189,8 @@ TEST_CASE("a finished run's certificate comes with its numbers, where a naive me
   CHECK(value("widened_ulps") >= 0);
   CHECK(value("outside_count") == 0);
   CHECK(value("outside") == -1);
-  CHECK(value("steps") == session.steps());
-  session.back();
+  CHECK(value("steps") == session.player().steps());
+  session.go(session.player().step() - 1);
   CHECK(value("steps") == -1);
 }
 
@@ -197,15 +200,16 @@ TEST_CASE("which point is left outside is asked of the finished run, and none is
       "\n[[question]]\nid = \"lost\"\nalgorithm = \"welzl_naive\"\nbefore = \"finished\"\nasks = \"outside\"\n"
       "prompt = \"Which?\"\nbecause = \"So.\"\n";
   Session session = open(asks);
-  REQUIRE(session.choose(0, "welzl_naive"));
+  REQUIRE(session.player().choose(0, "welzl_naive"));
   session.last();
-  REQUIRE(session.asked() != nullptr);
+  REQUIRE(session.conversation().asked() != nullptr);
   const LeftOutside left =
-      left_outside(*session.subject().points(), *std::get_if<fit::Sphere3>(session.run(0).volume(session.steps())));
-  REQUIRE(session.pick(left.points.empty() ? "none" : session.name_of(left.worst)));
-  REQUIRE(session.commit());
-  REQUIRE(session.outcomes().size() == 1);
-  CHECK(session.outcomes()[0].right);
+      left_outside(*session.stage().subject().points(),
+                   *std::get_if<fit::Sphere3>(session.player().run(0).volume(session.player().steps())));
+  REQUIRE(session.conversation().pick(left.points.empty() ? "none" : session.stage().subject().name_of(left.worst)));
+  REQUIRE(session.conversation().commit());
+  REQUIRE(session.log().outcomes().size() == 1);
+  CHECK(session.log().outcomes()[0].right);
 }
 
 TEST_CASE("the goal of breaking it is judged on the same points in both scalars") {

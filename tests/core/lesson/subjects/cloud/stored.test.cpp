@@ -23,9 +23,9 @@ std::ptrdiff_t dashes(const StoredForm& form) {
 TEST_CASE("the bounds of a k-DOP are stored slab by slab, and then follow the hand") {
   Session session = test::session_of("kdop-slabs");
   int slabs = 0;
-  for (int step = 0; step <= session.steps(); ++step) {
+  for (int step = 0; step <= session.player().steps(); ++step) {
     session.jump(step);
-    if (step > 0 && session.run(0).fact(step - 1) == "slab_found") ++slabs;
+    if (step > 0 && session.player().run(0).fact(step - 1) == "slab_found") ++slabs;
     const auto volumes = stored_of(session);
     REQUIRE(volumes.size() == 1);
     CHECK(volumes[0].title == "8-DOP");
@@ -38,9 +38,11 @@ TEST_CASE("the bounds of a k-DOP are stored slab by slab, and then follow the ha
   CHECK(slabs == 4);
   const auto before = stored_of(session)[0].forms[0].members;
   Index rightmost = 0;
-  for (Index i = 1; i < session.size(); ++i)
-    if (session.name_of(i).front() == 'P' && session.point(i)[0] > session.point(rightmost)[0]) rightmost = i;
-  REQUIRE(session.move(rightmost, session.point(rightmost) + Point3(1, 0, 0)).has_value());
+  for (Index i = 1; i < session.stage().subject().size(); ++i)
+    if (session.stage().subject().name_of(i).front() == 'P' &&
+        session.stage().subject().at(i)[0] > session.stage().subject().at(rightmost)[0])
+      rightmost = i;
+  REQUIRE(session.stage().move(rightmost, session.stage().subject().at(rightmost) + Point3(1, 0, 0)).has_value());
   const auto after = stored_of(session)[0].forms[0].members;
   CHECK(after[0].text == before[0].text);        // min along x
   CHECK_FALSE(after[4].text == before[4].text);  // max along x
@@ -48,8 +50,8 @@ TEST_CASE("the bounds of a k-DOP are stored slab by slab, and then follow the ha
 
 TEST_CASE("other volumes of that lesson are stored as well; a lesson that does not ask for it stores none") {
   Session session = test::session_of("kdop-slabs");
-  REQUIRE(session.choose(0, "aabb/min_max").has_value());
-  session.jump(session.steps());
+  REQUIRE(session.player().choose(0, "aabb/min_max").has_value());
+  session.jump(session.player().steps());
   const auto volumes = stored_of(session);
   REQUIRE(volumes.size() == 1);
   CHECK(volumes[0].title == "AABB");

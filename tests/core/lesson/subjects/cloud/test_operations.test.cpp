@@ -19,7 +19,7 @@ Session opened_fit() {
 }
 
 double operations_of(const Session& session, std::string_view algorithm) {
-  for (const Figure& figure : session.result(*find_method(session.lesson(), algorithm)))
+  for (const Figure& figure : session.player().result(*find_method(session.lesson(), algorithm)))
     if (figure.key == "test_operations") return figure.value;
   return -1;
 }
@@ -28,7 +28,7 @@ double operations_of(const Session& session, std::string_view algorithm) {
 
 TEST_CASE("two capsules take one distance, and two boxes up to fifteen axes") {
   Session session = opened_fit();
-  REQUIRE(session.show_situation("plate").has_value());
+  REQUIRE(session.stage().show_situation("plate").has_value());
   CHECK(operations_of(session, "capsule/pca") == 1);
   CHECK(operations_of(session, "sphere/welzl") == 1);
   CHECK(operations_of(session, "lozenge/pca") > 1);
@@ -39,11 +39,11 @@ TEST_CASE("two capsules take one distance, and two boxes up to fifteen axes") {
 TEST_CASE("of a body that is too short the task names the figure that falls short, and no other") {
   Session session = opened_fit();
   const std::size_t task = session.lesson().tasks.size() - 1;
-  const auto solved = session.solve_task(task);
+  const auto solved = session.solve_task(task, session.lesson().tasks[task].model);
   REQUIRE(solved.has_value());
   CHECK_MESSAGE(solved->done, solved->says);
   // The same body, shorter.
-  REQUIRE(session
+  REQUIRE(session.stage()
               .set_rows({{-0.43, -0.47, 0.07},
                          {-0.06, -0.59, -0.24},
                          {0.11, -0.26, -0.58},

@@ -112,50 +112,50 @@ TEST_CASE("the sentence, the figures and the timeline tell the first wrong test"
   for (const char* id : {"cases/twins", "cases/hull-on-a-line"}) {
     CAPTURE(id);
     Session session = session_of(id);
-    const auto& wrong = *fit_run(session.run(0)).wrong();
+    const auto& wrong = *fit_run(session.player().run(0)).wrong();
     REQUIRE_FALSE(wrong.empty());
     const int first = wrong.front().step + 1;
     const auto value = [&](std::string_view key) {
-      for (const Figure& figure : session.figures())
+      for (const Figure& figure : session.telling().figures())
         if (figure.key == key) return figure.value;
       return -1.0;
     };
     session.go(first - 1);
-    CHECK(session.caption().find("Wrong: in exact arithmetic") == std::string::npos);
+    CHECK(session.telling().caption().find("Wrong: in exact arithmetic") == std::string::npos);
     CHECK(value("wrong_tests") == (first == 1 ? -1 : 0));
     session.go(first);
-    CHECK(session.caption().find("Wrong: in exact arithmetic") != std::string::npos);
+    CHECK(session.telling().caption().find("Wrong: in exact arithmetic") != std::string::npos);
     CHECK(value("wrong_tests") >= 1);
     CHECK(value("first_wrong") == first);
     const auto is_wrong = [](const Mark& mark) { return mark.kind == Mark::Kind::kWrong; };
-    CHECK(std::count_if(session.marks().begin(), session.marks().end(), is_wrong) == 1);
-    CHECK(std::find_if(session.marks().begin(), session.marks().end(), is_wrong)->step == first);
+    CHECK(std::count_if(session.player().marks().begin(), session.player().marks().end(), is_wrong) == 1);
+    CHECK(std::find_if(session.player().marks().begin(), session.player().marks().end(), is_wrong)->step == first);
   }
 }
 
 TEST_CASE("a naive sphere does not claim to touch the points that it is computed from, which it may leave outside") {
   Session session = session_of("cases/twins");
-  REQUIRE(session.method(0)->naive);
-  session.go(session.steps());
-  CHECK(session.caption().find("Done: radius ") == 0);
-  CHECK(session.caption().find(", computed from P") != std::string::npos);
+  REQUIRE(session.player().method(0)->naive);
+  session.go(session.player().steps());
+  CHECK(session.telling().caption().find("Done: radius ") == 0);
+  CHECK(session.telling().caption().find(", computed from P") != std::string::npos);
 }
 
 TEST_CASE("which point is the first is asked before the run, and its model answer is right") {
   Session session = session_of("rounding-sphere");
-  REQUIRE(session.show_situation("twins"));
-  const auto asked = std::find_if(session.questions().begin(), session.questions().end(),
+  REQUIRE(session.stage().show_situation("twins"));
+  const auto asked = std::find_if(session.conversation().questions().begin(), session.conversation().questions().end(),
                                   [](const Asked& one) { return one.question->id == "first-wrong"; });
-  REQUIRE(asked != session.questions().end());
+  REQUIRE(asked != session.conversation().questions().end());
   CHECK(asked->step == 0);
-  const Truth truth = asked->asking->truth(*asked, session.run(0));
+  const Truth truth = asked->asking->truth(*asked, session.player().run(0));
   REQUIRE_FALSE(truth.points.empty());
-  CHECK(truth.points.front() == fit_run(session.run(0)).wrong()->front().point);
+  CHECK(truth.points.front() == fit_run(session.player().run(0)).wrong()->front().point);
   CHECK(truth.sentence.find("is the first to be wrong") != std::string::npos);
   // A tap cannot tell points in the same place apart.
   std::vector<Index> same;
-  for (Index i = 0; i < session.size(); ++i)
-    if (session.point(i) == session.point(truth.points.front())) same.push_back(i);
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
+    if (session.stage().subject().at(i) == session.stage().subject().at(truth.points.front())) same.push_back(i);
   CHECK(same.size() == 4);
   CHECK(std::is_permutation(truth.points.begin(), truth.points.end(), same.begin(), same.end()));
   CHECK(truth.choices.size() == same.size());

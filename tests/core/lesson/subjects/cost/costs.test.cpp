@@ -91,10 +91,10 @@ TEST_CASE("a lesson with the chart is read, and its model answers are sound by o
   Session session = opened();
   CHECK(session.lesson().subject == &kCostRow);
   session.last();
-  for (const Figure& figure : session.figures())
+  for (const Figure& figure : session.telling().figures())
     CHECK(figure.key != "excess");  // the chart tells it, and what it costs
-  session.first();
-  CHECK(session.rivals().empty());
+  session.go(0);
+  CHECK(session.player().rivals().empty());
   const auto played = check::play(session);
   REQUIRE(played.has_value());
   CHECK(played->sound());
@@ -109,11 +109,11 @@ TEST_CASE("a chart can be asked a choice of one's own, which waits for the measu
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
-  session->ask_predictions();
-  REQUIRE(session->answer({Answer::Kind::kChoice, 1}));
-  CHECK(session->outcomes()[0].pending);
+  session->conversation().ask_predictions();
+  REQUIRE(session->conversation().give({Answer::Kind::kChoice, 1}));
+  CHECK(session->log().outcomes()[0].pending);
   measured(*session, rows());
-  CHECK(session->outcomes()[0].right);
+  CHECK(session->log().outcomes()[0].right);
 }
 
 TEST_CASE("what is decided by counted operations speaks of them, and what is measured of time") {
@@ -123,7 +123,7 @@ TEST_CASE("what is decided by counted operations speaks of them, and what is mea
   CHECK(played->algorithms.front().outcomes[1].says.find(" times as many operations as ") != std::string::npos);
   CHECK(played->grades[0].says.find(" times the operations. Done.") != std::string::npos);
   CHECK(played->grades[0].says.find("time.") == std::string::npos);
-  const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), *session.subject().points());
+  const std::vector<cost::CostRow> counted = counted_costs(session.lesson(), *session.stage().subject().points());
   CHECK(grade_costs(session.lesson().tasks[0], counted, "aabb").says.find("in the fewest operations.") !=
         std::string::npos);
   CHECK(grade_costs(session.lesson().tasks[0], rows(), "aabb").says.find("in the least time.") != std::string::npos);
@@ -146,28 +146,28 @@ TEST_CASE("what such a lesson gets wrong is said with its line") {
 TEST_CASE(
     "predictions stand until all is measured, wherever the player is, and then what happened stands beside them") {
   Session session = opened();
-  CHECK(session.asked() == nullptr);  // first seen, then asked
-  session.ask_predictions();
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->many);
-  CHECK(session.asked()->choices.size() == 3);
-  CHECK_FALSE(session.answer({Answer::Kind::kChoice, 8}));
-  CHECK(session.answer({Answer::Kind::kChoice, 0b110}));
+  CHECK(session.conversation().asked() == nullptr);  // first seen, then asked
+  session.conversation().ask_predictions();
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->many);
+  CHECK(session.conversation().asked()->choices.size() == 3);
+  CHECK_FALSE(session.conversation().give({Answer::Kind::kChoice, 8}));
+  CHECK(session.conversation().give({Answer::Kind::kChoice, 0b110}));
   session.last();
-  CHECK(session.step() == session.steps());  // steps give nothing away
-  CHECK(session.asked()->question->id == "slowest");
-  CHECK_FALSE(session.answer({Answer::Kind::kChoice, 3}));
-  CHECK(session.answer({Answer::Kind::kChoice, 0}));
-  CHECK(session.answer({Answer::Kind::kSkipped, 0}));
-  CHECK(session.asked() == nullptr);
-  for (const Outcome& outcome : session.outcomes()) CHECK(outcome.pending);
+  CHECK(session.player().step() == session.player().steps());  // steps give nothing away
+  CHECK(session.conversation().asked()->question->id == "slowest");
+  CHECK_FALSE(session.conversation().give({Answer::Kind::kChoice, 3}));
+  CHECK(session.conversation().give({Answer::Kind::kChoice, 0}));
+  CHECK(session.conversation().give({Answer::Kind::kSkipped, 0}));
+  CHECK(session.conversation().asked() == nullptr);
+  for (const Outcome& outcome : session.log().outcomes()) CHECK(outcome.pending);
   auto part = rows();
   part.pop_back();
   measured(session, part);
-  CHECK(session.outcomes()[0].pending);
+  CHECK(session.log().outcomes()[0].pending);
 
   measured(session, rows());
-  const auto& outcomes = session.outcomes();
+  const auto& outcomes = session.log().outcomes();
   CHECK_FALSE(outcomes[0].pending);
   CHECK(outcomes[0].right);
   CHECK(outcomes[0].happened == "Axis-aligned box and Exact minimum");
@@ -179,48 +179,48 @@ TEST_CASE(
 
 TEST_CASE("a later measurement decides anew, and a front with an unreliable time is not decided") {
   Session session = opened();
-  session.ask_predictions();
-  session.answer({Answer::Kind::kChoice, 0b110});
-  session.answer({Answer::Kind::kChoice, 2});
-  session.answer({Answer::Kind::kSkipped, 0});
+  session.conversation().ask_predictions();
+  session.conversation().give({Answer::Kind::kChoice, 0b110});
+  session.conversation().give({Answer::Kind::kChoice, 2});
+  session.conversation().give({Answer::Kind::kSkipped, 0});
   measured(session, rows());
-  CHECK(session.outcomes()[0].right);
+  CHECK(session.log().outcomes()[0].right);
   auto without = rows();  // Exact became too slow for all points
   without[2] = row("exact", 20, 1, 2, 4);
   without[2].whole_ns = 1e6;
   measured(session, without);
-  CHECK(session.outcomes()[0].happened.find(" and ") == std::string::npos);
-  CHECK_FALSE(session.outcomes()[0].right);
+  CHECK(session.log().outcomes()[0].happened.find(" and ") == std::string::npos);
+  CHECK_FALSE(session.log().outcomes()[0].right);
 
   auto doubtful = rows();
   doubtful[0].time.trusted = false;
   measured(session, doubtful);
-  CHECK(session.outcomes()[0].pending);
-  CHECK(session.outcomes()[0].happened.empty());
-  CHECK(session.outcomes()[0].says.find(" could not be measured reliably") != std::string::npos);
-  CHECK(session.outcomes()[0].says.find(" and ") == std::string::npos);
+  CHECK(session.log().outcomes()[0].pending);
+  CHECK(session.log().outcomes()[0].happened.empty());
+  CHECK(session.log().outcomes()[0].says.find(" could not be measured reliably") != std::string::npos);
+  CHECK(session.log().outcomes()[0].says.find(" and ") == std::string::npos);
   doubtful[1].time.trusted = false;
   measured(session, doubtful);
-  CHECK(session.outcomes()[0].says.find(" and ") != std::string::npos);  // it names both
-  CHECK_FALSE(session.outcomes()[1].pending);                            // the slowest is so by far
+  CHECK(session.log().outcomes()[0].says.find(" and ") != std::string::npos);  // it names both
+  CHECK_FALSE(session.log().outcomes()[1].pending);                            // the slowest is so by far
   measured(session, rows());
-  CHECK(session.outcomes()[0].right);
+  CHECK(session.log().outcomes()[0].right);
 }
 
 TEST_CASE("what was measured on fewer points is never on the front, and its time is that of all") {
   Session session = opened();
-  session.ask_predictions();
-  session.answer({Answer::Kind::kChoice, 0b011});
-  session.answer({Answer::Kind::kChoice, 2});
-  session.answer({Answer::Kind::kChoice, 3});
+  session.conversation().ask_predictions();
+  session.conversation().give({Answer::Kind::kChoice, 0b011});
+  session.conversation().give({Answer::Kind::kChoice, 2});
+  session.conversation().give({Answer::Kind::kChoice, 3});
   auto few = rows();
   few[1] = row("aabb", 60, 9);
   few[2] = row("exact", 20, 1, 2, 4);
   few[2].whole_ns = 1e6;
   measured(session, few);
-  CHECK(session.outcomes()[0].happened == "Axis-aligned box");
-  CHECK(session.outcomes()[1].right);
-  CHECK(session.outcomes()[2].right);
+  CHECK(session.log().outcomes()[0].happened == "Axis-aligned box");
+  CHECK(session.log().outcomes()[1].right);
+  CHECK(session.log().outcomes()[2].right);
 }
 
 TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is tight enough on the stage") {
@@ -229,16 +229,16 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   CHECK(session.grade()->says.find("lesson's own shape") != std::string::npos);
   measured(session, rows());
   CHECK_FALSE(session.grade()->done);
-  session.start_task();
-  CHECK(session.size() == 12);
-  CHECK(session.asked() == nullptr);  // the questions are of the lesson's own
+  session.stage().start_task();
+  CHECK(session.stage().subject().size() == 12);
+  CHECK(session.conversation().asked() == nullptr);  // the questions are of the lesson's own
   CHECK(session.grade()->says == "Measure this shape.");
   measured(session, rows());
   CHECK(session.grade()->says.find("Axis-aligned box is on the stage") == 0);
-  REQUIRE(session.choose(0, "exact").has_value());
+  REQUIRE(session.player().choose(0, "exact").has_value());
   CHECK(session.grade()->done);
   CHECK(session.grade()->says == "Exact minimum: 20.0 % smaller than Axis-aligned box, in 180 times the time. Done.");
-  REQUIRE(session.choose(0, "pca").has_value());
+  REQUIRE(session.player().choose(0, "pca").has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("20.0 % larger") != std::string::npos);
 
@@ -255,7 +255,7 @@ TEST_CASE("the task: a shape of one's own, measured, and the cheapest that is ti
   cheaper[0].points = 2;                   // of other points nothing can be said
   CHECK(cheapest_of(task, cheaper) == "exact");
   CHECK(grade_costs(session.lesson().tasks[0], cheaper, "pca").says.find("fewer points") != std::string::npos);
-  REQUIRE(session.move(0, {9, 9, 0}).has_value());
+  REQUIRE(session.stage().move(0, {9, 9, 0}).has_value());
   CHECK(costs_of(session) == nullptr);  // other points: what was measured is not theirs
   CHECK(session.grade()->says == "Measure this shape.");
 }

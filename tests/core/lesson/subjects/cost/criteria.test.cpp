@@ -143,31 +143,31 @@ TEST_CASE("the table of a load has its figures, and reads back to them") {
 TEST_CASE("a slider, undo and a look at another situation lose no measurement") {
   Session session = opened_criteria();
   CHECK_FALSE(criteria_of(session)->is_measured());
-  session.begin_drag();
+  session.stage().begin_drag();
   count_now(session);  // it ends while the slider is in hand
   const double before = *criteria_of(session)->value(0, Criterion::kTotal, criteria_of(session)->load_now());
-  REQUIRE(session.slide(0, 1000));
-  session.end_drag();
+  REQUIRE(session.stage().slide(0, 1000));
+  session.stage().end_drag();
   CHECK(criteria_of(session)->is_measured());
   CHECK(*criteria_of(session)->value(0, Criterion::kTotal, criteria_of(session)->load_now()) > before);
   CHECK(*criteria_of(session)->value(0, Criterion::kTotal, criteria_of(session)->own_load()) == before);
-  CHECK(session.is_own());
-  session.undo();
+  CHECK(session.stage().is_own());
+  session.stage().undo();
   CHECK(criteria_of(session)->is_measured());
   CHECK(criteria_of(session)->load_now() == criteria_of(session)->own_load());
-  REQUIRE(session.show_situation("cloth"));
+  REQUIRE(session.stage().show_situation("cloth"));
   CHECK_FALSE(criteria_of(session)->is_measured());
-  REQUIRE(session.show_situation("own"));
+  REQUIRE(session.stage().show_situation("own"));
   CHECK(criteria_of(session)->is_measured());
 }
 
 TEST_CASE("points that have changed are not measured; brought back by undo, they are") {
   Session session = opened_criteria();
   count_now(session);
-  REQUIRE(session.move(0, session.point(0) + Point3(0.5, 0, 0)));
+  REQUIRE(session.stage().move(0, session.stage().subject().at(0) + Point3(0.5, 0, 0)));
   CHECK_FALSE(criteria_of(session)->is_measured());
   CHECK_FALSE(criteria_of(session)->total(0, criteria_of(session)->load_now()).has_value());
-  session.undo();
+  session.stage().undo();
   CHECK(criteria_of(session)->is_measured());
 }
 
@@ -185,22 +185,22 @@ TEST_CASE("the looseness of the pictures is that of the measurement, digit for d
 
 TEST_CASE("predictions wait for the measurement, and are judged by the situation's own load") {
   Session session = opened_criteria();
-  CHECK(session.asked() == nullptr);  // seen first, then asked
-  session.ask_predictions();
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->choices == std::vector<std::string>{"Sphere", "AABB", "14-DOP", "Hull"});
+  CHECK(session.conversation().asked() == nullptr);  // seen first, then asked
+  session.conversation().ask_predictions();
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->choices == std::vector<std::string>{"Sphere", "AABB", "14-DOP", "Hull"});
   const int wrong = 3;  // the hull's test is the exact test itself, and costs most
-  REQUIRE(session.answer({Answer::Kind::kChoice, wrong}));
-  CHECK(session.outcomes().front().pending);
-  REQUIRE(session.answer({.kind = Answer::Kind::kOrder, .list = {3, 2, 1, 0}}));
-  REQUIRE(session.slide(0, 10000));
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, wrong}));
+  CHECK(session.log().outcomes().front().pending);
+  REQUIRE(session.conversation().give({.kind = Answer::Kind::kOrder, .list = {3, 2, 1, 0}}));
+  REQUIRE(session.stage().slide(0, 10000));
   count_now(session);
-  CHECK_FALSE(session.outcomes().front().pending);
-  CHECK_FALSE(session.outcomes().front().right);
+  CHECK_FALSE(session.log().outcomes().front().pending);
+  CHECK_FALSE(session.log().outcomes().front().right);
   const CriteriaSubject& subject = *criteria_of(session);
   const std::vector<int> ranks = subject.ranks(Criterion::kLooseness, subject.own_load());
   CHECK(ranks[3] == 0);
-  CHECK(session.outcomes()[1].right == (ranks[2] <= ranks[1] && ranks[1] <= ranks[0]));
+  CHECK(session.log().outcomes()[1].right == (ranks[2] <= ranks[1] && ranks[1] <= ranks[0]));
 }
 
 TEST_CASE("it is played, and its task is done by the model alone") {
@@ -209,28 +209,28 @@ TEST_CASE("it is played, and its task is done by the model alone") {
   REQUIRE(played.has_value());
   CHECK(played->sound());
   session = opened_criteria();
-  session.start_task(0);
+  session.stage().start_task(0);
   CHECK(session.grade()->says == "Measure this shape.");
   count_now(session);
   CHECK_FALSE(session.grade()->done);
-  REQUIRE(session.slide(0, 1));
+  REQUIRE(session.stage().slide(0, 1));
   CHECK(session.grade()->done);
 }
 
 TEST_CASE("its rows hold points and load, and bad ones are refused") {
   Session session = opened_criteria();
-  REQUIRE(session.slide(0, 500));
-  const Rows rows = session.subject().rows();
+  REQUIRE(session.stage().slide(0, 500));
+  const Rows rows = session.stage().subject().rows();
   Session other = opened_criteria();
-  REQUIRE(other.set_rows(rows));
-  CHECK(other.subject().rows() == rows);
+  REQUIRE(other.stage().set_rows(rows));
+  CHECK(other.stage().subject().rows() == rows);
   CHECK(criteria_of(other)->load_now().frames == 500);
   for (const std::vector<double>& bad : {std::vector<double>{-1, 1, 0, 0}, {1, 1, 2, 0}, {1, 1, NAN, 0}}) {
     Rows worse = rows;
     worse.back() = bad;
-    CHECK_FALSE(other.set_rows(worse).has_value());
+    CHECK_FALSE(other.stage().set_rows(worse).has_value());
   }
-  CHECK(other.subject().rows() == rows);
+  CHECK(other.stage().subject().rows() == rows);
 }
 
 TEST_CASE("tables have a cell for each head, and the textbooks' order has no capsule") {

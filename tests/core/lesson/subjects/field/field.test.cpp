@@ -30,25 +30,25 @@ Session field_session(int objects, std::uint64_t seed = 1) {
 }
 
 double figure(const Session& session, std::string_view key) {
-  for (const Figure& figure : session.figures())
+  for (const Figure& figure : session.telling().figures())
     if (figure.key == key && figure.known) return figure.value;
   return -1;
 }
 
-const FieldSubject& field_of(const Session& session) { return *as<FieldSubject>(session.subject()); }
+const FieldSubject& field_of(const Session& session) { return *as<FieldSubject>(session.stage().subject()); }
 
 }  // namespace
 
 TEST_CASE("step by step, each way to cull a field comes to the answer of each box, and to its cost") {
   for (const std::uint64_t seed : {1, 2, 3}) {
     Session session = field_session(700, seed);
-    REQUIRE(session.move(0, Point3(10, 5, -20 + 9.0 * static_cast<double>(seed))).has_value());
+    REQUIRE(session.stage().move(0, Point3(10, 5, -20 + 9.0 * static_cast<double>(seed))).has_value());
     const FieldStage& stage = field_of(session).stage();
     const auto frustum = *frustum_of(stage.recipe, stage.now);
     for (const Method& method : field_methods()) {
       CAPTURE(method.name);
-      REQUIRE(session.choose(0, method.name).has_value());
-      const FieldRun& run = field_run(session.run(0));
+      REQUIRE(session.player().choose(0, method.name).has_value());
+      const FieldRun& run = field_run(session.player().run(0));
       for (std::size_t i = 0; i < 700; ++i) {
         CHECK(run.verdicts()[i] == query::classify(frustum, field_of(session).field().boxes[i]).verdict);
         CHECK(run.knows(i, run.steps()));
@@ -81,8 +81,8 @@ TEST_CASE("step by step, each way to cull a field comes to the answer of each bo
       session.last();
       CHECK(figure(session, "planes") == static_cast<double>(cost.planes));
       CHECK(figure(session, "saved") == doctest::Approx(100 - static_cast<double>(cost.planes) / 42));
-      REQUIRE(session.proofs().size() == 2);
-      CHECK(session.proofs().front().holds);
+      REQUIRE(session.player().proofs().size() == 2);
+      CHECK(session.player().proofs().front().holds);
     }
   }
 }
@@ -90,7 +90,7 @@ TEST_CASE("step by step, each way to cull a field comes to the answer of each bo
 TEST_CASE("the careful ways save tests, and all vertices and eight at once save none") {
   Session session = field_session(5000);
   const auto saved = [&](std::string_view method) {
-    REQUIRE(session.choose(0, method).has_value());
+    REQUIRE(session.player().choose(0, method).has_value());
     session.last();
     return figure(session, "saved");
   };
@@ -107,60 +107,60 @@ TEST_CASE("the careful ways save tests, and all vertices and eight at once save 
 TEST_CASE("a drag is a frame, and the frame before is the camera as it was") {
   Session session = field_session(200);
   const CameraPose first = field_of(session).stage().now;
-  REQUIRE(session.move(1, Point3(0, 6, 1)).has_value());
+  REQUIRE(session.stage().move(1, Point3(0, 6, 1)).has_value());
   CHECK(field_of(session).stage().before.aim == first.aim);
   CHECK(field_of(session).stage().now.aim == Point3(0, 6, 1));
-  REQUIRE(session.move(0, Point3(-29, 8, 10)).has_value());
+  REQUIRE(session.stage().move(0, Point3(-29, 8, 10)).has_value());
   CHECK(field_of(session).stage().before.aim == Point3(0, 6, 1));
   CHECK(field_of(session).stage().before.position == first.position);
-  const Rows rows = session.subject().rows();
+  const Rows rows = session.stage().subject().rows();
   Session other = field_session(200);
-  REQUIRE(other.set_rows(rows).has_value());
-  CHECK(other.subject().rows() == rows);
-  CHECK(other.trace_hash() == session.trace_hash());
-  session.undo();
-  session.undo();
+  REQUIRE(other.stage().set_rows(rows).has_value());
+  CHECK(other.stage().subject().rows() == rows);
+  CHECK(other.player().trace_hash() == session.player().trace_hash());
+  session.stage().undo();
+  session.stage().undo();
   CHECK(field_of(session).stage().now.aim == first.aim);
 }
 
 TEST_CASE("more objects can be asked for, and another seed scatters them anew") {
   Session session = field_session(200);
-  REQUIRE(session.set_numbers(2, 0, std::array{350.0}).has_value());
-  CHECK(field_run(session.run(0)).objects() == 350);
-  CHECK_FALSE(session.set_numbers(2, 0, std::array{200'000.0}).has_value());
-  CHECK_FALSE(session.set_numbers(2, 0, std::array{1.0}).has_value());
-  session.undo();
-  CHECK(field_run(session.run(0)).objects() == 200);
+  REQUIRE(session.stage().set_numbers(2, 0, std::array{350.0}).has_value());
+  CHECK(field_run(session.player().run(0)).objects() == 350);
+  CHECK_FALSE(session.stage().set_numbers(2, 0, std::array{200'000.0}).has_value());
+  CHECK_FALSE(session.stage().set_numbers(2, 0, std::array{1.0}).has_value());
+  session.stage().undo();
+  CHECK(field_run(session.player().run(0)).objects() == 200);
   const auto box = field_of(session).field().boxes[0];
-  session.scatter(9);
+  session.stage().scatter(9);
   CHECK(field_of(session).field().boxes[0].min != box.min);
-  session.scatter(1);
+  session.stage().scatter(1);
   CHECK(field_of(session).field().boxes[0].min == box.min);
 }
 
 TEST_CASE("a camera that aims at itself, straight down, or from far away is refused") {
   Session session = field_session(50);
-  const Rows before = session.subject().rows();
+  const Rows before = session.stage().subject().rows();
   for (const Point3& place : {Point3(0, 6, 0), Point3(0, 60, 0), Point3(0, -60, 0), Point3(1e5, 0, 0)})
-    CHECK_FALSE(session.move(0, place).has_value());
-  CHECK(session.subject().rows() == before);
+    CHECK_FALSE(session.stage().move(0, place).has_value());
+  CHECK(session.stage().subject().rows() == before);
   for (const Rows& rows :
        {Rows{}, Rows{{1, 2, 3}}, Rows{before[0], before[1], {50.5}}, Rows{before[0], before[1], {2}}})
-    CHECK_FALSE(session.set_rows(rows).has_value());
+    CHECK_FALSE(session.stage().set_rows(rows).has_value());
 }
 
 TEST_CASE(
     "while the camera is dragged, its answers are not compared with those of another way; once it rests they are") {
   Session session = field_session(200);
   session.last();
-  session.begin_drag();
-  REQUIRE(session.move(1, Point3(0, 6, 2)).has_value());
-  REQUIRE(session.proofs().size() == 2);
-  CHECK_FALSE(session.proofs().front().holds);
-  CHECK_FALSE(session.proofs().front().claimed);
-  session.end_drag();
-  REQUIRE(session.proofs().size() == 2);
-  CHECK(session.proofs().front().holds);
+  session.stage().begin_drag();
+  REQUIRE(session.stage().move(1, Point3(0, 6, 2)).has_value());
+  REQUIRE(session.player().proofs().size() == 2);
+  CHECK_FALSE(session.player().proofs().front().holds);
+  CHECK_FALSE(session.player().proofs().front().claimed);
+  session.stage().end_drag();
+  REQUIRE(session.player().proofs().size() == 2);
+  CHECK(session.player().proofs().front().holds);
 }
 
 TEST_CASE("a way that takes boxes one by one is measured in parts, and costs what it costs in one") {

@@ -27,11 +27,11 @@ TEST_CASE("the lessons on a field play to their ends, with their tasks solved by
     CHECK(played->sound());
     for (std::uint64_t seed = 2; seed <= 5; ++seed) {
       CAPTURE(seed);
-      session.scatter(seed);
+      session.stage().scatter(seed);
       for (const std::string& name : session.lesson().algorithms) {
-        REQUIRE(session.choose(0, name).has_value());
-        for (const Asked& one : session.questions())
-          CHECK(judge(one, model_answer(one, session.run(0)), session.run(0)).right);
+        REQUIRE(session.player().choose(0, name).has_value());
+        for (const Asked& one : session.conversation().questions())
+          CHECK(judge(one, model_answer(one, session.player().run(0)), session.player().run(0)).right);
       }
     }
   }
@@ -39,10 +39,10 @@ TEST_CASE("the lessons on a field play to their ends, with their tasks solved by
 
 TEST_CASE("a step of a field says that no object is left out, and not that 0 objects are") {
   Session session = test::session_of("frustum-field");
-  REQUIRE(session.choose(0, "tree_masking").has_value());
-  for (int step = 0; step <= session.steps(); ++step) {
+  REQUIRE(session.player().choose(0, "tree_masking").has_value());
+  for (int step = 0; step <= session.player().steps(); ++step) {
     session.jump(step);
-    CHECK_MESSAGE(session.caption().find(" 0 objects are") == std::string::npos, session.caption());
+    CHECK_MESSAGE(session.telling().caption().find(" 0 objects are") == std::string::npos, session.telling().caption());
   }
 }
 

@@ -54,7 +54,7 @@ Session asking(const BoxPair& pair, std::vector<Question> questions) {
   }
   auto session = Session::open(std::move(lesson));
   REQUIRE(session.has_value());
-  session->first();
+  session->go(0);
   return *std::move(session);
 }
 
@@ -75,9 +75,9 @@ TEST_CASE("the lessons on the frustum play to their end; three questions and mor
   for (const char* id : {"frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     Session session = session_of(id);
-    CHECK(session.questions().size() >= 3);
-    CHECK(session.questions().front().question->asks == "p_vertex");
-    CHECK(session.questions().front().on_stage);
+    CHECK(session.conversation().questions().size() >= 3);
+    CHECK(session.conversation().questions().front().question->asks == "p_vertex");
+    CHECK(session.conversation().questions().front().on_stage);
     CHECK(session.lesson().sections.size() <= 5);
     REQUIRE(session.grade().has_value());
     CHECK_FALSE(session.grade()->done);
@@ -92,7 +92,7 @@ TEST_CASE("the frustum is what its places show: its corners are those of the pai
   for (const char* id : {"frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     const Session session = session_of(id);
-    const BoxPair& pair = boxes_of(session.subject());
+    const BoxPair& pair = boxes_of(session.stage().subject());
     const auto near_corner = [&](const V3& wanted, const auto& corners) {
       double nearest = 1e9;
       for (const auto& corner : corners) nearest = std::min(nearest, (corner - wanted.head(corner.size())).norm());
@@ -139,33 +139,33 @@ TEST_CASE("a corner of the frustum is dragged: it follows the hand, and the oppo
   for (const char* id : {"frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     Session session = session_of(id);
-    const int dim = session.dim(), all = (1 << dim) - 1;
+    const int dim = session.stage().subject().dim(), all = (1 << dim) - 1;
     for (int bits = 0; bits <= all; ++bits) {
-      const BoxPair before = boxes_of(session.subject());
+      const BoxPair before = boxes_of(session.stage().subject());
       const V3 opposite = corner_of(before, 1, ~bits & all);
       const V3 to = corner_of(before, 1, bits) + (corner_of(before, 1, bits) - opposite) * 0.11 +
                     before.boxes[1].axes.col(1) * 0.03;
-      REQUIRE(session.move(index_of(dim, {Kind::kCorner, 1, bits}), to).has_value());
-      const BoxPair& after = boxes_of(session.subject());
+      REQUIRE(session.stage().move(index_of(dim, {Kind::kCorner, 1, bits}), to).has_value());
+      const BoxPair& after = boxes_of(session.stage().subject());
       CHECK((corner_of(after, 1, ~bits & all) - opposite).norm() < 1e-14);
       CHECK((corner_of(after, 1, bits) - to).norm() < 1e-14);
       CHECK(after.taper == before.taper);
       CHECK(after.boxes[0].center == before.boxes[0].center);
     }
-    for (int i = 0; i <= all; ++i) session.undo();
-    CHECK_FALSE(session.can_undo());
+    for (int i = 0; i <= all; ++i) session.stage().undo();
+    CHECK_FALSE(session.stage().can_undo());
   }
 }
 
 TEST_CASE("a frustum does not become flat: the corner stays where it was, and no size of 0 is taken") {
   Session session = session_of("frustum-2d");
-  const BoxPair before = boxes_of(session.subject());
+  const BoxPair before = boxes_of(session.stage().subject());
   const V3 beyond = before.boxes[1].center - before.boxes[1].axes.col(0) * 10;
-  CHECK_FALSE(session.move(index_of(2, {Kind::kCorner, 1, 3}), beyond).has_value());
+  CHECK_FALSE(session.stage().move(index_of(2, {Kind::kCorner, 1, 3}), beyond).has_value());
   BoxPair wrong = before;
   wrong.boxes[1].half_extents[0] = 0;
   CHECK_FALSE(set_boxes(session, wrong).has_value());
-  CHECK(boxes_of(session.subject()).boxes[1].center == before.boxes[1].center);
+  CHECK(boxes_of(session.stage().subject()).boxes[1].center == before.boxes[1].center);
   wrong = before;
   wrong.boxes[0].half_extents.setZero();  // a box may be a point
   CHECK(set_boxes(session, wrong).has_value());
@@ -210,9 +210,9 @@ TEST_CASE("in float no body that reaches into the frustum is lost, exactly, and 
   for (const char* id : {"frustum-2d", "frustum-3d", "frustum-sphere", "frustum-point"}) {
     CAPTURE(id);
     const Session session = session_of(id);
-    const std::string test(session.method(0)->name);
+    const std::string test(session.player().method(0)->name);
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-      const BoxPair pair = rounded_to_float(scattered(boxes_of(session.subject()), seed));
+      const BoxPair pair = rounded_to_float(scattered(boxes_of(session.stage().subject()), seed));
       const Culling verdict = verdict_of(test, pair);
       outside += verdict == Culling::kOutside;
       if (verdict == Culling::kOutside) CHECK_FALSE(share_a_point(pair).value_or(false));
@@ -225,21 +225,21 @@ TEST_CASE("p- and n-vertex are answered on the stage, by a corner of the box and
   BoxPair pair = plain(2, {2, 1.8, 0}, {0.4, 0.2, 0});
   pair.boxes[0] = turned_by(pair.boxes[0], 2, 0.3);
   Session session = asking(pair, {about_plane("p_vertex", 1), about_plane("n_vertex", 2)});
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->stage_points.size() == 4);
-  CHECK(session.asked()->choices == std::vector<std::string>{"−−", "+−", "−+", "++"});
-  CHECK_FALSE(session.answer({Answer::Kind::kPoint, index_of(2, {Kind::kCenter, 0, 0})}));
-  CHECK_FALSE(session.answer({Answer::Kind::kPoint, index_of(2, {Kind::kCorner, 1, 2})}));
-  REQUIRE(session.answer(corner(2, 2)));  // the left normal is (-1, 1): up and back
-  CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says == "−+ lies farthest along the normal of the left plane.");
-  CHECK(session.asked() == nullptr);  // until it was read
-  REQUIRE(session.acknowledge());
-  REQUIRE(session.asked() != nullptr);
-  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
-  CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->predicted == "−−");
-  CHECK(session.outcome()->happened == "++");
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->stage_points.size() == 4);
+  CHECK(session.conversation().asked()->choices == std::vector<std::string>{"−−", "+−", "−+", "++"});
+  CHECK_FALSE(session.conversation().give({Answer::Kind::kPoint, index_of(2, {Kind::kCenter, 0, 0})}));
+  CHECK_FALSE(session.conversation().give({Answer::Kind::kPoint, index_of(2, {Kind::kCorner, 1, 2})}));
+  REQUIRE(session.conversation().give(corner(2, 2)));  // the left normal is (-1, 1): up and back
+  CHECK(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->says == "−+ lies farthest along the normal of the left plane.");
+  CHECK(session.conversation().asked() == nullptr);  // until it was read
+  REQUIRE(session.conversation().acknowledge());
+  REQUIRE(session.conversation().asked() != nullptr);
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  CHECK_FALSE(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->predicted == "−−");
+  CHECK(session.conversation().outcome()->happened == "++");
 }
 
 TEST_CASE("corners that tie are right, each of them, and no other") {
@@ -251,14 +251,14 @@ TEST_CASE("corners that tie are right, each of them, and no other") {
     for (const int bits : {0, 1, 2, 3}) {
       Session session = asking(pair, {about_plane("p_vertex", 3)});
       session.go(2);
-      REQUIRE(session.answer(corner(2, bits)));
-      CHECK(session.outcome()->right == ((bits & 1) == 0));
+      REQUIRE(session.conversation().give(corner(2, bits)));
+      CHECK(session.conversation().outcome()->right == ((bits & 1) == 0));
     }
   }
   // Without any depth its ends are on one spot.
   Session session = asking(plain(2, {1, 0.5, 0}, {0, 0.2, 0}), {about_plane("p_vertex", 1)});
-  REQUIRE(session.answer(corner(2, 3)));
-  CHECK(session.outcome()->right);
+  REQUIRE(session.conversation().give(corner(2, 3)));
+  CHECK(session.conversation().outcome()->right);
 }
 
 TEST_CASE("the side of a plane and the verdict are chosen among the three") {
@@ -267,25 +267,25 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   verdict.asks = "verdict";
   Session session =
       asking(plain(2, {1, 0, 0}, {0.3, 0.2, 0}), {about_plane("plane_side", 1), about_plane("plane_side", 3), verdict});
-  CHECK(session.asked()->choices == std::vector<std::string>{"inside", "intersecting", "outside"});
-  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
-  CHECK(session.outcome()->right);
+  CHECK(session.conversation().asked()->choices == std::vector<std::string>{"inside", "intersecting", "outside"});
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  CHECK(session.conversation().outcome()->right);
   session.go(2);
-  REQUIRE(session.answer({Answer::Kind::kChoice, 2}));
-  CHECK_FALSE(session.outcome()->right);
-  CHECK(session.outcome()->happened == "intersecting");
-  session.go(session.steps());
-  REQUIRE(session.answer({Answer::Kind::kChoice, 1}));
-  CHECK(session.outcome()->right);
-  CHECK(session.outcome()->says == "The box crosses the near plane and is not entirely outside any.");
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 2}));
+  CHECK_FALSE(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->happened == "intersecting");
+  session.go(session.player().steps());
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 1}));
+  CHECK(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->says == "The box crosses the near plane and is not entirely outside any.");
 }
 
 TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether the test is right") {
   const auto end = [](const BoxPair& pair, const char* test) {
     Session session = asking(pair, {});
-    REQUIRE(session.choose(0, test).has_value());
-    session.go(session.steps());
-    return session.proofs();
+    REQUIRE(session.player().choose(0, test).has_value());
+    session.go(session.player().steps());
+    return session.player().proofs();
   };
   const BoxPair lost = plain(3, {2, 0, 0}, {0.2, 5, 5});
   CHECK_FALSE(end(lost, "corners_outside")[1].holds);
@@ -293,9 +293,9 @@ TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether
   CHECK(end(lost, "p_n_vertex")[1].holds);
   const auto said = [](const BoxPair& pair, const char* test) {
     Session session = asking(pair, {});
-    REQUIRE(session.choose(0, test).has_value());
-    session.go(session.steps());
-    return std::pair(session.caption(), session.marks().back().kind);
+    REQUIRE(session.player().choose(0, test).has_value());
+    session.go(session.player().steps());
+    return std::pair(session.telling().caption(), session.player().marks().back().kind);
   };
   CHECK(said(lost, "corners_outside").first.ends_with(" Wrong: the box reaches into the frustum."));
   CHECK(said(lost, "corners_outside").second == Mark::Kind::kWrong);
@@ -309,7 +309,7 @@ TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether
 
   Session session = asking(plain(2, {1, 0, 0}, {0.25, 0.25, 0}), {});
   const auto value = [&](std::string_view key) {
-    for (const auto& figure : session.figures())
+    for (const auto& figure : session.telling().figures())
       if (figure.key == key) return figure.known ? figure.value : -99.0;
     return -100.0;
   };
@@ -321,7 +321,7 @@ TEST_CASE("figures and proof: the plane, the distances, the verdict, and whether
   CHECK(value("planes_tested") == 3);
   CHECK(value("corners") == 6);
   CHECK(value("verdict") == 1);
-  session.go(session.steps());  // the verdict is of all planes: no figure is of one
+  session.go(session.player().steps());  // the verdict is of all planes: no figure is of one
   for (const char* key : {"plane", "signs", "p_distance", "n_distance"}) CHECK(value(key) == -99);
   CHECK(value("planes_tested") == 4);
 }
@@ -342,13 +342,13 @@ TEST_CASE(
 
 TEST_CASE("a wrong box is told from the task's by its verdict, and the sentence says which way") {
   Session session = session_of("frustum-2d");
-  session.start_task();
+  session.stage().start_task();
   CHECK(session.grade()->says.find("keeps this box") != std::string::npos);
-  BoxPair away = boxes_of(session.subject());
+  BoxPair away = boxes_of(session.stage().subject());
   away.boxes[0].center = {-9, 0, 0};
   REQUIRE(set_boxes(session, away).has_value());
   CHECK(session.grade()->says.find("right here") != std::string::npos);
-  REQUIRE(session.set_rows(session.lesson().tasks[0].model).has_value());
+  REQUIRE(session.stage().set_rows(session.lesson().tasks[0].model).has_value());
   CHECK(session.grade()->done);
 }
 
@@ -388,36 +388,37 @@ TEST_CASE("each mistake about a frustum is told with its line") {
 
 TEST_CASE("a point is on one of two sides of a plane, and not across it") {
   Session session = session_of("frustum-point");
-  session.first();
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->question->id == "left-sign");
-  CHECK(session.asked()->choices ==
+  session.go(0);
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->question->id == "left-sign");
+  CHECK(session.conversation().asked()->choices ==
         std::vector<std::string>{"in the negative half-space", "on the plane", "in the positive half-space"});
-  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
-  CHECK(session.outcome()->right);
-  CHECK(session.outcome()->happened == "in the negative half-space");
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  CHECK(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->happened == "in the negative half-space");
 }
 
 TEST_CASE("a number of one plane is hidden where it is asked for, and told at the planes before") {
   Session session = session_of("frustum-point");
-  session.first();
+  session.go(0);
   const auto distance = [&] {
-    for (const Figure& figure : session.figures())
+    for (const Figure& figure : session.telling().figures())
       if (figure.key == "distance") return figure.text;
     return std::string("none");
   };
-  REQUIRE(session.answer({Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
   CHECK(distance() == "−0.288 units");
-  session.acknowledge();
+  session.conversation().acknowledge();
   session.go(2);
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->question->id == "distance");
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->question->id == "distance");
   CHECK(distance() == "—");
 }
 
 TEST_CASE("a task that needs a verdict says which one, in its word") {
   Session session = session_of("frustum-point");
   const Task& task = session.lesson().tasks.front();
-  const Grade grade = grade_by_requirements(session.lesson(), task, session.subject(), session.view(0));
+  const Grade grade =
+      grade_by_requirements(session.lesson(), task, session.stage().subject(), session.player().view(0));
   CHECK(grade.says == "Planes tested: 4 of 4. Verdict: inside; it must be outside.");
 }

@@ -61,15 +61,16 @@ TEST_CASE("at a millionth of far, the far plane in float is off by many per cent
 TEST_CASE("a verdict that loses the box says so, and the planes in double do not") {
   Session session = test::session_of("frustum-matrix");
   for (const std::string_view planes : {kMatrixTests[0], kMatrixTests[1]}) {
-    REQUIRE(session.choose(0, planes).has_value());
-    session.jump(session.steps());
-    CHECK(session.caption().ends_with("Wrong: the box reaches into the frustum.") == (planes == kMatrixTests[1]));
+    REQUIRE(session.player().choose(0, planes).has_value());
+    session.jump(session.player().steps());
+    CHECK(session.telling().caption().ends_with("Wrong: the box reaches into the frustum.") ==
+          (planes == kMatrixTests[1]));
   }
 }
 
 TEST_CASE("the task says once what both scalars agree on") {
   Session session = test::session_of("frustum-matrix");
-  session.start_task();
+  session.stage().start_task();
   CHECK(session.grade(0).says ==
         "This box reaches into the frustum. With the planes of the matrix it is kept in float and in double.");
 }

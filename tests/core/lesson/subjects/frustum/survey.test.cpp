@@ -58,8 +58,9 @@ TEST_CASE("an edit ends the survey, and without a clock it is done at once") {
 TEST_CASE("the survey of the lesson on spheres counts what snug cull --survey prints for its frustum") {
   Session session = test::session_of("frustum-sphere");
   const auto counted = [&](const char* situation) {
-    REQUIRE(session.show_situation(situation).has_value());
-    auto survey = FrustumSurvey::make(as<FrustumSubject>(session.subject())->boxes(), session.seed());
+    REQUIRE(session.stage().show_situation(situation).has_value());
+    auto survey = FrustumSurvey::make(as<FrustumSubject>(session.stage().subject())->boxes(),
+                                      session.stage().subject().origin().seed);
     REQUIRE(survey.has_value());
     while (!survey->done()) survey->step();
     return survey->counts();

@@ -79,20 +79,22 @@ Session any_in_space() {
 }
 Session any(int dim) { return dim == 2 ? any() : any_in_space(); }
 
-const VolumePair& pair_on_stage(const Session& session) { return as<VolumesSubject>(session.subject())->pair(); }
+const VolumePair& pair_on_stage(const Session& session) {
+  return as<VolumesSubject>(session.stage().subject())->pair();
+}
 
 void choose(Session& session, const Kinds& kinds) {
-  auto next = session.subject().clone();
+  auto next = session.stage().subject().clone();
   static_cast<VolumesSubject&>(*next).choose_kinds(kinds);
-  REQUIRE(session.become(std::move(next)).has_value());
+  REQUIRE(session.stage().become(std::move(next)).has_value());
 }
 
 /// The right choices of a question of this run; none if it is not asked here.
 std::vector<std::string> right(const Session& session, std::string_view id) {
   std::vector<std::string> choices;
-  for (const Asked& asked : session.questions())
+  for (const Asked& asked : session.conversation().questions())
     if (asked.question->id == id)
-      for (const int choice : asked.asking->truth(asked, session.run(0)).choices)
+      for (const int choice : asked.asking->truth(asked, session.player().run(0)).choices)
         choices.push_back(asked.choices[choice]);
   return choices;
 }
@@ -110,41 +112,41 @@ TEST_CASE("each of the 28 pairs can be chosen, has its own test, and comes back 
         choose(session, {a, b});
         CHECK(kinds_of(pair_on_stage(session)) == Kinds{a, b});
         const auto test = query::kPairTestNames[static_cast<std::size_t>(test_of(pair_on_stage(session)))];
-        CHECK(session.choose(0, test).has_value());
+        CHECK(session.player().choose(0, test).has_value());
         for (const std::string& name : session.lesson().algorithms)
-          CHECK(session.subject().suits(*find_method(volume_tests(), name)) ==
+          CHECK(session.stage().subject().suits(*find_method(volume_tests(), name)) ==
                 (name == test || name == "gjk" || (name == "slabs_then_gjk" && query::is_conservative(a, b))));
         session.last();
-        CHECK(session.caption().back() == '.');
+        CHECK(session.telling().caption().back() == '.');
 
-        const Rows rows = session.subject().rows();
+        const Rows rows = session.stage().subject().rows();
         Session other = any(dim);
-        REQUIRE(other.set_rows(rows).has_value());
-        CHECK(other.subject().rows() == rows);
+        REQUIRE(other.stage().set_rows(rows).has_value());
+        CHECK(other.stage().subject().rows() == rows);
         CHECK(kinds_of(pair_on_stage(other)) == Kinds{a, b});
-        session.scatter(17);
+        session.stage().scatter(17);
         CHECK(kinds_of(pair_on_stage(session)) == Kinds{a, b});
-        CHECK(session.subject().rows() != rows);
-        session.undo();
-        CHECK(session.subject().rows() == rows);
+        CHECK(session.stage().subject().rows() != rows);
+        session.stage().undo();
+        CHECK(session.stage().subject().rows() == rows);
       }
   }
 }
 
 TEST_CASE("rows that are no two volumes of any kind are refused, and change nothing") {
   Session session = any();
-  const Rows own = session.subject().rows();
+  const Rows own = session.stage().subject().rows();
   // A hull of more points and a k-DOP of fewer slabs than the usual ones.
   const Rows others{{5, -2, -2, -1, 1}, {6, 1, 0, 3, 0, 3, 1, 2, 2, 1, 1, 0.5, 0.5, 2, 1}};
-  REQUIRE(session.set_rows(others).has_value());
-  CHECK(session.subject().rows() == others);
-  for (Index i = 0; i < session.size(); ++i) CHECK(session.point(i)[2] == 0);
-  session.reset();
-  CHECK(session.subject().rows() == own);
+  REQUIRE(session.stage().set_rows(others).has_value());
+  CHECK(session.stage().subject().rows() == others);
+  for (Index i = 0; i < session.stage().subject().size(); ++i) CHECK(session.stage().subject().at(i)[2] == 0);
+  session.stage().reset();
+  CHECK(session.stage().subject().rows() == own);
   for (const Rows& wrong : {Rows{{7, 0, 0, 1}, {6, 0, 0, 1, 0, 0, 1}}, Rows{{0.5, 0, 0, 1}, own[1]}, Rows{own[0]},
                             Rows{{6, 0, 0, 1, 0, 0, 1}, {0, 3, 0, 1}}, Rows{{}, own[1]}, Rows{{0, 0, 0, -1}, own[1]}}) {
-    CHECK_FALSE(session.set_rows(wrong).has_value());
-    CHECK(session.subject().rows() == own);
+    CHECK_FALSE(session.stage().set_rows(wrong).has_value());
+    CHECK(session.stage().subject().rows() == own);
   }
 }
 
@@ -152,14 +154,14 @@ TEST_CASE("which vertex of A - B comes next is what the run finds, however the v
   Session session = any();
   int asked = 0, outside = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    session.scatter(seed);
-    const PairSteps steps = pair_run(session.run(0)).trace();
+    session.stage().scatter(seed);
+    const PairSteps steps = pair_run(session.player().run(0)).trace();
     for (const auto& entry : steps) {
       const auto* found = std::get_if<query::SupportFound>(&entry.step.fact);
       if (found == nullptr) continue;
       const auto answers = right(session, "next");
       REQUIRE_FALSE(answers.empty());
-      const PairRun::Where where{pair_run(session.run(0)), 0, nullptr};
+      const PairRun::Where where{pair_run(session.player().run(0)), 0, nullptr};
       const std::string name = where.vertex(0, found->a).name + "\u00a0−\u00a0" + where.vertex(1, found->b).name;
       CHECK(std::find(answers.begin(), answers.end(), name) != answers.end());
       ++asked;
@@ -175,7 +177,7 @@ TEST_CASE("which vertex of A - B comes next is what the run finds, however the v
 TEST_CASE("the outline of A - B contains every difference of two vertices, and has no vertex twice") {
   Session session = any();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    session.scatter(seed);
+    session.stage().scatter(seed);
     const auto outline = difference_outline(pair_on_stage(session));
     REQUIRE(outline.size() >= 3);
     CHECK(outline.size() <= 8);
@@ -203,7 +205,7 @@ TEST_CASE("which test is cheaper is counted, and only asked of a pair that has a
   REQUIRE(right(session, "cheaper").size() == 1);
   CHECK(right(session, "cheaper").front() == (own < gjk ? "Separating axes" : "GJK"));
   choose(session, {6, 6});
-  REQUIRE(session.choose(0, "gjk").has_value());
+  REQUIRE(session.player().choose(0, "gjk").has_value());
   CHECK(right(session, "cheaper").empty());
 }
 
@@ -228,10 +230,10 @@ TEST_CASE("the figures of random pairs are the counts, by the seed on the stage"
                          "center = [[-1, 0, 0], [1, 0.3, 0]]\nhalf_extents = [[0.9, 0.4, 0.3], [0.8, 0.5, 0.4]]\n"
                          "turn = [[20, 0, 0], [0, -35, 10]]\n[[section]]\ntitle = \"One\"\ntext = \"A text.\"\n");
   for (const std::uint64_t seed : {1, 5}) {
-    session.scatter(seed);
+    session.stage().scatter(seed);
     const cost::AxisCounts counts = cost::count_axes<3>(300, seed);
     const auto value = [&](std::string_view key) {
-      for (const Figure& figure : session.figures())
+      for (const Figure& figure : session.telling().figures())
         if (figure.key == key) return figure.value;
       return -1.0;
     };

@@ -29,10 +29,10 @@ Session session_at(const std::string& center, int dim = 3) {
 
 std::string right_answer(const std::string& center, int dim = 3) {
   Session session = session_at(center, dim);
-  session.first();
-  REQUIRE(session.asked() != nullptr);
-  const Answer answer = model_answer(*session.asked(), session.run(0));
-  return session.asked()->choices[answer.value];
+  session.go(0);
+  REQUIRE(session.conversation().asked() != nullptr);
+  const Answer answer = model_answer(*session.conversation().asked(), session.player().run(0));
+  return session.conversation().asked()->choices[answer.value];
 }
 
 }  // namespace

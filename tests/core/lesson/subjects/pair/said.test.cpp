@@ -27,15 +27,15 @@ Session opened(const std::string& algorithm, const std::string& volumes) {
 /// The sentences of all steps.
 std::vector<std::string> sentences(Session& session) {
   std::vector<std::string> all;
-  while (session.step() < session.steps()) {
-    session.go(session.step() + 1);
-    all.push_back(session.caption());
+  while (session.player().step() < session.player().steps()) {
+    session.go(session.player().step() + 1);
+    all.push_back(session.telling().caption());
   }
   return all;
 }
 
 std::optional<double> figure(const Session& session, std::string_view key) {
-  const std::vector<Figure> figures = session.figures();
+  const std::vector<Figure> figures = session.telling().figures();
   const auto found = std::find_if(figures.begin(), figures.end(), [&](const Figure& one) { return one.key == key; });
   return found == figures.end() ? std::nullopt : std::optional(found->value);
 }
@@ -50,7 +50,7 @@ TEST_CASE("boxes that touch are said to, and that it counts as overlapping") {
                                  "Along y A covers [0.000, 1.000] and B [1.000, 2.000]: the intervals touch, and "
                                  "touching counts as overlapping.",
                                  "The volumes touch, and touching counts as overlapping."});
-  REQUIRE(touching.set_rows({{0, 0, 1, 1}, {0.5, 0.75, 2, 2}}).has_value());
+  REQUIRE(touching.stage().set_rows({{0, 0, 1, 1}, {0.5, 0.75, 2, 2}}).has_value());
   touching.go(0);
   CHECK(sentences(touching).back() == "The volumes overlap.");
 }
@@ -92,7 +92,7 @@ TEST_CASE("a slider of an oriented box's turn stands where the box does, and fol
   Session session =
       opened("separating_axes", "a = { obb = { center = [0, 0], half_extents = [1, 0.5], turn = [10] } }\n"
                                 "b = { obb = { center = [3, 0], half_extents = [1, 0.5], turn = [35] } }\n");
-  const std::unique_ptr<Subject> subject = session.subject().clone();
+  const std::unique_ptr<Subject> subject = session.stage().subject().clone();
   const auto turn_of_a = [&] {
     for (const Drive& drive : subject->drives())
       if (drive.name == "A turn") return drive.now.value_or(0);

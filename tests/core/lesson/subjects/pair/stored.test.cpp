@@ -189,7 +189,7 @@ TEST_CASE("a lesson shows how a volume is stored if it asks for that, and the nu
   CHECK(stored_lines(session, "A").empty());
   CHECK(stored_lines(session, "stored:A/9/9").empty());
   CHECK(before[0].forms[0].members[1].text == "3.000, 4.000");
-  REQUIRE(session.move(0, session.point(0) + Point3(0.5, 0, 0)));
+  REQUIRE(session.stage().move(0, session.stage().subject().at(0) + Point3(0.5, 0, 0)));
   const auto after = stored_of(session);
   CHECK(after[0].forms[0].members[1].text == "3.500, 4.000");
   CHECK(after[0].forms[1].members[1].text == before[0].forms[1].members[1].text);  // a width

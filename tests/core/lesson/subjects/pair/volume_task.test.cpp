@@ -25,8 +25,8 @@ Session task_session(const std::string& algorithm, const std::string& volumes, c
 
 /// Two boxes in the plane: A from (0, 0) to (1, 1), and B with these bounds.
 const Subject& put(Session& session, double x, double y, double right, double top) {
-  REQUIRE(session.set_rows({{0, 0, 1, 1}, {x, y, right, top}}).has_value());
-  return session.subject();
+  REQUIRE(session.stage().set_rows({{0, 0, 1, 1}, {x, y, right, top}}).has_value());
+  return session.stage().subject();
 }
 
 constexpr const char* kBoxes =
@@ -36,18 +36,18 @@ constexpr const char* kBoxes =
 
 TEST_CASE("boxes that only the last axis separates are apart along it by any gap, and along no other") {
   Session session = task_session("min_max", kBoxes);
-  CHECK_FALSE(session.subject().goals()->reaches("only_last_axis"));
+  CHECK_FALSE(session.stage().subject().goals()->reaches("only_last_axis"));
   CHECK(put(session, 0.5, std::nextafter(1.0, 2.0), 2, 2).goals()->reaches("only_last_axis"));
   CHECK_FALSE(put(session, 0.5, 1, 2, 2).goals()->reaches("only_last_axis"));    // they touch
   CHECK_FALSE(put(session, 1.5, 1.5, 2, 2).goals()->reaches("only_last_axis"));  // along x as well
   CHECK_FALSE(put(session, 1.5, 0.5, 2, 2).goals()->reaches("only_last_axis"));  // along x alone
-  CHECK(session.subject().goals()->goal_says("only_last_axis") ==
+  CHECK(session.stage().subject().goals()->goal_says("only_last_axis") ==
         "Along x the intervals are apart; along y the intervals overlap.");
 }
 
 TEST_CASE("boxes touch along an axis where two bounds are equal to the last bit") {
   Session session = task_session("min_max", kBoxes);
-  CHECK_FALSE(session.subject().goals()->reaches("touch_on_one_axis"));
+  CHECK_FALSE(session.stage().subject().goals()->reaches("touch_on_one_axis"));
   CHECK(put(session, 1, 0.5, 2, 2).goals()->reaches("touch_on_one_axis"));
   CHECK(put(session, -1, -0.5, 0, 2).goals()->reaches("touch_on_one_axis"));
   CHECK_FALSE(put(session, std::nextafter(1.0, 2.0), 0.5, 2, 2).goals()->reaches("touch_on_one_axis"));
@@ -62,9 +62,9 @@ TEST_CASE("a slider lets two boxes touch to the last bit, however one was dragge
                                  "b = { aabb = { min = [-0.25, 0.25], max = [1.75, 1.25] } }\n",
                                  "[[slider]]\ntitle = \"Up\"\ndrives = \"A y\"\nfrom = -2\nto = 2\nsteps = 32\n");
   for (const double by : {0.1, 0.3, -0.7}) {
-    REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(by / 3, by, 0)).has_value());
-    REQUIRE(session.slide(0, -0.5).has_value());
-    CHECK(session.subject().goals()->reaches("touch_on_one_axis"));
+    REQUIRE(session.stage().move(0, session.stage().subject().at(0) + Vector<double, 3>(by / 3, by, 0)).has_value());
+    REQUIRE(session.stage().slide(0, -0.5).has_value());
+    CHECK(session.stage().subject().goals()->reaches("touch_on_one_axis"));
   }
 }
 
@@ -72,24 +72,24 @@ TEST_CASE("spheres mislead a test that adds the squares of their radii where the
   Session session = task_session("spheres", "a = { sphere = { center = [0, 0], radius = 1 } }\n"
                                             "b = { sphere = { center = [1, 0], radius = 1 } }\n");
   const auto at = [&](double x) {
-    REQUIRE(session.set_rows({{0, 0, 1}, {x, 0, 1}}).has_value());
-    return session.subject().goals()->reaches("sum_of_squares");
+    REQUIRE(session.stage().set_rows({{0, 0, 1}, {x, 0, 1}}).has_value());
+    return session.stage().subject().goals()->reaches("sum_of_squares");
   };
   CHECK_FALSE(at(1.4));  // both say that they overlap
   CHECK(at(1.5));
   CHECK(at(2));  // they touch
   CHECK_FALSE(at(2.5));
-  CHECK_FALSE(session.subject().goals()->reaches("only_last_axis"));
+  CHECK_FALSE(session.stage().subject().goals()->reaches("only_last_axis"));
 }
 
 TEST_CASE("two volumes overlap where the sum of their radii reaches from core to core") {
   Session session = task_session("swept_spheres", "a = { capsule = { a = [0, 0], b = [0, 1], radius = 0.5 } }\n"
                                                   "b = { capsule = { a = [1.5, 0], b = [1.5, 1], radius = 0.5 } }\n");
-  CHECK_FALSE(session.subject().goals()->reaches("overlap"));
-  CHECK(session.subject().goals()->goal_says("overlap") == "The volumes are apart by 0.500 units.");
-  REQUIRE(session.set_rows({{0, 0, 0, 1, 1.0625}, {1.5, 0, 1.5, 1, 0.5}}).has_value());
-  CHECK(session.subject().goals()->reaches("overlap"));  // though the radii add up to less than 1.6
-  CHECK(session.subject().goals()->goal_says("overlap") == "The volumes overlap.");
+  CHECK_FALSE(session.stage().subject().goals()->reaches("overlap"));
+  CHECK(session.stage().subject().goals()->goal_says("overlap") == "The volumes are apart by 0.500 units.");
+  REQUIRE(session.stage().set_rows({{0, 0, 0, 1, 1.0625}, {1.5, 0, 1.5, 1, 0.5}}).has_value());
+  CHECK(session.stage().subject().goals()->reaches("overlap"));  // though the radii add up to less than 1.6
+  CHECK(session.stage().subject().goals()->goal_says("overlap") == "The volumes overlap.");
 }
 
 TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no other test") {
@@ -103,10 +103,10 @@ TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no 
   for (const char* algorithm : {"min_max", "min_widths", "center_radius", "slabs"}) {
     Session session = task_session(algorithm, kBoxes, asking(algorithm));
     const auto truth = [&] {
-      const Asked* asked = session.asked();
+      const Asked* asked = session.conversation().asked();
       REQUIRE(asked != nullptr);
       CHECK(asked->choices == std::vector<std::string>{"x", "y", "none"});
-      return model_answer(*asked, session.run(0)).value;
+      return model_answer(*asked, session.player().run(0)).value;
     };
     session.jump(0);
     CHECK(truth() == 2);

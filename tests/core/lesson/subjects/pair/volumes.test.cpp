@@ -63,7 +63,7 @@ Session pair_session(std::size_t a, std::size_t b, int dim) {
   return *std::move(session);
 }
 
-const VolumePair& pair_of(const Session& session) { return as<VolumesSubject>(session.subject())->pair(); }
+const VolumePair& pair_of(const Session& session) { return as<VolumesSubject>(session.stage().subject())->pair(); }
 
 /// What the test of the volumes themselves says.
 bool overlap_of(const VolumePair& pair) {
@@ -91,7 +91,7 @@ int tests_counted(const VolumePair& pair) {
 
 /// What the run says in the end.
 bool overlap_said(const Session& session) {
-  const auto& end = pair_run(session.run(0)).trace().back().step.fact;
+  const auto& end = pair_run(session.player().run(0)).trace().back().step.fact;
   if (const auto* verdict = std::get_if<query::Verdict<double, 3>>(&end)) return verdict->result.overlap;
   const auto* decided = std::get_if<OverlapDecided>(&end);
   REQUIRE(decided != nullptr);
@@ -99,16 +99,16 @@ bool overlap_said(const Session& session) {
 }
 
 void check_all_steps(Session& session) {
-  for (int step = 0; step <= session.steps(); ++step) {
+  for (int step = 0; step <= session.player().steps(); ++step) {
     session.jump(step);
-    CHECK(session.step() == step);
-    CHECK(session.caption().size() > 10);
-    CHECK(session.caption().back() == '.');
-    for (const Figure& figure : session.figures()) CHECK(std::isfinite(figure.value));
+    CHECK(session.player().step() == step);
+    CHECK(session.telling().caption().size() > 10);
+    CHECK(session.telling().caption().back() == '.');
+    for (const Figure& figure : session.telling().figures()) CHECK(std::isfinite(figure.value));
   }
-  CHECK(session.line() >= 0);
-  CHECK(session.line() < static_cast<int>(session.pseudocode(0).size()));
-  for (const Proof& proof : session.proofs()) CHECK(proof.holds);
+  CHECK(session.player().line() >= 0);
+  CHECK(session.player().line() < static_cast<int>(session.player().pseudocode(0).size()));
+  for (const Proof& proof : session.player().proofs()) CHECK(proof.holds);
 }
 
 /// Opens each pair of kinds of volumes, in the plane and in space.
@@ -131,26 +131,27 @@ TEST_CASE("every pair of volumes opens, is tested step by step, and says what ov
   int apart = 0, together = 0;
   each_pair([&](Session& session, int dim) {
     std::set<std::string> names;
-    for (Index i = 0; i < session.size(); ++i) {
-      CAPTURE(session.name_of(i));
-      CHECK(names.insert(session.name_of(i)).second);
-      const Vector<double, 3> to = session.point(i) + Vector<double, 3>(0.11, -0.07, dim == 3 ? 0.05 : 0);
-      if (!session.move(i, to)) continue;  // slabs that would have no point in common
-      CHECK(session.subject().origin().edited);
+    for (Index i = 0; i < session.stage().subject().size(); ++i) {
+      CAPTURE(session.stage().subject().name_of(i));
+      CHECK(names.insert(session.stage().subject().name_of(i)).second);
+      const Vector<double, 3> to =
+          session.stage().subject().at(i) + Vector<double, 3>(0.11, -0.07, dim == 3 ? 0.05 : 0);
+      if (!session.stage().move(i, to)) continue;  // slabs that would have no point in common
+      CHECK(session.stage().subject().origin().edited);
       // The handle went where the hand is, or as near as its kind can be.
-      CHECK((session.point(i) - to).norm() < 1.2);
+      CHECK((session.stage().subject().at(i) - to).norm() < 1.2);
       CHECK(overlap_said(session) == overlap_of(pair_of(session)));
       (overlap_said(session) ? together : apart) += 1;
     }
     check_all_steps(session);
     for (const std::uint64_t seed : {2, 3, 4}) {
-      session.scatter(seed);
+      session.stage().scatter(seed);
       CHECK(overlap_said(session) == overlap_of(pair_of(session)));
     }
-    session.undo();
-    session.scatter(1);
+    session.stage().undo();
+    session.stage().scatter(1);
     if (session.lesson().algorithms.size() == 2) {
-      REQUIRE(session.choose(0, "gjk"));
+      REQUIRE(session.player().choose(0, "gjk"));
       CHECK(overlap_said(session) == overlap_of(pair_of(session)));
       check_all_steps(session);
     }
@@ -162,8 +163,8 @@ TEST_CASE("every pair of volumes opens, is tested step by step, and says what ov
 TEST_CASE("a pair's tests are counted as the command line counts them, and the figure says what they are") {
   std::set<std::string> named;
   each_pair([&](Session& session, int) {
-    session.jump(session.steps());
-    for (const Figure& figure : session.figures())
+    session.jump(session.player().steps());
+    for (const Figure& figure : session.telling().figures())
       if (figure.key == "tests") {
         named.insert(figure.name);
         CHECK(figure.value == tests_counted(pair_of(session)));
@@ -179,17 +180,18 @@ TEST_CASE("the centre takes its volume along, and what a handle does not hold st
       CAPTURE(kVolumeNames[kind]);
       Session session = pair_session(kind, kind, dim);
       std::vector<Vector<double, 3>> before;
-      for (Index i = 0; i < session.size(); ++i) before.push_back(session.point(i));
+      for (Index i = 0; i < session.stage().subject().size(); ++i) before.push_back(session.stage().subject().at(i));
       const Vector<double, 3> by(0.5, 0.25, dim == 3 ? -0.125 : 0);
-      REQUIRE(session.name_of(0) == "A");
-      REQUIRE(session.move(0, before[0] + by));
-      for (Index i = 0; i < session.size(); ++i) {
-        CAPTURE(session.name_of(i));
-        const Vector<double, 3> due = session.name_of(i)[0] == 'A' ? Vector<double, 3>(before[i] + by) : before[i];
-        CHECK((session.point(i) - due).norm() < 1e-12);
+      REQUIRE(session.stage().subject().name_of(0) == "A");
+      REQUIRE(session.stage().move(0, before[0] + by));
+      for (Index i = 0; i < session.stage().subject().size(); ++i) {
+        CAPTURE(session.stage().subject().name_of(i));
+        const Vector<double, 3> due =
+            session.stage().subject().name_of(i)[0] == 'A' ? Vector<double, 3>(before[i] + by) : before[i];
+        CHECK((session.stage().subject().at(i) - due).norm() < 1e-12);
       }
-      session.undo();
-      for (Index i = 0; i < session.size(); ++i) CHECK(session.point(i) == before[i]);
+      session.stage().undo();
+      for (Index i = 0; i < session.stage().subject().size(); ++i) CHECK(session.stage().subject().at(i) == before[i]);
     }
 }
 
@@ -199,26 +201,27 @@ TEST_CASE("the rows of two volumes that hands have changed bring them back, to t
       CAPTURE(dim);
       CAPTURE(kVolumeNames[kind]);
       Session session = pair_session(0, kind, dim);
-      for (Index i = 0; i < session.size(); ++i)
-        static_cast<void>(session.move(i, session.point(i) + Point3(0.037, -0.11, dim == 3 ? 0.07 : 0)));
+      for (Index i = 0; i < session.stage().subject().size(); ++i)
+        static_cast<void>(
+            session.stage().move(i, session.stage().subject().at(i) + Point3(0.037, -0.11, dim == 3 ? 0.07 : 0)));
       Session fresh = pair_session(0, kind, dim);
-      CHECK_FALSE(fresh.subject().rows() == session.subject().rows());
-      REQUIRE(fresh.set_rows(session.subject().rows()).has_value());
-      CHECK(fresh.subject().rows() == session.subject().rows());
-      CHECK(fresh.trace_hash() == session.trace_hash());
-      CHECK(fresh.edited());
-      fresh.undo();
-      CHECK_FALSE(fresh.edited());
+      CHECK_FALSE(fresh.stage().subject().rows() == session.stage().subject().rows());
+      REQUIRE(fresh.stage().set_rows(session.stage().subject().rows()).has_value());
+      CHECK(fresh.stage().subject().rows() == session.stage().subject().rows());
+      CHECK(fresh.player().trace_hash() == session.player().trace_hash());
+      CHECK(fresh.stage().edited());
+      fresh.stage().undo();
+      CHECK_FALSE(fresh.stage().edited());
       // What can be no such volume is refused, and what stands there stays.
-      Rows wrong = session.subject().rows();
+      Rows wrong = session.stage().subject().rows();
       wrong[1].pop_back();
-      CHECK_FALSE(fresh.set_rows(wrong).has_value());
+      CHECK_FALSE(fresh.stage().set_rows(wrong).has_value());
       wrong[1].push_back(std::nan(""));
-      CHECK_FALSE(fresh.set_rows(wrong).has_value());
-      wrong = session.subject().rows();
+      CHECK_FALSE(fresh.stage().set_rows(wrong).has_value());
+      wrong = session.stage().subject().rows();
       wrong[0].back() = -1;  // the sphere's radius
-      CHECK_FALSE(fresh.set_rows(wrong).has_value());
-      CHECK_FALSE(fresh.edited());
+      CHECK_FALSE(fresh.stage().set_rows(wrong).has_value());
+      CHECK_FALSE(fresh.stage().edited());
     }
 }
 
@@ -268,29 +271,29 @@ bool is_rounded(const HeldVolume& held) {
 TEST_CASE("in float both volumes are rounded, whatever their kinds, and in double they are what they were") {
   int traces = 0;
   each_pair([&](Session& session, int) {
-    const std::uint64_t trace = session.run(0).hash();
-    const Rows rows = session.subject().rows();
-    REQUIRE(session.set_float(true).has_value());
-    CHECK(session.subject().in_float());
-    CHECK(session.subject().rows() == rows);
+    const std::uint64_t trace = session.player().run(0).hash();
+    const Rows rows = session.stage().subject().rows();
+    REQUIRE(session.stage().set_float(true).has_value());
+    CHECK(session.stage().subject().in_float());
+    CHECK(session.stage().subject().rows() == rows);
     for (const HeldVolume& held : pair_of(session).held) CHECK(is_rounded(held));
-    traces += session.run(0).hash() != trace ? 1 : 0;
+    traces += session.player().run(0).hash() != trace ? 1 : 0;
 
     // The tests are careful in both: in float they are right about the rounded volumes.
     VolumePair in_double = pair_of(session);
     in_double.in_float = false;
     CHECK(overlap_said(session) == overlap_of(in_double));
 
-    REQUIRE(session.move(0, session.point(0) + Point3(0.123456789, 0, 0)).has_value());
+    REQUIRE(session.stage().move(0, session.stage().subject().at(0) + Point3(0.123456789, 0, 0)).has_value());
     CHECK(is_rounded(pair_of(session).held[0]));
-    session.scatter(7);
-    CHECK(session.subject().in_float());
+    session.stage().scatter(7);
+    CHECK(session.stage().subject().in_float());
     CHECK(is_rounded(pair_of(session).held[1]));
-    session.undo();
-    session.undo();
-    REQUIRE(session.set_float(false).has_value());
-    CHECK(session.subject().rows() == rows);
-    CHECK(session.run(0).hash() == trace);
+    session.stage().undo();
+    session.stage().undo();
+    REQUIRE(session.stage().set_float(false).has_value());
+    CHECK(session.stage().subject().rows() == rows);
+    CHECK(session.player().run(0).hash() == trace);
   });
   CHECK(traces > 40);
 }
@@ -301,21 +304,21 @@ TEST_CASE("a lesson's file has its volumes in float, and what float cannot hold 
   auto lesson = check::checked_lesson(text, "two.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   Session session = *Session::open(*std::move(lesson));
-  CHECK(session.subject().in_float());
-  CHECK(session.is_own());
+  CHECK(session.stage().subject().in_float());
+  CHECK(session.stage().is_own());
   CHECK(is_rounded(pair_of(session).held[0]));
-  CHECK_FALSE(session.move(0, Point3(1e30, 0, 0)));
-  REQUIRE(session.set_float(false));
-  REQUIRE(session.move(0, Point3(1e30, 0, 0)));
-  CHECK_FALSE(session.set_float(true));
-  CHECK_FALSE(session.subject().in_float());
+  CHECK_FALSE(session.stage().move(0, Point3(1e30, 0, 0)));
+  REQUIRE(session.stage().set_float(false));
+  REQUIRE(session.stage().move(0, Point3(1e30, 0, 0)));
+  CHECK_FALSE(session.stage().set_float(true));
+  CHECK_FALSE(session.stage().subject().in_float());
 }
 
 TEST_CASE("a simplex that contains the origin is at distance 0, also where rounding leaves a little") {
   Session session = snug::test::session_of("overlap-any");
-  REQUIRE(session.show_situation("overlapping").has_value());
-  session.jump(session.steps());
-  const auto figures = session.figures();
+  REQUIRE(session.stage().show_situation("overlapping").has_value());
+  session.jump(session.player().steps());
+  const auto figures = session.telling().figures();
   const auto upper = std::find_if(figures.begin(), figures.end(), [](const Figure& one) { return one.key == "upper"; });
   REQUIRE(upper != figures.end());
   CHECK(upper->value == 0);
@@ -324,17 +327,17 @@ TEST_CASE("a simplex that contains the origin is at distance 0, also where round
 
 TEST_CASE("a line separates two volumes of the plane, and a plane those of space") {
   Session session = snug::test::session_of("overlap-any");
-  session.jump(session.steps());
-  REQUIRE(session.proofs().size() == 1);
-  CHECK(session.proofs()[0].text.starts_with("a line that passes between"));
-  REQUIRE(session.show_situation("space").has_value());
-  session.jump(session.steps());
-  REQUIRE(session.proofs().size() == 1);
-  CHECK(session.proofs()[0].text.starts_with("a plane that passes between"));
+  session.jump(session.player().steps());
+  REQUIRE(session.player().proofs().size() == 1);
+  CHECK(session.player().proofs()[0].text.starts_with("a line that passes between"));
+  REQUIRE(session.stage().show_situation("space").has_value());
+  session.jump(session.player().steps());
+  REQUIRE(session.player().proofs().size() == 1);
+  CHECK(session.player().proofs()[0].text.starts_with("a plane that passes between"));
 }
 
 TEST_CASE("the name of a difference is not broken over two lines") {
   Session session = snug::test::session_of("overlap-any");
   session.jump(1);
-  CHECK(session.caption() == "A0\u00a0−\u00a0B0 is 2.865 from the origin.");
+  CHECK(session.telling().caption() == "A0\u00a0−\u00a0B0 is 2.865 from the origin.");
 }

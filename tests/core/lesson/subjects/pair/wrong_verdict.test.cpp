@@ -15,14 +15,14 @@ namespace {
 
 Session at_the_end(const char* situation, const char* test) {
   Session session = session_of("epsilons");
-  REQUIRE(session.show_situation(situation).has_value());
-  REQUIRE(session.choose(0, test).has_value());
-  session.jump(session.steps());
+  REQUIRE(session.stage().show_situation(situation).has_value());
+  REQUIRE(session.player().choose(0, test).has_value());
+  session.jump(session.player().steps());
   return session;
 }
 
 int wrong_marks(const Session& session) {
-  return static_cast<int>(std::count_if(session.marks().begin(), session.marks().end(),
+  return static_cast<int>(std::count_if(session.player().marks().begin(), session.player().marks().end(),
                                         [](const Mark& mark) { return mark.kind == Mark::Kind::kWrong; }));
 }
 
@@ -38,9 +38,9 @@ TEST_CASE("the verdict of a naive test is compared with exact arithmetic in its 
                           Case{"large", "relative_epsilon_float", " Exact arithmetic says the same.", false}}) {
     CAPTURE(one.test);
     const Session session = at_the_end(one.situation, one.test);
-    CHECK(session.caption().ends_with(one.says));
+    CHECK(session.telling().caption().ends_with(one.says));
     CHECK((wrong_marks(session) > 0) == one.wrong);
-    if (one.wrong) CHECK(session.marks().back().kind == Mark::Kind::kWrong);
+    if (one.wrong) CHECK(session.player().marks().back().kind == Mark::Kind::kWrong);
   }
 }
 
@@ -49,28 +49,29 @@ TEST_CASE("what is told of the first row does not call a row of noise a separati
   for (Question& question : lesson.questions)
     if (question.id == "large") question.asks = "first_axis", question.choices.clear();
   Session session = *Session::open(std::move(lesson));
-  REQUIRE(session.show_situation("large").has_value());
-  REQUIRE(session.choose(0, "absolute_epsilon_float").has_value());
-  session.go(session.steps());
-  const Asked* asked = session.asked();
+  REQUIRE(session.stage().show_situation("large").has_value());
+  REQUIRE(session.player().choose(0, "absolute_epsilon_float").has_value());
+  session.go(session.player().steps());
+  const Asked* asked = session.conversation().asked();
   REQUIRE(asked != nullptr);
-  CHECK(asked->asking->truth(*asked, session.run(0)).sentence ==
+  CHECK(asked->asking->truth(*asked, session.player().run(0)).sentence ==
         "A z × B z is the first row of the table that shows a gap.");
 }
 
 TEST_CASE("where a tolerance swallows a gap, the sentence does not deny that the distance is the greater") {
   Session session = session_of("vanishing-axes");
-  REQUIRE(session.show_situation("noise").has_value());
-  REQUIRE(session.choose(0, "relative_epsilon").has_value());
+  REQUIRE(session.stage().show_situation("noise").has_value());
+  REQUIRE(session.player().choose(0, "relative_epsilon").has_value());
   int swallowed = 0;
-  for (const auto& entry : pair_run(session.run(0)).trace()) {
-    session.jump(static_cast<int>(&entry - pair_run(session.run(0)).trace().data()) + 1);
+  for (const auto& entry : pair_run(session.player().run(0)).trace()) {
+    session.jump(static_cast<int>(&entry - pair_run(session.player().run(0)).trace().data()) + 1);
     const auto* axis = std::get_if<query::AxisTested<double, 3>>(&entry.step.fact);
     if (axis == nullptr || axis->skipped || axis->separates) continue;
     const bool greater = axis->distance > axis->radius_a + axis->radius_b;
     swallowed += greater;
-    CHECK((session.caption().find(" is not greater than ") == std::string::npos) == greater);
-    CHECK(session.caption().ends_with(greater ? "but by no more than the test's tolerance: no gap." : ": no gap."));
+    CHECK((session.telling().caption().find(" is not greater than ") == std::string::npos) == greater);
+    CHECK(session.telling().caption().ends_with(greater ? "but by no more than the test's tolerance: no gap."
+                                                        : ": no gap."));
   }
   CHECK(swallowed > 0);
 }

@@ -112,13 +112,13 @@ lesson::Session piles() {
 
 std::vector<std::string> names_of(const lesson::Session& session, bool called) {
   std::vector<std::string> names;
-  for (const lesson::Switch& one : session.switches())
+  for (const lesson::Switch& one : session.player().switches())
     if (one.called == called) names.push_back(one.name);
   return names;
 }
 
 std::string says_of(const lesson::Session& session, std::string_view effect) {
-  for (const lesson::Switch& one : session.switches())
+  for (const lesson::Switch& one : session.player().switches())
     if (one.name == effect) return one.says;
   return "none";
 }
@@ -131,97 +131,97 @@ int awake_at(const lesson::Session& session, int frame) { return run_of(session)
 
 TEST_CASE("a body that is dragged into a fixed one stands there, and the lesson says that the scene cannot run") {
   lesson::Session session = piles();
-  const int steps = session.steps();
-  session.begin_drag();
-  REQUIRE(session.move(0, {-2, -0.5, 0}).has_value());
+  const int steps = session.player().steps();
+  session.stage().begin_drag();
+  REQUIRE(session.stage().move(0, {-2, -0.5, 0}).has_value());
   const lesson::SceneFrame* frame = lesson::frame_of(session);
   REQUIRE(frame != nullptr);
   CHECK(frame->bodies.size() == 5);
   CHECK(frame->bodies[1].position[1] == doctest::Approx(-0.5));
-  CHECK(session.steps() == 0);
-  CHECK(session.caption().find("cannot run") != std::string::npos);
-  CHECK(session.caption().find("inside floor") != std::string::npos);
+  CHECK(session.player().steps() == 0);
+  CHECK(session.telling().caption().find("cannot run") != std::string::npos);
+  CHECK(session.telling().caption().find("inside floor") != std::string::npos);
   CHECK(session.grade(0).says.find("inside floor") != std::string::npos);
-  CHECK(session.figures(0).empty());
+  CHECK(session.telling().figures(0).empty());
   CHECK(names_of(session, true).size() == 6);  // still there to be edited
-  REQUIRE(session.move(0, {-2, 0.3, 0}).has_value());
-  session.end_drag();
-  CHECK(session.steps() == steps);
-  CHECK(session.caption().find("cannot run") == std::string::npos);
-  session.undo();
-  CHECK(session.steps() == steps);
+  REQUIRE(session.stage().move(0, {-2, 0.3, 0}).has_value());
+  session.stage().end_drag();
+  CHECK(session.player().steps() == steps);
+  CHECK(session.telling().caption().find("cannot run") == std::string::npos);
+  session.stage().undo();
+  CHECK(session.player().steps() == steps);
 }
 
 TEST_CASE("a body that is dragged beyond all numbers stays where it was") {
   lesson::Session session = piles();
-  const lesson::Point3 before = session.point(0);
-  session.begin_drag();
-  CHECK_FALSE(session.move(0, {1e13, 0, 0}).has_value());
-  CHECK(session.point(0) == before);
-  CHECK(session.steps() == 200);
-  session.end_drag();
-  CHECK_FALSE(session.add({1e13, 0, 0}).has_value());
-  CHECK(session.size() == 4);
+  const lesson::Point3 before = session.stage().subject().at(0);
+  session.stage().begin_drag();
+  CHECK_FALSE(session.stage().move(0, {1e13, 0, 0}).has_value());
+  CHECK(session.stage().subject().at(0) == before);
+  CHECK(session.player().steps() == 200);
+  session.stage().end_drag();
+  CHECK_FALSE(session.stage().add({1e13, 0, 0}).has_value());
+  CHECK(session.stage().subject().size() == 4);
 }
 
 TEST_CASE("an effect that is taken out is never constructed, and what needs it says so") {
   lesson::Session session = piles();
   CHECK(names_of(session, false) == std::vector<std::string>{"shadow"});
-  REQUIRE(session.call_for("trail", false).has_value());
+  REQUIRE(session.stage().call_for("trail", false).has_value());
   CHECK(names_of(session, false) == std::vector<std::string>{"trail", "shadow"});
-  CHECK(session.steps() == 200);
+  CHECK(session.player().steps() == 200);
   for (const scene::EffectTally& tally : run_of(session).tallies) CHECK(tally.effect != "trail");
 
-  REQUIRE(session.call_for("broad_phase", false).has_value());
-  CHECK(session.steps() == 0);
-  CHECK(session.caption() ==
+  REQUIRE(session.stage().call_for("broad_phase", false).has_value());
+  CHECK(session.player().steps() == 0);
+  CHECK(session.telling().caption() ==
         "The scene cannot run: narrow phase reads pairs, which no effect of the scene makes: broad phase would.");
   CHECK(says_of(session, "narrow_phase") == "needs pairs, which no effect writes");
   CHECK(says_of(session, "refit").empty());
   CHECK(names_of(session, false) == std::vector<std::string>{"broad_phase", "trail", "shadow"});
-  session.undo();
-  CHECK(session.steps() == 200);
-  CHECK_FALSE(session.call_for("move", false).has_value());  // it comes with fall
-  CHECK_FALSE(session.call_for("spin", true).has_value());
+  session.stage().undo();
+  CHECK(session.player().steps() == 200);
+  CHECK_FALSE(session.stage().call_for("move", false).has_value());  // it comes with fall
+  CHECK_FALSE(session.stage().call_for("spin", true).has_value());
 }
 
 TEST_CASE("at the start a control declares an effect, and later it switches the effect off") {
   lesson::Session session = piles();
   session.jump(0);
   const auto part = [&](std::string_view name) {
-    for (const lesson::Switch& one : session.switches())
+    for (const lesson::Switch& one : session.player().switches())
       if (one.name == name) return one;
     return lesson::Switch();
   };
-  CHECK(session.can_toggle(part("trail")));
-  CHECK_FALSE(session.can_toggle(part("move")));
-  REQUIRE(session.toggle(part("trail")));
+  CHECK(session.player().can_toggle(part("trail")));
+  CHECK_FALSE(session.player().can_toggle(part("move")));
+  REQUIRE(session.player().toggle(part("trail")));
   CHECK_FALSE(part("trail").called);
   session.jump(10);
-  REQUIRE(session.toggle(part("shadow")));  // one that is not called for is added at any step
+  REQUIRE(session.player().toggle(part("shadow")));  // one that is not called for is added at any step
   CHECK(part("shadow").called);
-  REQUIRE(session.toggle(part("shadow")));
+  REQUIRE(session.player().toggle(part("shadow")));
   CHECK(part("shadow").called);
   CHECK_FALSE(part("shadow").on);
-  session.reset();
+  session.stage().reset();
   CHECK(part("trail").called);
   CHECK_FALSE(part("shadow").called);
 }
 
 TEST_CASE("a declaration is part of what is kept, and the lesson's own is not said twice") {
   lesson::Session session = piles();
-  const lesson::Rows own = session.subject().rows();
+  const lesson::Rows own = session.stage().subject().rows();
   CHECK(own.size() == 4);
-  REQUIRE(session.call_for("shadow", true).has_value());
-  const lesson::Rows rows = session.subject().rows();
+  REQUIRE(session.stage().call_for("shadow", true).has_value());
+  const lesson::Rows rows = session.stage().subject().rows();
   REQUIRE(rows.size() == 5);
   CHECK(rows.back() == std::vector<double>(7, 1));
-  session.reset();
+  session.stage().reset();
   CHECK(names_of(session, false).size() == 1);
-  REQUIRE(session.set_rows(rows).has_value());
+  REQUIRE(session.stage().set_rows(rows).has_value());
   CHECK(names_of(session, false).empty());
-  REQUIRE(session.call_for("shadow", false).has_value());
-  CHECK(session.subject().rows() == own);
+  REQUIRE(session.stage().call_for("shadow", false).has_value());
+  CHECK(session.stage().subject().rows() == own);
 }
 
 TEST_CASE("each effect says what it did in the frame, and why") {
@@ -236,9 +236,9 @@ TEST_CASE("each effect says what it did in the frame, and why") {
   session.jump(200);
   CHECK(says_of(session, "fall") == "skipped: no body is awake");
   CHECK(says_of(session, "refit") == "skipped: its inputs are unchanged");
-  CHECK(session.caption() == "Frame 200: none of 7 effects runs; none of 4 bodies is awake.");
+  CHECK(session.telling().caption() == "Frame 200: none of 7 effects runs; none of 4 bodies is awake.");
   session.jump(10);
-  REQUIRE(session.turn("trail", false));
+  REQUIRE(session.player().toggle({.name = "trail"}));
   session.jump(11);
   CHECK(says_of(session, "trail") == "switched off");
 }
@@ -246,48 +246,48 @@ TEST_CASE("each effect says what it did in the frame, and why") {
 TEST_CASE("a tap lets a body hop: its island wakes, the run goes on until it sleeps again, and undo takes it back") {
   lesson::Session session = piles();
   session.jump(0);
-  CHECK_FALSE(session.push(1));  // before the first frame bodies are moved
+  CHECK_FALSE(session.player().push(1));  // before the first frame bodies are moved
   session.jump(200);
   CHECK(awake_at(session, 200) == 0);
-  REQUIRE(session.push(1));
-  CHECK(session.step() == 200);
-  CHECK(session.steps() > 200);
+  REQUIRE(session.player().push(1));
+  CHECK(session.player().step() == 200);
+  CHECK(session.player().steps() > 200);
   CHECK(awake_at(session, 201) == 2);
-  CHECK(awake_at(session, session.steps()) == 0);
+  CHECK(awake_at(session, session.player().steps()) == 0);
   session.jump(201);
-  CHECK(session.caption().find("2 of 4 bodies are awake") != std::string::npos);
-  session.undo();
-  CHECK(session.steps() == 200);
+  CHECK(session.telling().caption().find("2 of 4 bodies are awake") != std::string::npos);
+  session.stage().undo();
+  CHECK(session.player().steps() == 200);
   CHECK(awake_at(session, 200) == 0);
 }
 
 TEST_CASE("which effects are skipped is worked out from the run") {
   lesson::Session session = piles();
   session.jump(0);
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->choices.size() == 8);
-  CHECK(session.asked()->choices.back() == "none of them");
-  CHECK(session.answer({lesson::Answer::Kind::kChoice, 1 << 7}));
-  CHECK(session.outcome()->right);
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->choices.size() == 8);
+  CHECK(session.conversation().asked()->choices.back() == "none of them");
+  CHECK(session.conversation().give({lesson::Answer::Kind::kChoice, 1 << 7}));
+  CHECK(session.conversation().outcome()->right);
   session.jump(189);
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.answer({lesson::Answer::Kind::kChoice, (1 << 7) - 1}));
-  CHECK(session.outcome()->right);
-  CHECK(session.outcome()->happened == "all of them");
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().give({lesson::Answer::Kind::kChoice, (1 << 7) - 1}));
+  CHECK(session.conversation().outcome()->right);
+  CHECK(session.conversation().outcome()->happened == "all of them");
 }
 
 TEST_CASE("a task asks for a picture with the fewest effects") {
   lesson::Session session = piles();
-  session.start_task();
+  session.stage().start_task();
   CHECK_FALSE(session.grade(0).done);
   for (const char* effect : {"trail", "bounce", "narrow_phase", "broad_phase", "refit"})
-    REQUIRE(session.call_for(effect, false).has_value());
+    REQUIRE(session.stage().call_for(effect, false).has_value());
   CHECK_FALSE(session.grade(0).done);
-  REQUIRE(session.call_for("shadow", true).has_value());
+  REQUIRE(session.stage().call_for("shadow", true).has_value());
   CHECK(session.grade(0).done);  // shadow, fall and move
-  REQUIRE(session.call_for("trail", true).has_value());
+  REQUIRE(session.stage().call_for("trail", true).has_value());
   CHECK_FALSE(session.grade(0).done);
-  const auto solved = session.solve_task(0);
+  const auto solved = session.solve_task(0, session.lesson().tasks[0].model);
   REQUIRE(solved.has_value());
   CHECK(solved->done);
 }
@@ -295,12 +295,13 @@ TEST_CASE("a task asks for a picture with the fewest effects") {
 TEST_CASE("the counts beside the stage are those of the scene that the command line runs") {
   const lesson::Session session = piles();
   const auto declaration =
-      lesson::declaration_with(lesson::set_of(session), "sweep_and_prune", *session.subject().points(), session.seed());
+      lesson::declaration_with(lesson::set_of(session), "sweep_and_prune", *session.stage().subject().points(),
+                               session.stage().subject().origin().seed);
   REQUIRE(declaration.has_value());
   auto scene = scene::Scene::open(*declaration);
   REQUIRE(scene.has_value());
   const lesson::SceneRecording& run = run_of(session);
-  for (int frame = 1; frame <= session.steps(); ++frame) {
+  for (int frame = 1; frame <= session.player().steps(); ++frame) {
     scene->step();
     for (std::size_t i = 0; i < run.tallies.size(); ++i) {
       const lesson::EffectCount& count = run.counts[frame * run.tallies.size() + i];
@@ -313,7 +314,7 @@ TEST_CASE("the counts beside the stage are those of the scene that the command l
 namespace {
 
 lesson::StageFile scene_file_of(const lesson::Session& session) {
-  const auto file = session.subject().file();
+  const auto file = session.stage().subject().file();
   REQUIRE(file.has_value());
   return *file;
 }
@@ -334,115 +335,115 @@ TEST_CASE("a scene's file says what the lesson's does, and is read as the same s
                         "half_extents = [9, 0.5, 9]\nposition = [0, -0.5, 0]\nfixed = true\n"));
   CHECK(own.find("graph") == std::string::npos);
   CHECK(own.ends_with("[[scene.effect]]\neffect = \"shadow\"\ncalled = false\n"));
-  const std::uint64_t trace = session.trace_hash();
-  REQUIRE(session.set_file(own + "# a comment\n").has_value());
+  const std::uint64_t trace = session.player().trace_hash();
+  REQUIRE(session.stage().set_file(own + "# a comment\n").has_value());
   CHECK(scene_file_of(session).mistakes.empty());
-  CHECK(session.trace_hash() == trace);
+  CHECK(session.player().trace_hash() == trace);
   CHECK(names_of(session, false) == std::vector<std::string>{"shadow"});
-  CHECK(session.subject().rows().size() == 4);
-  REQUIRE(session.set_file(own).has_value());
+  CHECK(session.stage().subject().rows().size() == 4);
+  REQUIRE(session.stage().set_file(own).has_value());
   CHECK(scene_file_of(session).runs == own);
 }
 
 TEST_CASE("a setting that is typed is seen at once, and all that is typed is one entry of undo") {
   lesson::Session session = piles();
   const std::string own = scene_file_of(session).own;
-  const std::uint64_t trace = session.trace_hash();
-  REQUIRE(session.set_file(with_changed(own, "restitution = 0", "restitution = 0.")).has_value());
-  REQUIRE(session.set_file(with_changed(own, "restitution = 0", "restitution = 0.6")).has_value());
-  CHECK(session.trace_hash() != trace);
-  CHECK_FALSE(session.is_own());
-  session.end_typing();
-  REQUIRE(session.set_file(with_changed(own, "frames = 200", "frames = 60")).has_value());
-  CHECK(session.steps() == 60);
+  const std::uint64_t trace = session.player().trace_hash();
+  REQUIRE(session.stage().set_file(with_changed(own, "restitution = 0", "restitution = 0.")).has_value());
+  REQUIRE(session.stage().set_file(with_changed(own, "restitution = 0", "restitution = 0.6")).has_value());
+  CHECK(session.player().trace_hash() != trace);
+  CHECK_FALSE(session.stage().is_own());
+  session.stage().end_typing();
+  REQUIRE(session.stage().set_file(with_changed(own, "frames = 200", "frames = 60")).has_value());
+  CHECK(session.player().steps() == 60);
   CHECK(scene_file_of(session).runs.find("restitution = 0\n") != std::string::npos);
-  session.undo();
-  CHECK(session.steps() == 200);
+  session.stage().undo();
+  CHECK(session.player().steps() == 200);
   CHECK(scene_file_of(session).runs.find("restitution = 0.6\n") != std::string::npos);
-  session.undo();
-  CHECK(session.trace_hash() == trace);
-  CHECK_FALSE(session.can_undo());
-  session.redo();
+  session.stage().undo();
+  CHECK(session.player().trace_hash() == trace);
+  CHECK_FALSE(session.stage().can_undo());
+  session.stage().redo();
   CHECK(scene_file_of(session).runs.find("restitution = 0.6\n") != std::string::npos);
 }
 
 TEST_CASE("of a text that cannot run every mistake is named with its line, and the stage keeps the last one that ran") {
   lesson::Session session = piles();
   const std::string own = scene_file_of(session).own;
-  const std::uint64_t trace = session.trace_hash();
+  const std::uint64_t trace = session.player().trace_hash();
   const std::string broken =
       with_changed(with_changed(with_changed(own, "restitution = 0", "restitution = 7\nfriction = -1\nglue = 2"),
                                 "effect = \"trail\"", "effect = \"trail\"\nlength = 2.5"),
                    "fixed = true", "fixed = true\nmass = -3");
-  REQUIRE(session.set_file(broken).has_value());
+  REQUIRE(session.stage().set_file(broken).has_value());
   const lesson::StageFile file = scene_file_of(session);
   CHECK(file.typed == broken);
   CHECK(file.runs == own);
-  CHECK(session.trace_hash() == trace);
-  CHECK(session.steps() == 200);
+  CHECK(session.player().trace_hash() == trace);
+  CHECK(session.player().steps() == 200);
   CHECK(file.mistakes ==
         std::vector<std::string>{"4:1: floor: its mass is negative", "31:1: bounce: \"restitution\" is out of range",
                                  "32:1: bounce: \"friction\" is out of range", "33:1: bounce: has no setting \"glue\"",
                                  "35:1: trail: \"length\" must be a whole number"});
   CHECK(file.heading() == "5 mistakes: the stage shows the last text without any.");
-  REQUIRE(session.set_file("[scene\n").has_value());  // no TOML
+  REQUIRE(session.stage().set_file("[scene\n").has_value());  // no TOML
   CHECK(scene_file_of(session).mistakes.size() == 1);
-  REQUIRE(session.set_file("").has_value());
+  REQUIRE(session.stage().set_file("").has_value());
   CHECK(scene_file_of(session).mistakes.front() == "1:1: the file lacks [scene]");
-  session.undo();  // all of it was typed in one go
+  session.stage().undo();  // all of it was typed in one go
   CHECK(scene_file_of(session).typed == own);
-  session.redo();
+  session.stage().redo();
   CHECK(scene_file_of(session).typed.empty());
-  CHECK(session.trace_hash() == trace);
+  CHECK(session.player().trace_hash() == trace);
 }
 
 TEST_CASE("what is typed is not lost when something else is edited") {
   lesson::Session session = piles();
   const std::string broken = with_changed(scene_file_of(session).own, "restitution = 0", "restitution = ");
-  REQUIRE(session.set_file(broken).has_value());
-  REQUIRE(session.move(0, {-2, 0.4, 0}).has_value());
+  REQUIRE(session.stage().set_file(broken).has_value());
+  REQUIRE(session.stage().move(0, {-2, 0.4, 0}).has_value());
   CHECK(scene_file_of(session).typed == broken);
-  REQUIRE(session.call_for("shadow", true).has_value());
+  REQUIRE(session.stage().call_for("shadow", true).has_value());
   CHECK(scene_file_of(session).typed == broken);
   CHECK(scene_file_of(session).runs.find("called") == std::string::npos);
-  session.reset();
+  session.stage().reset();
   CHECK(scene_file_of(session).mistakes.empty());
-  session.undo();
+  session.stage().undo();
   CHECK(scene_file_of(session).typed == broken);
 }
 
 TEST_CASE("an effect's control is seen in the scene's file, and an effect that is typed in has its control") {
   lesson::Session session = piles();
   const std::string own = scene_file_of(session).own;
-  REQUIRE(session.call_for("fall", false).has_value());
+  REQUIRE(session.stage().call_for("fall", false).has_value());
   CHECK(scene_file_of(session).runs == with_changed(own, "effect = \"fall\"\n", "effect = \"fall\"\ncalled = false\n"));
   CHECK(scene_file_of(session).own == scene_file_of(session).runs);  // which the rows say
-  CHECK(session.subject().rows().size() == 5);
-  REQUIRE(session.call_for("fall", true).has_value());
+  CHECK(session.stage().subject().rows().size() == 5);
+  REQUIRE(session.stage().call_for("fall", true).has_value());
   CHECK(scene_file_of(session).runs == own);
-  CHECK(session.subject().rows().size() == 4);
-  REQUIRE(session.set_file(own + "\n[[scene.effect]]\neffect = \"projection_rays\"\n").has_value());
+  CHECK(session.stage().subject().rows().size() == 4);
+  REQUIRE(session.stage().set_file(own + "\n[[scene.effect]]\neffect = \"projection_rays\"\n").has_value());
   CHECK(scene_file_of(session).mistakes.empty());
   const std::vector<std::string> called = names_of(session, true);
   CHECK(std::find(called.begin(), called.end(), "projection_rays") != called.end());
-  REQUIRE(session.call_for("projection_rays", false).has_value());
+  REQUIRE(session.stage().call_for("projection_rays", false).has_value());
   CHECK(scene_file_of(session).runs.ends_with("effect = \"projection_rays\"\ncalled = false\n"));
   const std::size_t bodies = own.find("[[scene.effect]]");
-  REQUIRE(session.set_file(own.substr(0, bodies)).has_value());  // no effect at all
+  REQUIRE(session.stage().set_file(own.substr(0, bodies)).has_value());  // no effect at all
   CHECK(scene_file_of(session).mistakes.empty());
   CHECK(names_of(session, true).empty());
-  CHECK(session.steps() == 200);
+  CHECK(session.player().steps() == 200);
 }
 
 TEST_CASE("a scene's file keeps bodies at the places that are dragged") {
   lesson::Session session = piles();
   const std::string own = scene_file_of(session).own;
-  REQUIRE(session.set_file(with_changed(own, "at_points = true\n", "")).has_value());
+  REQUIRE(session.stage().set_file(with_changed(own, "at_points = true\n", "")).has_value());
   REQUIRE_FALSE(scene_file_of(session).mistakes.empty());  // at the origin it is inside the floor as well
   CHECK(scene_file_of(session).mistakes.front().starts_with("1:1: no body has \"at_points = true\""));
-  REQUIRE(session.set_file(with_changed(own, "frames = 200", "frames = 2000")).has_value());
+  REQUIRE(session.stage().set_file(with_changed(own, "frames = 200", "frames = 2000")).has_value());
   CHECK(scene_file_of(session).mistakes.empty());
-  CHECK(session.steps() == 2000);
+  CHECK(session.player().steps() == 2000);
 }
 
 TEST_CASE("a lesson's file is told of every broken setting of its scene at once") {
@@ -460,11 +461,11 @@ TEST_CASE("a lesson that is read anew keeps the scene that was typed") {
   const std::string own = scene_file_of(before).own;
   const std::string runs = with_changed(own, "frames = 200", "frames = 60"),
                     typed = with_changed(own, "frames = 200", "frames = six");
-  REQUIRE(before.set_file(runs).has_value());
-  REQUIRE(before.set_file(typed).has_value());
+  REQUIRE(before.stage().set_file(runs).has_value());
+  REQUIRE(before.stage().set_file(typed).has_value());
   lesson::Session now = piles();
   lesson::Reopening(before).take(now);
-  CHECK(now.steps() == 60);
+  CHECK(now.player().steps() == 60);
   CHECK(scene_file_of(now).runs == runs);
   CHECK(scene_file_of(now).typed == typed);
 }

@@ -24,7 +24,7 @@ lesson::Session opened_lesson(const std::string& id, scene::Clock clock = nullpt
 }
 
 const lesson::FrameStep& step(const lesson::Session& session) {
-  return lesson::scene_run(session.run(0)).trace()[session.step() - 1].step;
+  return lesson::scene_run(session.player().run(0)).trace()[session.player().step() - 1].step;
 }
 
 const lesson::FrameTaken& frame(const lesson::Session& session) {
@@ -36,7 +36,7 @@ std::string load_pile(int bodies) {
   lesson::Session session = opened_lesson("scene-effects");
   io::PointFile pile{.dim = 3};
   for (int i = 0; i < bodies; ++i) pile.points.emplace_back(0.1 * i, 1 + 0.1 * i, 0);
-  const auto loaded = session.load(pile, "pile.xyz");
+  const auto loaded = session.stage().load(pile, "pile.xyz");
   return loaded ? "" : loaded.error().what;
 }
 
@@ -54,7 +54,7 @@ std::vector<std::string> counts(const lesson::Session& session, std::size_t n) {
 
 /// What a run of an effect takes.
 std::string time_of(const lesson::Session& session, std::string_view effect) {
-  for (const lesson::Switch& one : session.switches())
+  for (const lesson::Switch& one : session.player().switches())
     if (one.name == effect) return one.microseconds;
   return {};
 }
@@ -72,7 +72,7 @@ TEST_CASE("a scene takes no more points than it shows within seconds, and says h
   CHECK(refused.find(" points, and here are 300: ") != std::string::npos);
   CHECK(load_pile(20).empty());
   lesson::Session session = opened_lesson("scene-effects");
-  const lesson::Done made = session.set_generator("sphere", 2000, 3, 3);
+  const lesson::Done made = session.stage().set_generator("sphere", 2000, 3, 3);
   REQUIRE_FALSE(made.has_value());
   CHECK(made.error().what.starts_with("this scene can show at most "));
 }
@@ -85,11 +85,11 @@ TEST_CASE("effects are timed by the clock that is passed in, and no trace knows 
   CHECK(time_of(timed, "spin body") == "3.0");
   CHECK(time_of(timed, "bounce").empty());
   CHECK(time_of(barely, "refit") == "< 20");  // 200 µs / sqrt(120)
-  CHECK(timed.trace_hash() == untimed.trace_hash());
-  CHECK(barely.trace_hash() == untimed.trace_hash());
+  CHECK(timed.player().trace_hash() == untimed.player().trace_hash());
+  CHECK(barely.player().trace_hash() == untimed.player().trace_hash());
   lesson::Session off = opened_lesson("scene-updates", fine);
   off.jump(20);
-  REQUIRE(off.turn("spin body", false));
+  REQUIRE(off.player().toggle({.name = "spin body"}));
   CHECK(time_of(off, "spin body") == "3.0");
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("an effect's time is told as finely as its clock can tell it") {
 
 TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
   lesson::Session session = opened_lesson("scene-broad");
-  CHECK(session.steps() == 120);
+  CHECK(session.player().steps() == 120);
   REQUIRE(recorded_scene(session, 0) != nullptr);
   CHECK(recorded_scene(session, 0)->frames.size() == 121);
   session.jump(30);
@@ -118,10 +118,10 @@ TEST_CASE("a scene's frames are the steps of its lesson, with their figures") {
   CHECK(frame(session).all_pairs == 780);
   CHECK(frame(session).after_loose < frame(session).after_broad);
   CHECK(static_cast<double>(recorded_scene(session, 0)->frames[30].pairs.size()) == frame(session).after_broad);
-  const auto figures = session.figures(0);
+  const auto figures = session.telling().figures(0);
   CHECK(figures.size() == 7);
   CHECK(figures[0].value == 30);
-  session.back();
+  session.go(session.player().step() - 1);
   CHECK(frame(session).frame == 29);
 }
 
@@ -135,18 +135,18 @@ TEST_CASE("each lesson's effects run as often as their inputs change") {
 TEST_CASE("a figure is not told before the first question about it is answered") {
   lesson::Session session = opened_lesson("scene-broad");
   const auto told = [&](std::string_view key) {
-    for (const lesson::Figure& figure : session.figures(0))
+    for (const lesson::Figure& figure : session.telling().figures(0))
       if (figure.key == key) return figure.known;
     return false;
   };
-  session.first();
-  session.answer({lesson::Answer::Kind::kChoice, 0});
-  CHECK(session.step() == 1);
+  session.go(0);
+  session.conversation().give({lesson::Answer::Kind::kChoice, 0});
+  CHECK(session.player().step() == 1);
   CHECK(told("after_broad"));
   CHECK_FALSE(told("after_loose"));
   CHECK_FALSE(told("touching"));
   session.jump(29);
-  session.answer({lesson::Answer::Kind::kChoice, 0});
+  session.conversation().give({lesson::Answer::Kind::kChoice, 0});
   session.jump(40);
   CHECK(told("after_loose"));
   CHECK_FALSE(told("touching"));
@@ -160,10 +160,10 @@ TEST_CASE("the result of a method that is not on the stage is what its own run e
     lesson::Session session = opened_lesson(id);
     for (const std::string& algorithm : session.lesson().algorithms) {
       CAPTURE(algorithm);
-      REQUIRE(session.choose(0, algorithm).has_value());
-      session.jump(session.steps());
-      const auto& result = beside.result(*lesson::find_method(session.lesson(), algorithm));
-      const auto own = session.subject().figures(session.view());
+      REQUIRE(session.player().choose(0, algorithm).has_value());
+      session.jump(session.player().steps());
+      const auto& result = beside.player().result(*lesson::find_method(session.lesson(), algorithm));
+      const auto own = session.stage().subject().figures(session.player().view());
       REQUIRE(result.size() == own.size());
       for (std::size_t i = 0; i < own.size(); ++i) {
         CHECK(result[i].key == own[i].key);
@@ -178,35 +178,37 @@ TEST_CASE("while a body is dragged, no frame is worked out that is not shown") {
     CAPTURE(id);
     lesson::Session session = opened_lesson(id);
     session.jump(0);
-    const int frames = session.steps();
-    const auto recorded = [&] { return lesson::scene_run(session.run(0)).recorded(); };
-    session.begin_drag();
+    const int frames = session.player().steps();
+    const auto recorded = [&] { return lesson::scene_run(session.player().run(0)).recorded(); };
+    session.stage().begin_drag();
     for (int i = 1; i <= 3; ++i) {
-      REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
+      REQUIRE(session.stage().move(0, session.stage().subject().at(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
       CHECK(frame_of(session) != nullptr);
-      static_cast<void>(session.switches());
-      static_cast<void>(session.figures());
+      static_cast<void>(session.player().switches());
+      static_cast<void>(session.telling().figures());
       for (std::size_t task = 0; task < session.lesson().tasks.size(); ++task) static_cast<void>(session.grade(task));
       CHECK(recorded() == 0);
-      CHECK(session.steps() == frames);
+      CHECK(session.player().steps() == frames);
     }
-    session.end_drag();
-    const std::uint64_t dragged = session.trace_hash();
+    session.stage().end_drag();
+    const std::uint64_t dragged = session.player().trace_hash();
     CHECK(recorded() == frames);
-    session.undo();
-    session.redo();
-    CHECK(session.trace_hash() == dragged);
+    session.stage().undo();
+    session.stage().redo();
+    CHECK(session.player().trace_hash() == dragged);
   }
 }
 
 TEST_CASE("a task's grade waits until the hand rests, and is then that of what it left") {
   lesson::Session session = opened_lesson("scene-broad");
-  session.start_task(0);
+  session.stage().start_task(0);
   const std::string before = session.grade(0).says;
-  session.begin_drag();
-  REQUIRE(session.move(0, session.point(1) + Vector<double, 3>(0.01, 0, 0)).has_value());  // both overlap now
+  session.stage().begin_drag();
+  REQUIRE(session.stage()
+              .move(0, session.stage().subject().at(1) + Vector<double, 3>(0.01, 0, 0))
+              .has_value());  // both overlap now
   CHECK(session.grade(0).says == before);
-  session.end_drag();
+  session.stage().end_drag();
   CHECK(session.grade(0).says != before);
 }
 
@@ -214,18 +216,18 @@ TEST_CASE("while a body is dragged, the results of methods wait until it rests")
   lesson::Session session = opened_lesson("kdop-update");
   session.jump(0);
   const lesson::Method& other = *lesson::find_method(session.lesson(), "sphere");
-  session.begin_drag();
-  REQUIRE(session.move(0, session.point(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
-  CHECK(session.result(other).empty());
-  CHECK(session.result(*session.method(0)).empty());
-  session.end_drag();
-  CHECK_FALSE(session.result(other).empty());
-  CHECK_FALSE(session.result(*session.method(0)).empty());
+  session.stage().begin_drag();
+  REQUIRE(session.stage().move(0, session.stage().subject().at(0) + Vector<double, 3>(0.1, 0, 0)).has_value());
+  CHECK(session.player().result(other).empty());
+  CHECK(session.player().result(*session.player().method(0)).empty());
+  session.stage().end_drag();
+  CHECK_FALSE(session.player().result(other).empty());
+  CHECK_FALSE(session.player().result(*session.player().method(0)).empty());
 }
 
 TEST_CASE("no frame of a scene is marked, but for questions") {
   for (const std::string id : {"scene-broad", "scene-updates"})
-    for (const lesson::Session session = opened_lesson(id); const lesson::Mark& mark : session.marks())
+    for (const lesson::Session session = opened_lesson(id); const lesson::Mark& mark : session.player().marks())
       CHECK(mark.kind == lesson::Mark::Kind::kQuestion);
 }
 
@@ -233,7 +235,7 @@ TEST_CASE("a lesson that declares no scene constructs no effect and draws one fr
   for (const std::string id : {"sphere-ritter", "obb-axes", "obb-sat", "frustum-2d", "frustum-3d"}) {
     CAPTURE(id);
     const lesson::Lesson own = test::lesson_of(id);
-    auto scene = scene::Scene::open(lesson::still_scene(lesson::Session::open(own)->subject()));
+    auto scene = scene::Scene::open(lesson::still_scene(lesson::Session::open(own)->stage().subject()));
     REQUIRE(scene.has_value());
     CHECK(scene->tallies().empty());
     CHECK(scene->world().size() == (own.tables != nullptr ? 2u : 1u));
@@ -248,8 +250,8 @@ TEST_CASE("a lesson that declares no scene constructs no effect and draws one fr
 TEST_CASE("what the student chooses is what the scene runs") {
   lesson::Session session = opened_lesson("scene-updates");
   const auto at = [&](const char* method) {
-    REQUIRE(session.choose(0, method).has_value());
-    session.jump(session.steps() / 3);
+    REQUIRE(session.player().choose(0, method).has_value());
+    session.jump(session.player().steps() / 3);
     return frame(session);
   };
   const lesson::FrameTaken rebuilt = at("rebuild"), climbed = at("hill_climb"), loose = at("loose"),
@@ -267,15 +269,15 @@ TEST_CASE("what the student chooses is what the scene runs") {
 TEST_CASE("volumes of different kinds are compared by the hull, which is one yardstick for all of them") {
   lesson::Session session = opened_lesson("scene-updates");
   const auto at = [&](const char* method) {
-    REQUIRE(session.choose(0, method).has_value());
+    REQUIRE(session.player().choose(0, method).has_value());
     session.jump(40);
-    const auto figures = session.figures(0);
+    const auto figures = session.telling().figures(0);
     const auto found = std::find_if(figures.begin(), figures.end(),
                                     [](const lesson::Figure& figure) { return figure.key == lesson::kOverHull; });
     REQUIRE(found != figures.end());
     CHECK(found->text == lesson::number_text(found->value) + " times");
     const double own = fit::measure_of(step(session).volume, 3);
-    const fit::Result hull = fit::find_algorithm("hull", "quickhull")->fit(*session.subject().points(), {});
+    const fit::Result hull = fit::find_algorithm("hull", "quickhull")->fit(*session.stage().subject().points(), {});
     CHECK(found->value == doctest::Approx(own / fit::measure_of(hull.volume, 3)).epsilon(1e-9));
     return found->value;
   };
@@ -307,11 +309,11 @@ TEST_CASE("a figure's ranges are written as people write them") {
 
 TEST_CASE("moving a body makes the scene anew, and undo brings the old one back") {
   lesson::Session session = opened_lesson("scene-broad");
-  const std::uint64_t before = session.trace_hash();
-  REQUIRE(session.move(0, {5, 5, 5}).has_value());
-  CHECK(session.trace_hash() != before);
-  session.undo();
-  CHECK(session.trace_hash() == before);
+  const std::uint64_t before = session.player().trace_hash();
+  REQUIRE(session.stage().move(0, {5, 5, 5}).has_value());
+  CHECK(session.player().trace_hash() != before);
+  session.stage().undo();
+  CHECK(session.player().trace_hash() == before);
 }
 
 TEST_CASE("questions on figures have the range that holds them as their answer") {
@@ -326,39 +328,39 @@ TEST_CASE("questions on figures have the range that holds them as their answer")
   }
   lesson::Session session = opened_lesson("scene-broad");
   session.forward();
-  const lesson::Asked* asked = session.asked();
+  const lesson::Asked* asked = session.conversation().asked();
   REQUIRE(asked != nullptr);
   REQUIRE(asked->choices.size() == 4);
   CHECK(asked->choices[0] == "at most 20 pairs");
   CHECK(asked->choices[1] == "21 to 120 pairs");
   CHECK(asked->choices[3] == "more than 400 pairs");
-  session.answer({lesson::Answer::Kind::kChoice, 3});
-  REQUIRE(session.outcome() != nullptr);
-  CHECK_FALSE(session.outcome()->right);
-  CHECK(session.step() == 1);
+  session.conversation().give({lesson::Answer::Kind::kChoice, 3});
+  REQUIRE(session.conversation().outcome() != nullptr);
+  CHECK_FALSE(session.conversation().outcome()->right);
+  CHECK(session.player().step() == 1);
 }
 
 TEST_CASE("a question may stand long before its frame, and its figure is not told beside it") {
   lesson::Session session = opened_lesson("scene-updates");
   std::vector<std::pair<int, int>> stood;  // where each stands, and where it is decided
-  for (const lesson::Asked& asked : session.questions()) stood.emplace_back(asked.step, asked.until);
+  for (const lesson::Asked& asked : session.conversation().questions()) stood.emplace_back(asked.step, asked.until);
   CHECK(stood == std::vector<std::pair<int, int>>{{1, 20}, {39, 40}, {90, 120}});
   session.jump(90);
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked_figure() == "slack");
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.telling().asked_figure() == "slack");
   const auto told = [&](std::string_view key) {
-    for (const lesson::Figure& figure : session.figures(0))
+    for (const lesson::Figure& figure : session.telling().figures(0))
       if (figure.key == key) return figure.known;
     return false;
   };
   CHECK_FALSE(told("slack"));
   CHECK(told("cost"));
-  session.answer({lesson::Answer::Kind::kChoice, 0});
-  REQUIRE(session.outcome() != nullptr);
-  CHECK(session.outcome()->right);  // the first box again
-  CHECK(session.step() == 120);
+  session.conversation().give({lesson::Answer::Kind::kChoice, 0});
+  REQUIRE(session.conversation().outcome() != nullptr);
+  CHECK(session.conversation().outcome()->right);  // the first box again
+  CHECK(session.player().step() == 120);
   CHECK(told("slack"));
-  CHECK(session.asked_figure().empty());
+  CHECK(session.telling().asked_figure().empty());
 }
 
 namespace {
@@ -395,7 +397,7 @@ TEST_CASE("a mesh is a body for every effect but impulses, which refuse it with 
                                   effect_called("shadow") + effect_called("trail") + effect_called("projection_rays"));
   REQUIRE(session.has_value());
   CHECK(recorded_scene(*session, 0)->frames.size() == 121);
-  CHECK(session->subject().with_points()->triangles().size() == 4);
+  CHECK(session->stage().subject().with_points()->triangles().size() == 4);
   CHECK(lesson::members_of(*session)[0].shape.corners.size() == 4);
   session->jump(30);
   CHECK(frame(*session).slack > 0);
@@ -428,7 +430,7 @@ TEST_CASE("of a scene on a mesh no mistake hides another") {
 
 TEST_CASE("a task on a scene is graded by its last frame") {
   lesson::Session session = opened_lesson("scene-broad");
-  session.start_task(1);
+  session.stage().start_task(1);
   REQUIRE(session.grade().has_value());
   CHECK_FALSE(session.grade()->done);
   CHECK(session.grade()->says.find("it must be at least 3 pairs") != std::string::npos);

@@ -57,11 +57,11 @@ TEST_CASE("scattered anew, the lessons on trees still play, and every model answ
       CAPTURE(id);
       CAPTURE(seed);
       Session session = session_of(id);
-      session.scatter(seed);
+      session.stage().scatter(seed);
       for (const std::string& name : session.lesson().algorithms) {
-        REQUIRE(session.choose(0, name).has_value());
-        for (const Asked& one : session.questions()) {
-          CHECK(judge(one, model_answer(one, session.run(0)), session.run(0)).right);
+        REQUIRE(session.player().choose(0, name).has_value());
+        for (const Asked& one : session.conversation().questions()) {
+          CHECK(judge(one, model_answer(one, session.player().run(0)), session.player().run(0)).right);
           ++asked;
         }
       }

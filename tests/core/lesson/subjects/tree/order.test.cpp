@@ -81,41 +81,41 @@ TEST_CASE("the order is kept in the rows, undone, and refused where it is none")
   Lesson lesson = tree_lesson_on(stage, kTreeQuery);
   auto session = Session::open(std::move(lesson));
   REQUIRE(session.has_value());
-  const Rows own = session->subject().rows();
+  const Rows own = session->stage().subject().rows();
   REQUIRE(own.size() == stage.row_of_order() + 1);
   CHECK(own.back() == std::vector<double>{0});
   Rows steered = own;
   steered.back() = {2, 1, 0};
-  REQUIRE(session->set_rows(steered).has_value());
-  CHECK(session->subject().rows() == steered);
-  session->undo();
-  CHECK(session->subject().rows() == own);
+  REQUIRE(session->stage().set_rows(steered).has_value());
+  CHECK(session->stage().subject().rows() == steered);
+  session->stage().undo();
+  CHECK(session->stage().subject().rows() == own);
   for (const std::vector<double>& wrong : {std::vector<double>{}, {1}, {1, 2}, {2, 1}, {1, 0.5}}) {
     Rows rows = own;
     rows.back() = wrong;
-    CHECK_FALSE(session->set_rows(rows).has_value());
+    CHECK_FALSE(session->stage().set_rows(rows).has_value());
   }
-  CHECK(session->subject().rows() == own);
+  CHECK(session->stage().subject().rows() == own);
 }
 
 TEST_CASE("a task that leaves a point alone to be moved is passed by an order, and by the point's typed place") {
   Session session = session_of("bvh-traverse");
   constexpr std::size_t kOrderTask = 2, kPointTask = 0;
-  session.start_task(kOrderTask);
-  Rows steered = session.subject().rows();
+  session.stage().start_task(kOrderTask);
+  Rows steered = session.stage().subject().rows();
   steered.back() = {2, 0, 0};
-  REQUIRE(session.set_rows(steered).has_value());
+  REQUIRE(session.stage().set_rows(steered).has_value());
   CHECK(session.grade(kOrderTask).done);
 
   const auto type = [&](std::string_view drive, std::size_t row, const std::array<double, 2>& values) {
-    const std::vector<NumberGroup> groups = session.subject().numbers();
+    const std::vector<NumberGroup> groups = session.stage().subject().numbers();
     for (std::size_t i = 0; i < groups.size(); ++i)
-      if (groups[i].drive == drive) REQUIRE(session.set_numbers(i, row, values).has_value());
+      if (groups[i].drive == drive) REQUIRE(session.stage().set_numbers(i, row, values).has_value());
   };
-  session.start_task(kPointTask);
+  session.stage().start_task(kPointTask);
   type("Q", 0, {-0.6, 0.9});
   CHECK(session.grade(kPointTask).done);
-  session.start_task(kPointTask);
+  session.stage().start_task(kPointTask);
   type("A", 1, {0.01, 0.01});  // a half extent, which has no handle
   type("Q", 0, {-0.6, 0.9});
   CHECK_FALSE(session.grade(kPointTask).done);

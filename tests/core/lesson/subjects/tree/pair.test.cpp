@@ -94,10 +94,11 @@ TEST_CASE("whether two nodes are apart can be asked, and the model answer is rig
     }
     auto session = Session::open(std::move(lesson));
     REQUIRE(session.has_value());
-    for (const Asked& asked : session->questions()) {
-      const auto& fact = std::get<hierarchy::PairTested>(tree_run(session->run(0)).trace()[asked.fact].step.fact);
+    for (const Asked& asked : session->conversation().questions()) {
+      const auto& fact =
+          std::get<hierarchy::PairTested>(tree_run(session->player().run(0)).trace()[asked.fact].step.fact);
       ++(fact.overlap ? overlap : apart);
-      CHECK(model_answer(asked, session->run(0)).value == (fact.overlap ? kNo : kYes));
+      CHECK(model_answer(asked, session->player().run(0)).value == (fact.overlap ? kNo : kYes));
     }
   }
   CHECK(apart > 5);

@@ -55,7 +55,7 @@ inline std::set<std::vector<Index>> tree_nodes_of(const Forest& forest) {
 }
 
 inline double tree_figure(const Session& session, std::string_view key) {
-  for (const Figure& figure : session.figures())
+  for (const Figure& figure : session.telling().figures())
     if (figure.key == key && figure.known) return figure.value;
   return -1;
 }

@@ -47,13 +47,13 @@ TEST_CASE("the figures at the end are the tree's own") {
     const TreeStage stage = any_tree_stage(seed);
     Session session = tree_session_on(stage, kTreeBuild);
     for (const Method& method : build_methods()) {
-      REQUIRE(session.choose(0, method.name).has_value());
+      REQUIRE(session.player().choose(0, method.name).has_value());
       session.last();
       const TreeOfBoxes tree = build_tree(method.name, stage.aabbs());
       CHECK(tree_figure(session, "nodes") == static_cast<double>(tree.nodes.size()));
       CHECK(tree_figure(session, "depth") == tree.depth());
-      REQUIRE(session.proofs().size() == 1);
-      CHECK(session.proofs().front().holds);
+      REQUIRE(session.player().proofs().size() == 1);
+      CHECK(session.player().proofs().front().holds);
       if (method.name == "top_down_median") CHECK(tree_figure(session, "of_median") == 100);
     }
   }
@@ -180,9 +180,9 @@ TEST_CASE("the pair that is merged is the smallest of all, and the question says
     }
     auto session = Session::open(std::move(lesson));
     REQUIRE(session.has_value());
-    REQUIRE(session->choose(0, "bottom_up").has_value());
-    for (const Asked& asked : session->questions()) {
-      const Forest& forest = tree_run(session->run(0)).forest(asked.fact);
+    REQUIRE(session->player().choose(0, "bottom_up").has_value());
+    for (const Asked& asked : session->conversation().questions()) {
+      const Forest& forest = tree_run(session->player().run(0)).forest(asked.fact);
       double least = 1e9;
       for (const Index a : forest.roots)
         for (const Index b : forest.roots)
@@ -190,10 +190,11 @@ TEST_CASE("the pair that is merged is the smallest of all, and the question says
             const Box2 &one = forest.at(a).box, &two = forest.at(b).box;
             least = std::min(least, (one.max.cwiseMax(two.max) - one.min.cwiseMin(two.min)).sum());
           }
-      const auto& fact = std::get<hierarchy::NodesMerged>(tree_run(session->run(0)).trace()[asked.fact].step.fact);
+      const auto& fact =
+          std::get<hierarchy::NodesMerged>(tree_run(session->player().run(0)).trace()[asked.fact].step.fact);
       CHECK(fact.area == doctest::Approx(least));
       CHECK(asked.choices.size() >= 3);
-      const Outcome outcome = judge(asked, model_answer(asked, session->run(0)), session->run(0));
+      const Outcome outcome = judge(asked, model_answer(asked, session->player().run(0)), session->player().run(0));
       CHECK(outcome.right);
       ++asked_of;
     }
@@ -229,40 +230,44 @@ TEST_CASE("a tree by hand: mergers of any two groups, with the cost of the same 
 TEST_CASE("boxes are moved, sized, scattered, undone and kept as rows") {
   const TreeStage stage = any_tree_stage(11);
   Session session = tree_session_on(stage, kTreeQuery);
-  const Rows own = session.subject().rows();
+  const Rows own = session.stage().subject().rows();
   REQUIRE(own.size() == stage.boxes.size() + 1);
-  CHECK(session.name_of(0) == "A");
-  CHECK(session.name_of(session.size() - 2) == "Q");
-  CHECK(session.name_of(session.size() - 1) == "R");
-  REQUIRE(session.move(0, {1, 2, 0}).has_value());
-  CHECK(session.point(0) == Point3(1, 2, 0));
+  CHECK(session.stage().subject().name_of(0) == "A");
+  CHECK(session.stage().subject().name_of(session.stage().subject().size() - 2) == "Q");
+  CHECK(session.stage().subject().name_of(session.stage().subject().size() - 1) == "R");
+  REQUIRE(session.stage().move(0, {1, 2, 0}).has_value());
+  CHECK(session.stage().subject().at(0) == Point3(1, 2, 0));
   const std::array<double, 2> half{0.5, 0.25};
-  REQUIRE(session.set_numbers(0, 1, half).has_value());
-  REQUIRE(session.move(session.size() - 1, {-3, 0.5, 0}).has_value());
-  const Rows edited = session.subject().rows();
+  REQUIRE(session.stage().set_numbers(0, 1, half).has_value());
+  REQUIRE(session.stage().move(session.stage().subject().size() - 1, {-3, 0.5, 0}).has_value());
+  const Rows edited = session.stage().subject().rows();
   CHECK(edited[0] == std::vector<double>{1, 2, 0.5, 0.25});
-  session.scatter(5);
-  CHECK(session.subject().rows() != edited);
-  CHECK(session.subject().rows().back() == own.back());
-  session.undo();
-  CHECK(session.subject().rows() == edited);
-  for (int i = 0; i < 3; ++i) session.undo();
-  CHECK(session.subject().rows() == own);
-  REQUIRE(session.set_rows(edited).has_value());
-  CHECK(session.subject().rows() == edited);
-  CHECK_FALSE(session.subject().drives().empty());
+  session.stage().scatter(5);
+  CHECK(session.stage().subject().rows() != edited);
+  CHECK(session.stage().subject().rows().back() == own.back());
+  session.stage().undo();
+  CHECK(session.stage().subject().rows() == edited);
+  for (int i = 0; i < 3; ++i) session.stage().undo();
+  CHECK(session.stage().subject().rows() == own);
+  REQUIRE(session.stage().set_rows(edited).has_value());
+  CHECK(session.stage().subject().rows() == edited);
+  CHECK_FALSE(session.stage().subject().drives().empty());
 }
 
 TEST_CASE("what is no stage is refused, and nothing changes") {
   Session session = tree_session_on(any_tree_stage(11), kTreeQuery);
-  const Rows own = session.subject().rows();
+  const Rows own = session.stage().subject().rows();
   Rows few{own[0], own.back()}, negative = own, long_row = own, one_place = own;
   negative[0][2] = -0.1;
   long_row[0].push_back(1);
   one_place.back() = {1, 1, 1, 1};
-  for (const Rows& rows : {few, negative, long_row, one_place, Rows{}}) CHECK_FALSE(session.set_rows(rows).has_value());
-  CHECK_FALSE(session.move(session.size() - 1, session.point(session.size() - 2)).has_value());
-  CHECK_FALSE(session.move(0, {std::nan(""), 0, 0}).has_value());
-  CHECK_FALSE(session.add({0, 0, 0}).has_value());
-  CHECK(session.subject().rows() == own);
+  for (const Rows& rows : {few, negative, long_row, one_place, Rows{}})
+    CHECK_FALSE(session.stage().set_rows(rows).has_value());
+  CHECK_FALSE(session.stage()
+                  .move(session.stage().subject().size() - 1,
+                        session.stage().subject().at(session.stage().subject().size() - 2))
+                  .has_value());
+  CHECK_FALSE(session.stage().move(0, {std::nan(""), 0, 0}).has_value());
+  CHECK_FALSE(session.stage().add({0, 0, 0}).has_value());
+  CHECK(session.stage().subject().rows() == own);
 }

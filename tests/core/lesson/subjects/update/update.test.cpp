@@ -48,24 +48,24 @@ lesson::Session opened(const std::string& algorithm, const std::string& more = "
   return *std::move(session);
 }
 
-const lesson::UpdateRun& run_of(const lesson::Session& session) { return lesson::update_run(session.run(0)); }
+const lesson::UpdateRun& run_of(const lesson::Session& session) { return lesson::update_run(session.player().run(0)); }
 
 double figure(const lesson::Session& session, std::string_view key) {
-  for (const lesson::Figure& figure : session.figures())
+  for (const lesson::Figure& figure : session.telling().figures())
     if (figure.key == key && figure.known) return figure.value;
   return -1;
 }
 
 Index handle(const lesson::Session& session, std::string_view name) {
-  for (Index i = 0; i < session.size(); ++i)
-    if (session.name_of(i) == name) return i;
+  for (Index i = 0; i < session.stage().subject().size(); ++i)
+    if (session.stage().subject().name_of(i) == name) return i;
   return kNoIndex;
 }
 
 /// The names of the steps.
 std::vector<std::string> facts(const lesson::Session& session) {
   std::vector<std::string> names;
-  for (int i = 0; i < session.steps(); ++i) names.emplace_back(session.run(0).fact(i));
+  for (int i = 0; i < session.player().steps(); ++i) names.emplace_back(session.player().run(0).fact(i));
   return names;
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("a climb names the body's points, and ends at the extreme in the world
     const auto* climbed = std::get_if<fit::ExtremeClimbed>(&entry.step.fact);
     if (climbed == nullptr) continue;
     const double sign = climbed->greatest ? 1 : -1;
-    const auto along = [&](Index i) { return sign * session.point(i)[climbed->axis]; };
+    const auto along = [&](Index i) { return sign * session.stage().subject().at(i)[climbed->axis]; };
     for (Index i = 0; i < 7; ++i) CHECK(along(i) <= along(climbed->path.back()));
     for (std::size_t i = 1; i < climbed->path.size(); ++i) {
       CHECK(along(climbed->path[i]) > along(climbed->path[i - 1]));
@@ -102,8 +102,8 @@ TEST_CASE("a climb names the body's points, and ends at the extreme in the world
   const auto& box = *std::get_if<Aabb<double, 3>>(&last.volume);
   for (Index i = 0; i < 7; ++i)
     for (int axis = 0; axis < 2; ++axis) {
-      CHECK(session.point(i)[axis] <= box.max[axis]);
-      CHECK(session.point(i)[axis] >= box.min[axis]);
+      CHECK(session.stage().subject().at(i)[axis] <= box.max[axis]);
+      CHECK(session.stage().subject().at(i)[axis] >= box.min[axis]);
     }
 }
 
@@ -125,37 +125,37 @@ TEST_CASE("the body is rotated by its knob, and moved by its pivot; its local fr
   REQUIRE(turn != kNoIndex);
   REQUIRE(body != kNoIndex);
   CHECK(handle(session, "Body roll") == kNoIndex);
-  CHECK(session.point(1)[0] == doctest::Approx(std::cos(0.698131700798) - std::sin(0.698131700798)));
-  REQUIRE(session.move(turn, {0, 5, 0}));  // straight up: a quarter turn
+  CHECK(session.stage().subject().at(1)[0] == doctest::Approx(std::cos(0.698131700798) - std::sin(0.698131700798)));
+  REQUIRE(session.stage().move(turn, {0, 5, 0}));  // straight up: a quarter turn
   session.last();
   CHECK(figure(session, "turn") == doctest::Approx(90));
-  CHECK((session.point(0) - Point3(0, 2, 0)).norm() < 1e-12);
+  CHECK((session.stage().subject().at(0) - Point3(0, 2, 0)).norm() < 1e-12);
   CHECK(figure(session, "measure") == doctest::Approx(8));  // 2 by 4
-  CHECK(lesson::body_of(session.subject()).points() != nullptr);
-  CHECK(fit::point_of(*session.subject().points(), 0) == Point3(2, 0, 0));
-  REQUIRE(session.move(body, {3, 1, 0}));
-  CHECK((session.point(0) - Point3(3, 3, 0)).norm() < 1e-12);
+  CHECK(lesson::body_of(session.stage().subject()).points() != nullptr);
+  CHECK(fit::point_of(*session.stage().subject().points(), 0) == Point3(2, 0, 0));
+  REQUIRE(session.stage().move(body, {3, 1, 0}));
+  CHECK((session.stage().subject().at(0) - Point3(3, 3, 0)).norm() < 1e-12);
   CHECK(figure(session, "measure") == doctest::Approx(8));
-  REQUIRE(session.move(0, {3, 4, 0}));  // a point in the world
-  CHECK((fit::point_of(*session.subject().points(), 0) - Point3(3, 0, 0)).norm() < 1e-12);
-  CHECK_FALSE(session.subject().clone()->with_points()->remove(turn).has_value());
+  REQUIRE(session.stage().move(0, {3, 4, 0}));  // a point in the world
+  CHECK((fit::point_of(*session.stage().subject().points(), 0) - Point3(3, 0, 0)).norm() < 1e-12);
+  CHECK_FALSE(session.stage().subject().clone()->with_points()->remove(turn).has_value());
 }
 
 TEST_CASE("rows keep the points and the pose, to the last bit") {
   lesson::Session session = opened("loose");
-  REQUIRE(session.move(handle(session, "Body turn"), {1.7, -3.1, 0}));
-  REQUIRE(session.move(handle(session, "Body"), {0.3, 0.1, 0}));
-  auto other = opened("loose").subject().clone();
-  REQUIRE(other->set_rows(session.subject().rows()).has_value());
-  CHECK(other->rows() == session.subject().rows());
-  for (Index i = 0; i < session.size(); ++i) CHECK(other->at(i) == session.point(i));
-  lesson::Rows twice = session.subject().rows();
+  REQUIRE(session.stage().move(handle(session, "Body turn"), {1.7, -3.1, 0}));
+  REQUIRE(session.stage().move(handle(session, "Body"), {0.3, 0.1, 0}));
+  auto other = opened("loose").stage().subject().clone();
+  REQUIRE(other->set_rows(session.stage().subject().rows()).has_value());
+  CHECK(other->rows() == session.stage().subject().rows());
+  for (Index i = 0; i < session.stage().subject().size(); ++i) CHECK(other->at(i) == session.stage().subject().at(i));
+  lesson::Rows twice = session.stage().subject().rows();
   twice.push_back(twice.back());
   CHECK_FALSE(other->set_rows(twice).has_value());
 }
 
 TEST_CASE("a slider rotates the body to so many degrees") {
-  const auto subject = opened("loose").subject().clone();
+  const auto subject = opened("loose").stage().subject().clone();
   REQUIRE(subject->drive("turn", 40, -90).has_value());
   CHECK((subject->at(0) - Point3(0, -2, 0)).norm() < 1e-12);
   const auto drives = subject->drives();
@@ -168,7 +168,7 @@ TEST_CASE("the looseness of each is what geometry says, and the tightest is as t
   const auto slack = [](const char* method, double degrees) {
     lesson::Session session = opened(method);
     const Point3 to = snug::turn(Point3::UnitZ(), degrees * 0.017453292519943295) * Point3(5, 0, 0);
-    REQUIRE(session.move(handle(session, "Body turn"), to));
+    REQUIRE(session.stage().move(handle(session, "Body turn"), to));
     session.last();
     return figure(session, "slack");
   };
@@ -199,34 +199,34 @@ asks = "extreme"
 prompt = "Is it the extreme?"
 because = "No neighbour reaches farther."
 )");
-  session.first();
-  REQUIRE(session.asked() != nullptr);
-  CHECK(session.asked()->on_stage);
-  CHECK(session.asked()->stage_points == std::vector<Index>{0, 1, 2, 3, 4, 5});
+  session.go(0);
+  REQUIRE(session.conversation().asked() != nullptr);
+  CHECK(session.conversation().asked()->on_stage);
+  CHECK(session.conversation().asked()->stage_points == std::vector<Index>{0, 1, 2, 3, 4, 5});
   const auto& walk = *std::get_if<fit::NeighborsCompared>(&run_of(session).trace()[0].step.fact);
-  const lesson::Answer right = lesson::model_answer(*session.asked(), session.run(0));
+  const lesson::Answer right = lesson::model_answer(*session.conversation().asked(), session.player().run(0));
   CHECK(lesson::names_handle(right, walk.best));
   const auto& next = *std::get_if<fit::NeighborsCompared>(&run_of(session).trace()[2].step.fact);
-  for (const lesson::Asked& asked : session.questions())
+  for (const lesson::Asked& asked : session.conversation().questions())
     if (asked.question->id == "extreme")
-      CHECK(lesson::model_answer(asked, session.run(0)).value == (next.best == next.vertex ? 0 : 1));
+      CHECK(lesson::model_answer(asked, session.player().run(0)).value == (next.best == next.vertex ? 0 : 1));
 }
 
 TEST_CASE("the looseness over a whole turn is that of the updates at its poses") {
   lesson::Session session = opened("rotated_box");
   const Index turn = handle(session, "Body turn");
-  const auto curve = lesson::body_of(session.subject()).slack_over_turn(*session.method(0), 8);
+  const auto curve = lesson::body_of(session.stage().subject()).slack_over_turn(*session.player().method(0), 8);
   REQUIRE(curve.size() == 9);
   CHECK(curve.front() == doctest::Approx(curve.back()));
   CHECK(curve[4] == doctest::Approx(0));  // the local AABB itself
-  const Point3 pivot = session.point(handle(session, "Body"));
-  const double reach = (session.point(turn) - pivot).norm();
+  const Point3 pivot = session.stage().subject().at(handle(session, "Body"));
+  const double reach = (session.stage().subject().at(turn) - pivot).norm();
   for (int i = 1; i < 8; ++i) {
     const double radians = (i - 4) * std::acos(-1.0) / 4;
-    REQUIRE(session.move(turn, pivot + reach * Point3(std::cos(radians), std::sin(radians), 0)).has_value());
+    REQUIRE(session.stage().move(turn, pivot + reach * Point3(std::cos(radians), std::sin(radians), 0)).has_value());
     session.last();
     CHECK(figure(session, "slack") == doctest::Approx(100 * curve[i]).epsilon(1e-6));
   }
-  for (const double loose : lesson::body_of(session.subject()).slack_over_turn(*session.method(0), 8))
+  for (const double loose : lesson::body_of(session.stage().subject()).slack_over_turn(*session.player().method(0), 8))
     CHECK(loose >= 0);
 }

@@ -1,12 +1,13 @@
-// A session's edits, and undo.
+#include "lesson/session/stage.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lesson/names.hpp"
-#include "lesson/packed_rows.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/say.hpp"
-#include "lesson/session.hpp"
+#include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
 
 namespace snug::lesson {
@@ -21,19 +22,38 @@ Done no_points() {
 
 constexpr std::size_t kMostUndo = 200;  // for the bunny, 10 MB
 
+/// More points than this follow a slider once the hand rests.
+constexpr Index kMostInHand = 1000;
+
+/// Whether sliders have the same values, except for rounding.
+bool stand_alike(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kRounding = 1e-9;  // in parts of the value
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::abs(x - y) <= kRounding * std::max(std::abs(x), std::abs(y));
+  });
+}
+
 }  // namespace
 
+Stage::Stage(const Lesson& lesson, std::vector<Situated> situations, Log& log, Clock clock)
+    : lesson_(&lesson), log_(&log), clock_(clock), places_(std::move(situations)), now_(own().clone()),
+      slid_(opened().slid) {}
+Stage::~Stage() = default;
+
+/// Why the main method cannot take it.
+tl::unexpected<InputError> Stage::refusal(const Subject& next) const {
+  return tl::unexpected(InputError{.what = next.refusal(*runs_->method_for(0, *now_))});
+}
+
 /// Makes an edit, as one entry of undo. If it is refused, nothing changes.
-template <class Edit>
-Done Session::edit(Edit edit) {
+Done Stage::edit(auto edit) {
   auto next = now_->clone();
   if (Done done = edit(*next); !done) return done;
   return become(std::move(next));
 }
 
 /// The same for an edit that brings something new, over which the sliders begin again.
-template <class Edit>
-Done Session::edit_anew(Edit edit) {
+Done Stage::edit_anew(auto edit) {
   auto next = now_->clone();
   if (Done done = edit(*next); !done) return done;
   auto begun = with_sliders(*lesson_, std::move(next), false);
@@ -41,20 +61,19 @@ Done Session::edit_anew(Edit edit) {
   return become(*std::move(begun));
 }
 
-Done Session::become(std::unique_ptr<Subject> next) {
+Done Stage::become(std::unique_ptr<Subject> next) {
   Slid slid = slid_;
   follow_edit(*lesson_, slid, *next);
   return become(Snapshot{std::move(next), std::move(slid)});
 }
 
-Done Session::become(Snapshot next) {
+Done Stage::become(Snapshot next) {
   if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
-  if (method_for(0, *next.subject) == nullptr)
-    return tl::unexpected(InputError{.what = next.subject->refusal(*slots_[0].method)});
+  if (runs_->method_for(0, *next.subject) == nullptr) return refusal(*next.subject);
   at_rest_.reset();
   static_cast<void>(end_drag());
   const bool keeps = keeps_to_task(*next.subject);
-  if (conduct_.builds && (next.subject->dim() != dim() || (!keeps && !lesson_->tasks[task_].only.empty())))
+  if (conduct_.builds && (next.subject->dim() != now_->dim() || (!keeps && !only().empty())))
     return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
   waiting_keeps_ = keeps;
   return prepare(std::move(next), Way::kEdit);
@@ -62,52 +81,43 @@ Done Session::become(Snapshot next) {
 
 /// Computes what the next stage needs: all of it, or, where edits give way, only what is soon done. Edits of a few
 /// points and what stood on the stage before are not estimated again.
-Done Session::prepare(Snapshot next, Way way) {
+Done Stage::prepare(Snapshot next, Way way) {
   constexpr double kSoon = 100e6;  // ns
   const Subject& subject = *next.subject;
   const bool known = way != Way::kEdit || clock_ == nullptr ||
-                     (subject.size() <= size() + 1 && subject.origin().source == now_->origin().source);
+                     (subject.size() <= now_->size() + 1 && subject.origin().source == now_->origin().source);
   if (!Preparation::may_take_long(subject) || (known && !gives_way_)) {
     waiting_.reset();
     take_over(way, std::move(next));
     return {};
   }
-  const Preparation::Methods methods{method_for(0, subject), method_for(1, subject)};
+  const Preparation::Methods methods{runs_->method_for(0, subject), runs_->method_for(1, subject)};
   waiting_way_ = way;
   waiting_ = std::make_unique<Preparation>(*lesson_, std::move(next), methods, !known, clock_);
   return go_on(gives_way_ ? kSoon : std::numeric_limits<double>::infinity());
 }
 
-Done Session::go_on(double ns) {
+Done Stage::go_on(double ns) {
   if (waiting_ == nullptr) return {};
   const double begin = clock_ != nullptr ? clock_() : 0;
   const auto passed = [&] { return clock_ != nullptr ? clock_() - begin : 0; };
   do waiting_->go_on();
   while (!waiting_->done() && passed() + waiting_->next_takes() < ns);
   if (!waiting_->done()) return {};
-  std::unique_ptr<Preparation> ready = std::move(waiting_);
+  const std::unique_ptr<Preparation> ready = std::move(waiting_);
   if (ready->refused()) return tl::unexpected(*ready->refused());
-  put_on_stage(std::move(ready));
+  take_over(waiting_way_, std::move(ready->next), ready.get());
   return {};
 }
 
-void Session::give_up() {
+void Stage::give_up() {
   waiting_.reset();
   ++revision_;
 }
 
-void Session::put_on_stage(std::unique_ptr<Preparation> ready) {
-  ready_ = std::move(ready);
-  take_over(waiting_way_, std::move(ready_->next));
-  rivals_ = std::move(ready_->work.rivals);
-  results_ = std::move(ready_->work.results);
-  ready_.reset();
-}
-
 /// Puts the next thing on the stage, and what was there where undo or redo finds it.
-void Session::take_over(Way way, Snapshot next) {
-  static_cast<void>(make_room_for(*next.subject));  // there is a method that can take it
-  Snapshot before = exchange(std::move(next));
+void Stage::take_over(Way way, Snapshot next, Preparation* ready) {
+  Snapshot before = exchange(std::move(next), ready);
   if (way == Way::kEdit) {
     remember(std::move(before));
     task_started_ = waiting_keeps_;
@@ -118,32 +128,34 @@ void Session::take_over(Way way, Snapshot next) {
   (way == Way::kUndo ? future_ : past_).push_back(std::move(before));
 }
 
-bool Session::keeps_to_task(const Subject& next) const {
-  if (!task_started_ || next.origin().situation != situation() || next.size() != size()) return false;
-  const std::vector<std::string>& only = lesson_->tasks[task_].only;
-  if (only.empty()) return false;
-  for (Index i = 0; i < size(); ++i)
-    if (!is_among(only, name_of(i)) && next.at(i) != point(i)) return false;
+bool Stage::keeps_to_task(const Subject& next) const {
+  if (!task_started_ || next.origin().situation != situation() || next.size() != now_->size() || only().empty())
+    return false;
+  for (Index i = 0; i < now_->size(); ++i)
+    if (!is_among(only(), now_->name_of(i)) && next.at(i) != now_->at(i)) return false;
   // What has no handle, such as a half extent, is among the numbers.
   const std::vector<NumberGroup> here = now_->numbers(), there = next.numbers();
   const auto same_row = [](const NumberRow& a, const NumberRow& b) { return a.values == b.values; };
   return std::equal(here.begin(), here.end(), there.begin(), there.end(), [&](const auto& a, const auto& b) {
-    return is_among(only, a.drive) || std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), same_row);
+    return is_among(only(), a.drive) ||
+           std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), same_row);
   });
 }
 
 /// Replaces what stands on the stage, and returns it.
-Snapshot Session::exchange(Snapshot next) {
+Snapshot Stage::exchange(Snapshot next, Preparation* ready) {
   const bool goes = next.subject->origin().situation != situation();
-  if (goes) leave_situation();
+  runs_->make_room(*next.subject);
+  if (goes) places_[shown_].left = snapshot();
   Snapshot before{std::exchange(now_, std::move(next.subject)), std::exchange(slid_, std::move(next.slid))};
-  if (goes) enter_situation();
-  else subject_changed();
+  const auto is_here = [&](const Situated& place) { return place.own.subject->origin().situation == situation(); };
+  if (goes) shown_ = static_cast<std::size_t>(std::find_if(places_.begin(), places_.end(), is_here) - places_.begin());
+  runs_->follow(goes, ready);
   return before;
 }
 
-Done Session::move(Index i, const Point3& to) {
-  if (i < 0 || i >= size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
+Done Stage::move(Index i, const Point3& to) {
+  if (i < 0 || i >= now_->size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
   if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   if (!may_move(i)) return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
   if (!drag_.subject) {
@@ -155,33 +167,33 @@ Done Session::move(Index i, const Point3& to) {
   if (Done moved = now_->move(i, to); !moved) return moved;
   follow_edit(*lesson_, slid_, *now_);
   drag_moved_ = true;
-  subject_changed();
+  runs_->follow(false, nullptr);
   return {};
 }
 
-Done Session::add(const Point3& at) {
+Done Stage::add(const Point3& at) {
   return edit([&](Subject& next) -> Done {
     if (next.with_points() == nullptr) return fixed_number();
     if (Done added = next.with_points()->add(at); !added) return added;
-    if (!next.suits(*slots_[0].method)) return tl::unexpected(InputError{.what = next.refusal(*slots_[0].method)});
-    return {};
+    const Method& main = *runs_->method_for(0, *now_);
+    return next.suits(main) ? Done() : refusal(next);
   });
 }
 
-Done Session::remove(Index i) {
+Done Stage::remove(Index i) {
   return edit([&](Subject& next) -> Done {
     return next.with_points() != nullptr ? next.with_points()->remove(i) : fixed_number();
   });
 }
 
-Done Session::load(const io::PointFile& file, std::string_view name) {
+Done Stage::load(const io::PointFile& file, std::string_view name) {
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   return edit_anew([&](Subject& next) -> Done {
     return next.with_points() != nullptr ? next.with_points()->load(file, name) : no_points();
   });
 }
 
-Done Session::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
+Done Stage::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   return edit_anew([&](Subject& next) -> Done {
     HasPoints* const points = next.with_points();
@@ -189,15 +201,15 @@ Done Session::set_generator(std::string_view kind, int count, int dim, std::uint
   });
 }
 
-Done Session::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
+Done Stage::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
   return edit([&](Subject& next) { return next.set_numbers(group, row, values); });
 }
 
-Done Session::set_rows(const Rows& rows) {
+Done Stage::set_rows(const Rows& rows) {
   return edit([&](Subject& next) { return next.set_rows(rows); });
 }
 
-Done Session::set_float(bool in_float) {
+Done Stage::set_float(bool in_float) {
   if (in_float == now_->in_float()) return {};
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   Snapshot next = snapshot();
@@ -215,30 +227,14 @@ Done Session::set_float(bool in_float) {
   return done;
 }
 
-Done Session::call_for(std::string_view name, bool called) {
+Done Stage::call_for(std::string_view name, bool called) {
   return edit([&](Subject& next) -> Done {
     if (next.parts() != nullptr) return next.parts()->call_for(name, called);
     return tl::unexpected(InputError{.what = "nothing here can call for " + std::string(name)});
   });
 }
 
-bool Session::can_toggle(const Switch& part) const { return step() > 0 || !part.on || part.optional; }
-
-bool Session::toggle(const Switch& part) {
-  const bool declares = part.optional && part.on && (step() == 0 || !part.called);
-  return declares ? call_for(part.name, !part.called).has_value() : turn(part.name, !part.on);
-}
-
-bool Session::push(Index i) {
-  auto next = now_->clone();
-  if (i < 0 || i >= size() || next->frames() == nullptr || !next->frames()->push(i, view())) return false;
-  const int step = step_;
-  if (!become(std::move(next))) return false;
-  step_ = std::min(step, steps());  // the run may have become longer
-  return true;
-}
-
-Done Session::set_file(std::string text) {
+Done Stage::set_file(std::string text) {
   if (const auto file = now_->file(); file && file->typed == text) return {};
   types_on_ = typing_;
   const AtOnce at_once(*this);
@@ -251,22 +247,22 @@ Done Session::set_file(std::string text) {
   return set;
 }
 
-void Session::scatter(std::uint64_t seed) {
+void Stage::scatter(std::uint64_t seed) {
   if (conduct_.builds) return;
   static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
 }
 
-void Session::reset() {
+void Stage::reset() {
   if (conduct_.builds) start_task(task_);
   else static_cast<void>(become(opened().clone()));
 }
 
-void Session::settle() {
+void Stage::settle() {
   places_[shown_].own = snapshot();
-  past_.clear(), future_.clear();
+  forget_undo();
 }
 
-void Session::start_task(std::size_t task) {
+void Stage::start_task(std::size_t task) {
   if (task >= lesson_->tasks.size()) return;
   const Task& own = lesson_->tasks[task];
   const AtOnce at_once(*this);
@@ -274,43 +270,18 @@ void Session::start_task(std::size_t task) {
   static_cast<void>(edit([&](Subject& next) { return next.begin_task(*lesson_, own, this->own()), Done(); }));
   slid_.values = slid_.base_values = opened().slid.values;
   follow_edit(*lesson_, slid_, *now_);
-  static_cast<void>(choose(0, own.algorithm));
   task_ = task;
   task_started_ = true;
-  forget_grades();
-  // A student who builds an example looks at results, and was asked nothing yet. Bodies are placed at their start.
-  previewing_ = now_->frames() == nullptr;
-  step_ = previewing_ ? steps() : 0;
-  ++revision_;
+  runs_->begin_task(own);
 }
 
-tl::expected<Grade, InputError> Session::place_answer(std::size_t task, const Rows& answer) {
-  start_task(task);
-  if (Done made = set_rows(answer); !made) return tl::unexpected(std::move(made.error()));
-  task_started_ = true;
-  grades_[task].reset();
-  return grade(task);
-}
-
-tl::expected<Grade, InputError> Session::solve_task(std::size_t task) {
-  return place_answer(task, lesson_->tasks[task].model);
-}
-
-tl::expected<Grade, InputError> Session::solve_again(std::size_t task) {
-  const auto rows = can_solve_again(task) ? unpacked_rows(*done_[task]) : std::nullopt;
-  return rows ? place_answer(task, *rows) : grade(task);
-}
-
-bool Session::may_move(Index i) const {
+bool Stage::may_move(Index i) const {
   if (conduct_.decides) return false;
   if (!task_started_) return true;
-  const std::vector<std::string>& only = lesson_->tasks[task_].only;
-  return only.empty() || is_among(only, name_of(i));
+  return only().empty() || is_among(only(), now_->name_of(i));
 }
 
-bool Session::is_own() const { return now_->origin() == own().origin(); }
-
-void Session::remember(Snapshot before) {
+void Stage::remember(Snapshot before) {
   typing_ = false;
   future_.clear();
   if (types_on_) return;
@@ -318,16 +289,16 @@ void Session::remember(Snapshot before) {
   past_.push_back(std::move(before));
 }
 
-void Session::begin_drag() {
+void Stage::begin_drag() {
   static_cast<void>(end_drag());
   drag_ = snapshot();
 }
 
-Done Session::end_drag() {
+Done Stage::end_drag() {
   Snapshot before = std::move(drag_);
   if (before.subject && drag_moved_) {
     remember(std::move(before));
-    if (now_->frames() != nullptr) forget_grades();
+    runs_->rest();
     ++revision_;
   }
   drag_moved_ = false;
@@ -336,14 +307,83 @@ Done Session::end_drag() {
   return become(std::move(next));
 }
 
-void Session::restore(Way way) {
+void Stage::restore(Way way) {
   static_cast<void>(end_drag());
   std::vector<Snapshot>& from = way == Way::kUndo ? past_ : future_;
   // Every snapshot was accepted before, so the lesson's methods can take it.
   if (!from.empty()) static_cast<void>(prepare(from.back().clone(), way));
 }
 
-void Session::undo() { restore(Way::kUndo); }
-void Session::redo() { restore(Way::kRedo); }
+Done Stage::show_situation(std::string_view name) {
+  if (name == situation()) return {};
+  for (Situated& place : places_)
+    if (place.own.subject->origin().situation == name)
+      return become((place.left.subject != nullptr ? place.left : place.own).clone());
+  return tl::unexpected(InputError{.what = "there is no situation " + std::string(name)});
+}
+
+std::vector<Stage::Situated> Stage::visited() const {
+  std::vector<Situated> visited;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (i != shown_ && places_[i].left.subject != nullptr)
+      visited.push_back({places_[i].own.clone(), places_[i].left.clone()});
+  visited.push_back({opened().clone(), snapshot()});
+  return visited;
+}
+
+std::vector<ShownSlider> Stage::sliders() const {
+  const auto is_by_hand = [&](int slot) {
+    const Method* const method = runs_->method_for(slot, *now_);
+    return method != nullptr && method->by_hand;
+  };
+  const bool by_hand = is_by_hand(0) || is_by_hand(1);
+  return shown_sliders(*lesson_, at_rest_ ? at_rest_->slid : slid_, *now_, by_hand);
+}
+
+Done Stage::slide(std::size_t slider, double value) {
+  if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_))
+    return tl::unexpected(InputError{.what = "there is no such slider"});
+  if (slid_.values[slider] == value) return {};
+  if (task_started_ && !only().empty() && !is_among(only(), lesson_->sliders[slider].drives))
+    return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
+  std::vector<double> values = slid_.values;
+  values[slider] = value;
+  const bool started = task_started_;
+  Done done = set_sliders(std::move(values));
+  keep_task(started);
+  if (done) log_->add_moved(lesson_->sliders[slider]);
+  return done;
+}
+
+Done Stage::slide_to_place(std::size_t slider, int place) {
+  if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_)) return slide(slider, 0);
+  const Slider& own = lesson_->sliders[slider];
+  const std::optional<Drive> drive = drive_of(own, *now_);
+  return drive ? slide(slider, value_at(own, *drive, place)) : Done{};
+}
+
+Done Stage::set_sliders(std::vector<double> values) {
+  if (values.size() != slid_.values.size()) return tl::unexpected(InputError{.what = "there are no such sliders"});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]))
+      return tl::unexpected(InputError{.what = "a slider's value must be a finite number"});
+    if (values[i] == slid_.values[i]) continue;  // it may have been edited to beyond the slider's ends
+    values[i] = std::clamp(values[i], lesson_->sliders[i].from, lesson_->sliders[i].to);
+  }
+  auto next = slid_to(*lesson_, snapshot(), std::move(values));
+  if (!next) return tl::unexpected(std::move(next.error()));
+  // Rows alone do not tell: a frustum's do not have how near its near plane is.
+  const bool as_opened = stand_alike(next->slid.values, opened().slid.values) &&
+                         next->subject->rows() == own().rows() && next->subject->in_float() == own().in_float();
+  if (as_opened) next = opened().clone();
+  if (!next->subject->suits(*runs_->method_for(0, *now_))) return refusal(*next->subject);
+  if (!drag_.subject) return become(*std::move(next));
+  at_rest_.reset();
+  if (gives_way_ && next->subject->points() != nullptr && next->subject->size() > kMostInHand)
+    return at_rest_ = *std::move(next), Done();
+  static_cast<void>(exchange(*std::move(next)));
+  drag_moved_ = true;
+  return {};
+}
 
 }  // namespace snug::lesson
