@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lesson/prose_figures.hpp"
+#include "lesson/session.hpp"
 
 namespace snug::web {
 

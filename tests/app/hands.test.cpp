@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "app/subjects/cost/costs.hpp"
 #include "bench.hpp"
 #include "course_lessons.hpp"
+#include "lesson/exercise/instance.hpp"
 #include "lesson/subjects.hpp"
 #include "lesson/subjects/cloud/certificate_lines.hpp"
 #include "lesson/subjects/scene/scene_set.hpp"
@@ -154,6 +156,24 @@ TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed 
   REQUIRE(bench.app.command("step"));
   CHECK(bench.session().conversation().outcome() == nullptr);
   CHECK(shown_at(bench.session()).right.empty());
+}
+
+TEST_CASE("of an answer of several choices, the handles of each are marked") {
+  std::ifstream file(lessons_folder() + "exercises/be-gjk.toml");
+  const lesson::ExerciseDraft draft =
+      lesson::read_exercise(std::string(std::istreambuf_iterator<char>(file), {}), "be-gjk.toml");
+  REQUIRE(draft.mistakes.empty());
+  auto session = lesson::open_instance(draft.exercise, *lesson::make_instance(draft.exercise, 8), nullptr, true);
+  REQUIRE(session);
+  lesson::Conversation& conversation = session->conversation();
+  const auto right = [&] { return lesson::model_answer(*conversation.asked(), session->player().run(0)); };
+  while (conversation.asked() == nullptr || !conversation.asked()->many)
+    if (conversation.asked() == nullptr) session->forward();
+    else REQUIRE(conversation.give(right()));
+  const auto handles = conversation.asked()->choice_handles;
+  const int wrong = right().value == 1 ? 1 : 0;  // this choice alone
+  REQUIRE(conversation.give({lesson::Answer::Kind::kChoice, 1 << wrong}));
+  CHECK(shown_at(*session).guessed_wrong == handles[wrong]);
 }
 
 TEST_CASE("the bracket keys go through what can be the answer alone, and Enter gives it") {

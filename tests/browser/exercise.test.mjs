@@ -173,6 +173,15 @@ test("nothing on the stage can be changed, and no decision is skipped", async (t
   assert.equal((await exercise(page)).decision, 0);
 });
 
+test("a double click decides once", async (t) => {
+  const [name] = await answers_of(t, "be-iterative-ritter", 7);
+  const page = await visit(t, "?exercise=be-iterative-ritter&seed=7");
+  await at(page, 0);
+  await page.getByRole("button", { name, exact: true }).dblclick();
+  await still(page);
+  assert.equal((await exercise(page)).decision, 1);
+});
+
 test("by finger on a phone, with targets large enough, and the summary leads to another instance", async (t) => {
   const names = await answers_of(t, "aabb-overlap", 4);
   const page = await visit(t, "?exercise=aabb-overlap&seed=4", kPhone);

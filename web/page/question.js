@@ -159,7 +159,11 @@ export class QuestionCard {
     const kind = `${ordered ? " ordered" : ""}${are_code(choices) ? " of-code" : ""}`;
     this.#choices = choices.map((words, i) => {
       const was = !ordered && tried?.choices.includes(i);
-      return button(words, () => this.#act(() => this.#door.pick_choice(i)), {
+      const pick = (/** @type {MouseEvent} */ { detail }) => {
+        // In an exercise the second click of a double one would decide what is asked next.
+        if (!exercise || many || ordered || detail < 2) this.#act(() => this.#door.pick_choice(i));
+      };
+      return button(words, pick, {
         class: `button${was ? " tried" : ""}${kind}`,
         "aria-label": was ? `${words}, not that one` : null,
         "aria-pressed": "false",
