@@ -163,8 +163,8 @@ std::string point_and_segment(const Function&, const Numbers& input) {
   const std::string segment = capsule_at<3>(a, take.vector());
   return pair(p, segment) + beside("given", "", segment);
 }
-std::string segment_names(const Numbers&) { return "On the stage A is the point p, and the ends of B are a and b."; }
-std::string sphere_names(const Numbers&) { return "On the stage A is the sphere, and B the point."; }
+std::string segment_names(const Numbers&) { return "A is the point p, and the ends of B are a and b."; }
+std::string sphere_names(const Numbers&) { return "A is the sphere, and B the point."; }
 
 // ---- points ------------------------------------------------------------------------------------------------------
 
