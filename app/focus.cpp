@@ -36,7 +36,8 @@ void Focus::end_frame() {
   drawn_.swap(drawing_);
   drawing_.clear();
   pressed_ = 0;
-  arrives_ = false;
+  arrives_ = again_ = scrolled_ && !again_;  // what was out of view arrives once more, where it can be seen
+  scrolled_ = false;
   const auto now = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& one) { return one.id == at_; });
   const auto popup =
       std::find_if(drawn_.begin(), drawn_.end(), [](const Drawn& one) { return one.layer == Layer::kPopup; });
@@ -59,8 +60,10 @@ Focus::Here Focus::offer(const Control& control) {
   here.pressed = control.enabled && pressed_ == control.id;
   draw_ring(control.low, control.high);
   const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
-  if (arrives_ && (control.low.y < top || control.high.y > bottom))
+  if (arrives_ && (control.low.y < top || control.high.y > bottom)) {
     ImGui::SetScrollFromPosY((control.low.y + control.high.y) / 2 - top);
+    scrolled_ = true;
+  }
   return here;
 }
 
@@ -89,7 +92,7 @@ const Focus::Drawn* Focus::first_of(std::string_view part) const {
 
 void Focus::stand(const Drawn* control) {
   due_ = kFramesDue;
-  arrives_ = control != nullptr;
+  arrives_ = control != nullptr, again_ = scrolled_ = false;
   if (control == nullptr) {
     at_ = 0, layer_ = Layer::kPanel;
     name_.clear(), part_.clear();

@@ -87,6 +87,7 @@ class Focus {
   std::string name_, part_;
   Layer layer_ = Layer::kPanel;
   bool arrives_ = false;
+  bool scrolled_ = false, again_ = false;  // it was scrolled to as it arrived; it arrives for the second time
   int due_ = 0;
   Color color_ = 0;
 };

@@ -121,10 +121,10 @@ Touch touch_area(const char* id, const Rect& rect, std::string_view name, bool e
   return touch;
 }
 
-void offer_field(std::string_view name) {
+void offer_field(std::string_view name, ImGuiID id) {
   Focus* const focus = Focus::current();
   if (focus == nullptr) return;
-  const ImGuiID id = ImGui::GetItemID();
+  if (id == 0) id = ImGui::GetItemID();
   if (ImGui::IsItemActivated() && focus->at() != id) focus->go_to(id);
   const Focus::Here here =
       focus->offer({.id = id, .low = ImGui::GetItemRectMin(), .high = ImGui::GetItemRectMax(), .name = name});

@@ -45,8 +45,9 @@ Touch pointer_area(const char* id, const Rect& rect, bool enabled = true);
 /// One that the keyboard presses as well. name: what it is called; empty for its id. first: of a card, where the
 /// keyboard begins.
 Touch touch_area(const char* id, const Rect& rect, std::string_view name = {}, bool enabled = true, bool first = false);
-/// The ImGui text field that was just drawn is one of the keyboard's places too.
-void offer_field(std::string_view name);
+/// The ImGui text field that was just drawn is one of the keyboard's places too. id: its own; 0 for that of the last
+/// item.
+void offer_field(std::string_view name, ImGuiID id = 0);
 /// The same for an ImGui slider. Returns whether the keyboard is on it.
 bool offer_slider(std::string_view name);
 

@@ -47,7 +47,7 @@ bool draw_field(Column& column, const std::string& id, std::string_view name, st
     ImGui::SetNextItemWidth(column.width());
     typed = ImGui::InputText("##text", text.data(), text.capacity() + 1, flags, &grow, &text);
   }
-  app::offer_field(name);
+  app::offer_field(name, ImGui::GetID("##text"));  // a field of lines that is out of view has none of its own
   ImGui::PopStyleColor();
   ImGui::PopID();
   ImGui::PopFont();
