@@ -177,10 +177,6 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, boo
         if (i < words->size()) (*words)[i].insert(0, {static_cast<char>('A' + i % 26), ' ', ' '});
   const int chosen = column.buttons("choice", choices.words, choices.chosen, {}, choices.room);
   if (shell.demo) {  // the class answers by its hands, and a press reveals
-    // In an exercise the second click of a double one would decide what is asked next.
-    const bool double_click =
-        ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::GetIO().MouseClickedLastCount[0] > 1;
-    if (chosen >= 0 && sitting != nullptr && !asked.many && !asked.ordered && double_click) return;
     if (chosen >= 0) shell.app().pick_choice(chosen);
     return;
   }
