@@ -289,10 +289,11 @@ bool App::State::choose_target(int by) {
   const auto n = static_cast<std::ptrdiff_t>(targets.size());
   const lesson::Answer* picked = session->conversation().picked();
   if (picked == nullptr) picked = session->conversation().tried();
-  const bool any = picked != nullptr && picked->kind == lesson::Answer::Kind::kPoint;
-  const std::ptrdiff_t at = any ? std::find(targets.begin(), targets.end(), picked->value) - targets.begin() : -1;
+  const auto* one = picked != nullptr ? std::get_if<lesson::OneHandle>(picked) : nullptr;
+  const std::ptrdiff_t at =
+      one != nullptr ? std::find(targets.begin(), targets.end(), one->handle) - targets.begin() : -1;
   const std::ptrdiff_t next = at < 0 ? (by > 0 ? 0 : n - 1) : (at + by + n) % n;
-  if (next != at) static_cast<void>(session->conversation().pick({lesson::Answer::Kind::kPoint, targets[next]}, false));
+  if (next != at) static_cast<void>(session->conversation().pick(lesson::OneHandle{targets[next]}, false));
   return true;
 }
 
@@ -505,7 +506,7 @@ bool App::command(std::string_view name) {
 
 bool App::pick_choice(int choice) {
   if (!state_->session) return false;
-  const bool done = state_->session->conversation().pick({lesson::Answer::Kind::kChoice, choice});
+  const bool done = state_->session->conversation().pick(lesson::OneChoice{choice});
   if (done) state_->decide_by_measuring();
   return done;
 }

@@ -5,10 +5,10 @@ namespace {
 
 /// The handles that an answer means, if the question is about handles.
 std::vector<Index> handles_of(const lesson::Asked& asked, const lesson::Answer& answer) {
-  if (answer.kind == lesson::Answer::Kind::kPoint) return {answer.value};
-  if (answer.kind == lesson::Answer::Kind::kPoints) return {answer.list.begin(), answer.list.end()};
+  if (const auto* one = std::get_if<lesson::OneHandle>(&answer)) return {one->handle};
+  if (const auto* several = std::get_if<lesson::SeveralHandles>(&answer)) return several->handles;
   std::vector<Index> handles;
-  if (answer.kind != lesson::Answer::Kind::kChoice) return handles;
+  if (std::holds_alternative<lesson::ChoicesInOrder>(answer)) return handles;
   for (std::size_t i = 0; i < asked.choice_handles.size(); ++i)
     if (lesson::is_picked(asked, answer, static_cast<int>(i)))
       handles.insert(handles.end(), asked.choice_handles[i].begin(), asked.choice_handles[i].end());

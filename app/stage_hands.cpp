@@ -116,7 +116,7 @@ void Stage::release(lesson::Session& session) {
 /// keys then move the point only if no question is open; otherwise they still step.
 void Stage::tap(lesson::Session& session) {
   if (answered_on_stage(session)) {
-    if (tapped_ != kNoIndex) static_cast<void>(session.conversation().pick({lesson::Answer::Kind::kPoint, tapped_}));
+    if (tapped_ != kNoIndex) static_cast<void>(session.conversation().pick(lesson::OneHandle{tapped_}));
     hands_.selected = kNoIndex;
     return;
   }

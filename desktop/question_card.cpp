@@ -113,7 +113,7 @@ void draw_order(Column& column, const lesson::Session& session, const lesson::As
                 const lesson::Outcome& outcome) {
   const app::Look& look = column.look();
   const std::string_view what = session.stage().conduct().decides ? lesson::kDecisionWord : lesson::kPredictionWord;
-  const bool answered = !outcome.given.list.empty();
+  const bool answered = std::holds_alternative<lesson::ChoicesInOrder>(outcome.given);
   const float own = answered ? app::measure(look, Face::kSemiBold, 13, what).x + 8 : 0;
   if (answered)
     app::text(column.list(), look, Face::kSemiBold, 13,

@@ -13,18 +13,18 @@ using emscripten::val;
 
 /// A chosen or tried answer: the numbers of choices (in the chosen order, if that is asked), and what could be typed
 /// for it: a handle's name, several, or a number.
-val answer_object(const lesson::Asked& asked, const lesson::Session& session, const lesson::Answer* answer) {
+val answer_object(const lesson::Session& session, const lesson::Answer* answer) {
   if (answer == nullptr) return val::null();
-  using Kind = lesson::Answer::Kind;
-  val object = val::object(), chosen = val::array();
-  if (answer->kind == Kind::kOrder) chosen = array_of(answer->list, [](int choice) { return val(choice); });
-  for (std::size_t i = 0; answer->kind == Kind::kChoice && i < asked.choices.size(); ++i)
-    if (lesson::is_picked(asked, *answer, static_cast<int>(i))) chosen.call<void>("push", static_cast<int>(i));
-  object.set("choices", chosen);
-  std::string typed = answer->kind == Kind::kPoint ? session.stage().subject().name_of(answer->value) : "";
-  for (const int handle : answer->kind == Kind::kPoints ? answer->list : std::vector<int>())
-    typed += (typed.empty() ? "" : ", ") + session.stage().subject().name_of(handle);
-  if (answer->kind == Kind::kNumber) typed = lesson::plain_number(answer->number);
+  const auto name = [&](Index handle) { return session.stage().subject().name_of(handle); };
+  std::string typed;
+  if (const auto* one = std::get_if<lesson::OneHandle>(answer)) typed = name(one->handle);
+  if (const auto* several = std::get_if<lesson::SeveralHandles>(answer))
+    for (const Index handle : several->handles) typed += (typed.empty() ? "" : ", ") + name(handle);
+  if (const auto* number = std::get_if<lesson::TypedNumber>(answer)) typed = lesson::plain_number(number->number);
+  const auto* choice = std::get_if<lesson::OneChoice>(answer);
+  val object = val::object();
+  const auto chosen = choice != nullptr ? std::span(&choice->choice, 1) : lesson::choices_of(*answer);
+  object.set("choices", array_of(chosen, [](int i) { return val(i); }));
   object.set("handle", typed.empty() ? val::null() : val(typed));
   return object;
 }
@@ -48,8 +48,8 @@ val asked_object(const lesson::Asked* asked, const lesson::Session& session, les
   object.set("onStage", asked->on_stage);
   object.set("place", lesson::place_text(*asked, session.conversation().questions()));
   object.set("how", lesson::how_to_answer(*asked));
-  object.set("picked", answer_object(*asked, session, session.conversation().picked()));
-  object.set("tried", answer_object(*asked, session, session.conversation().tried()));
+  object.set("picked", answer_object(session, session.conversation().picked()));
+  object.set("tried", answer_object(session, session.conversation().tried()));
   object.set("ready",
              session.conversation().picked() != nullptr && lesson::answers(*asked, *session.conversation().picked()));
   object.set("says", session.conversation().answer_says());
@@ -89,7 +89,7 @@ val told_object(const lesson::Session& session, const lesson::Outcome* outcome, 
   object.set("place", lesson::place_text(*asked, session.conversation().questions()));
   object.set("choices", array_of(asked->choices, text));
   object.set("ordered", asked->ordered);
-  object.set("given", answer_object(*asked, session, &outcome->given));
+  object.set("given", answer_object(session, &outcome->given));
   object.set("canWatch", session.conversation().can_watch_outcome());
   object.set("canShow", session.conversation().can_show_answer());
   object.set("shown", session.conversation().answer_shown());

@@ -209,12 +209,10 @@ std::vector<Wrong> wrong_answers(Asked asked, const Run& run) {
       wrong.push_back({std::move(says), !meaning_of(asked, answer, truth).empty()});
   };
   for (int i = 0; i < static_cast<int>(asked.choices.size()); ++i)
-    see(truth.choices, i, asked.choices[i], {Answer::Kind::kChoice, asked.many ? 1 << i : i});
+    see(truth.choices, i, asked.choices[i], asked.many ? Answer(SeveralChoices{{i}}) : OneChoice{i});
   if (!asked.choices.empty()) return wrong;
   const auto see_handle = [&](Index i) {
-    const Answer::Kind kind = asked.many ? Answer::Kind::kPoints : Answer::Kind::kPoint;
-    see(truth.points, static_cast<int>(i), asked.subject->name_of(i),
-        {kind, static_cast<int>(i), {static_cast<int>(i)}});
+    see(truth.points, i, asked.subject->name_of(i), asked.many ? Answer(SeveralHandles{{i}}) : OneHandle{i});
   };
   for (const Index i : asked.stage_points) see_handle(i);
   for (Index i = 0; asked.stage_points.empty() && i < asked.subject->size(); ++i) see_handle(i);

@@ -6,6 +6,7 @@
 
 #include "geometry/sort.hpp"
 #include "io/text.hpp"
+#include "lesson/decide.hpp"
 #include "lesson/grade.hpp"
 #include "lesson/names.hpp"
 #include "lesson/speaking.hpp"
@@ -17,7 +18,9 @@ namespace {
 
 constexpr std::string_view kOf = "{of}";
 
-bool contains(const auto& values, int value) { return std::find(values.begin(), values.end(), value) != values.end(); }
+bool contains(const auto& values, Index value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
 
 /// The index of the n-th step of that name that counts; the number of steps if there is none.
 int find_fact(const Run& run, std::string_view name, int occurrence) {
@@ -56,66 +59,61 @@ std::string said_by_handle(const Asked& asked, const Truth& truth, Index handle)
   return said == nullptr ? name : *said + " (" + name + ")";
 }
 
-/// The names of the chosen choices, by their bits.
-std::string names_of_bits(const Asked& asked, int bits) {
+/// "x, y and z"; "none".
+std::string names_of(const Asked& asked, const SeveralChoices& several) {
   std::string text;
-  int left = __builtin_popcount(static_cast<unsigned>(bits));
-  for (std::size_t i = 0; i < asked.choices.size(); ++i) {
-    if ((bits >> i & 1) == 0) continue;
-    text += asked.choices[i];
+  std::size_t left = several.choices.size();
+  for (const int choice : several.choices) {
+    text += asked.choices[choice];
     if (--left > 0) text += left == 1 ? " and " : ", ";
   }
   return text.empty() ? "none" : text;
 }
 
 /// Whether a list has the same entries as another, in any order.
-bool same_set(std::vector<int> a, std::vector<int> b) {
-  std::sort(a.begin(), a.end()), std::sort(b.begin(), b.end());
+template <class Entry>
+bool same_set(std::vector<Entry> a, std::vector<Entry> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
   return a == b;
 }
 
 /// Whether these are the right handles. At least one of each tied group must be given.
-bool are_right(const std::vector<int>& given, const Truth& truth) {
-  if (truth.tied.empty()) return same_set(given, {truth.points.begin(), truth.points.end()});
-  const auto is_given = [&](Index handle) { return contains(given, static_cast<int>(handle)); };
-  return std::all_of(given.begin(), given.end(), [&](int one) { return contains(truth.points, one); }) &&
+bool are_right(const std::vector<Index>& given, const Truth& truth) {
+  if (truth.tied.empty()) return same_set(given, truth.points);
+  const auto is_given = [&](Index handle) { return contains(given, handle); };
+  return std::all_of(given.begin(), given.end(), [&](Index one) { return contains(truth.points, one); }) &&
          std::all_of(truth.tied.begin(), truth.tied.end(),
                      [&](const auto& tied) { return std::any_of(tied.begin(), tied.end(), is_given); });
 }
 
-bool is_right(const Asked& asked, const Answer& answer, const Truth& truth) {
-  switch (answer.kind) {
-    case Answer::Kind::kSkipped: return false;
-    case Answer::Kind::kPoint: return contains(truth.points, answer.value);
-    case Answer::Kind::kPoints: return are_right(answer.list, truth);
-    case Answer::Kind::kNumber: return std::abs(answer.number - truth.number) <= truth.tolerance;
-    case Answer::Kind::kOrder: {
-      const auto before = [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; };
-      return std::is_sorted(answer.list.begin(), answer.list.end(), before);
-    }
-    case Answer::Kind::kChoice: break;
-  }
-  if (!asked.many) return contains(truth.choices, answer.value);
-  int all = 0;
-  for (const int choice : truth.choices) all |= 1 << choice;
-  return answer.value == all;
+bool is_right(const Answer& answer, const Truth& truth) {
+  const auto before = [&](int a, int b) { return truth.ranks[a] < truth.ranks[b]; };
+  return std::visit(
+      ByKind{
+          [](const Skipped&) { return false; },
+          [&](const OneHandle& one) { return contains(truth.points, one.handle); },
+          [&](const SeveralHandles& several) { return are_right(several.handles, truth); },
+          [&](const OneChoice& one) { return contains(truth.choices, one.choice); },
+          [&](const SeveralChoices& several) { return same_set(several.choices, truth.choices); },
+          [&](const ChoicesInOrder& all) { return std::is_sorted(all.choices.begin(), all.choices.end(), before); },
+          [&](const TypedNumber& typed) { return std::abs(typed.number - truth.number) <= truth.tolerance; },
+      },
+      answer);
 }
 
 /// What an answer says, in words.
 std::string said_by(const Asked& asked, const Answer& answer, const Truth& truth) {
-  switch (answer.kind) {
-    case Answer::Kind::kSkipped: return {};
-    case Answer::Kind::kPoint: return said_by_handle(asked, truth, answer.value);
-    case Answer::Kind::kPoints: return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end()));
-    case Answer::Kind::kNumber: return with_unit(answer.number, asked.unit);
-    case Answer::Kind::kOrder: {
-      std::string text;
-      for (const int choice : answer.list) text += (text.empty() ? "" : ", ") + asked.choices[choice];
-      return text;
-    }
-    case Answer::Kind::kChoice: break;
-  }
-  return asked.many ? names_of_bits(asked, answer.value) : asked.choices[answer.value];
+  return std::visit(ByKind{
+                        [](const Skipped&) { return std::string(); },
+                        [&](const OneHandle& one) { return said_by_handle(asked, truth, one.handle); },
+                        [&](const SeveralHandles& several) { return asked.names(several.handles); },
+                        [&](const OneChoice& one) { return asked.choices[one.choice]; },
+                        [&](const SeveralChoices& several) { return names_of(asked, several); },
+                        [&](const ChoicesInOrder& all) { return choice_words(asked, all.choices); },
+                        [&](const TypedNumber& typed) { return with_unit(typed.number, asked.unit); },
+                    },
+                    answer);
 }
 
 /// Whether a question's answer is true of this run.
@@ -248,64 +246,65 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
   return apart;
 }
 
+Answer as_asked(const Asked& asked, Answer answer) {
+  const auto* one = std::get_if<OneChoice>(&answer);
+  return asked.many && one != nullptr && one->choice >= 0 ? Answer(choices_of_bits(one->choice)) : answer;
+}
+
 bool answers(const Asked& asked, const Answer& answer) {
-  const auto is_target = [&](int handle) {
+  const auto is_target = [&](Index handle) {
     return handle >= 0 && handle < asked.subject->size() &&
            (asked.stage_points.empty() || contains(asked.stage_points, handle));
   };
-  const auto is_set = [](std::vector<int> list) {
-    std::sort(list.begin(), list.end());
-    return std::adjacent_find(list.begin(), list.end()) == list.end();
+  const auto is_choice = [&](int i) { return i >= 0 && i < std::ssize(asked.choices); };
+  const auto is_set_of = [](auto all, auto is_one) {
+    std::sort(all.begin(), all.end());
+    return std::all_of(all.begin(), all.end(), is_one) && std::adjacent_find(all.begin(), all.end()) == all.end();
   };
-  switch (answer.kind) {
-    case Answer::Kind::kSkipped: return true;
-    case Answer::Kind::kChoice: {
-      const int choices = static_cast<int>(asked.choices.size());
-      return !asked.ordered && answer.value >= 0 && answer.value < (asked.many ? 1 << choices : choices);
-    }
-    case Answer::Kind::kPoint: return asked.on_stage && !asked.many && is_target(answer.value);
-    case Answer::Kind::kPoints:
-      return asked.on_stage && asked.many && !answer.list.empty() &&
-             std::all_of(answer.list.begin(), answer.list.end(), is_target) && is_set(answer.list);
-    case Answer::Kind::kOrder: {
-      const auto choices = asked.choices.size();
-      const auto is_choice = [&](int i) { return i >= 0 && i < static_cast<int>(choices); };
-      return asked.ordered && answer.list.size() == choices && is_set(answer.list) &&
-             std::all_of(answer.list.begin(), answer.list.end(), is_choice);
-    }
-    case Answer::Kind::kNumber: return asked.number && std::isfinite(answer.number);
-  }
-  return false;
+  return std::visit(
+      ByKind{
+          [](const Skipped&) { return true; },
+          [&](const OneHandle& one) { return asked.on_stage && !asked.many && is_target(one.handle); },
+          [&](const SeveralHandles& several) {
+            return asked.on_stage && asked.many && !several.handles.empty() && is_set_of(several.handles, is_target);
+          },
+          [&](const OneChoice& one) { return !asked.ordered && !asked.many && is_choice(one.choice); },
+          [&](const SeveralChoices& several) { return asked.many && is_set_of(several.choices, is_choice); },
+          [&](const ChoicesInOrder& all) {
+            return asked.ordered && all.choices.size() == asked.choices.size() && is_set_of(all.choices, is_choice);
+          },
+          [&](const TypedNumber& typed) { return asked.number && std::isfinite(typed.number); },
+      },
+      answer);
 }
 
 bool same_answer(const Asked& asked, const Answer& a, const Answer& b) {
-  if (a.kind == b.kind) return a == b;
-  const auto is_one = [](const Answer& answer) {
-    return answer.kind == Answer::Kind::kPoint || answer.kind == Answer::Kind::kChoice;
+  if (a.index() == b.index()) return a == b;
+  const auto names = [&](const Answer& one, const Answer& other) {
+    const auto* choice = std::get_if<OneChoice>(&one);
+    const auto* handle = std::get_if<OneHandle>(&other);
+    if (choice == nullptr || handle == nullptr || choice->choice >= std::ssize(asked.choice_handles)) return false;
+    const std::vector<Index>& named = asked.choice_handles[choice->choice];
+    return named.size() == 1 && named.front() == handle->handle;
   };
-  if (!is_one(a) || !is_one(b)) return false;
-  const Answer& choice = a.kind == Answer::Kind::kChoice ? a : b;
-  const Answer& handle = a.kind == Answer::Kind::kChoice ? b : a;
-  const std::size_t at = choice.value;
-  return at < asked.choice_handles.size() && asked.choice_handles[at].size() == 1 &&
-         asked.choice_handles[at].front() == handle.value;
+  return names(a, b) || names(b, a);
 }
 
 bool is_picked(const Asked& asked, const Answer& picked, int choice) {
-  if (picked.kind == Answer::Kind::kOrder) return contains(picked.list, choice);
-  if (asked.many) return (picked.value >> choice & 1) != 0;
-  return same_answer(asked, picked, {Answer::Kind::kChoice, choice});
+  return same_answer(asked, picked, OneChoice{choice}) || contains(choices_of(picked), choice);
 }
 
 int place_in_order(const Answer& picked, int choice) {
-  if (picked.kind != Answer::Kind::kOrder) return 0;
-  const auto at = std::find(picked.list.begin(), picked.list.end(), choice);
-  return at == picked.list.end() ? 0 : static_cast<int>(at - picked.list.begin()) + 1;
+  const auto* all = std::get_if<ChoicesInOrder>(&picked);
+  if (all == nullptr) return 0;
+  const auto at = std::find(all->choices.begin(), all->choices.end(), choice);
+  return at == all->choices.end() ? 0 : static_cast<int>(at - all->choices.begin()) + 1;
 }
 
 bool names_handle(const Answer& picked, Index handle) {
-  if (picked.kind == Answer::Kind::kPoints) return contains(picked.list, static_cast<int>(handle));
-  return picked.kind == Answer::Kind::kPoint && picked.value == handle;
+  if (const auto* several = std::get_if<SeveralHandles>(&picked)) return contains(several->handles, handle);
+  const auto* one = std::get_if<OneHandle>(&picked);
+  return one != nullptr && one->handle == handle;
 }
 
 bool can_be_said(const Asked& asked, std::string_view answer) {
@@ -318,12 +317,12 @@ bool can_be_said(const Asked& asked, std::string_view answer) {
 /// Which way the right answer lies from a wrong one, where the lesson has no words for it.
 static std::string way_to(const Asked& asked, const Answer& answer, const Truth& truth) {
   if (truth.pending) return {};
-  if (answer.kind == Answer::Kind::kNumber) {
-    if (std::abs(answer.number - truth.number) <= truth.tolerance) return {};
-    return answer.number < truth.number ? "That is too little." : "That is too much.";
-  }
-  if (answer.kind != Answer::Kind::kChoice || truth.choices.empty() || contains(truth.choices, answer.value)) return {};
-  return std::string(answer.value < truth.choices.front() ? asked.asking->before : asked.asking->after);
+  if (is_right(answer, truth)) return {};
+  if (const auto* typed = std::get_if<TypedNumber>(&answer))
+    return typed->number < truth.number ? "That is too little." : "That is too much.";
+  const auto* one = std::get_if<OneChoice>(&answer);
+  if (one == nullptr || truth.choices.empty()) return {};
+  return std::string(one->choice < truth.choices.front() ? asked.asking->before : asked.asking->after);
 }
 
 std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth) {
@@ -335,13 +334,14 @@ std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& tr
     return at < std::ssize(asked.choices) ? std::span<const Index>(asked.choice_handles[at]) : std::span<const Index>();
   };
   const auto is_given = [&](const std::string& what) {
-    if (answer.kind == Answer::Kind::kNumber) {
+    if (const auto* typed = std::get_if<TypedNumber>(&answer)) {
       const auto number = typed_number(what, asked.unit);
-      return number && std::abs(*number - answer.number) <= truth.tolerance;
+      return number && std::abs(*number - typed->number) <= truth.tolerance;
     }
     const int at = choice_of(what);
     const bool is_choice = at < std::ssize(asked.choices);
-    const bool is_tapped = answer.kind == Answer::Kind::kPoint && contains(handles_of(at), answer.value);
+    const auto* tapped = std::get_if<OneHandle>(&answer);
+    const bool is_tapped = tapped != nullptr && contains(handles_of(at), tapped->handle);
     if (is_tapped || (is_choice && is_picked(asked, answer, at))) return !contains(truth.choices, at);
     const auto handle = handle_named(*asked.subject, what);
     return handle && names_handle(answer, *handle) && !contains(truth.points, *handle);
@@ -352,7 +352,7 @@ std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& tr
            (handles_of(choice_of(meaning.answer)).empty() && !handle_named(*asked.subject, meaning.answer));
   };
   for (const Meaning& meaning : asked.question->meanings)
-    if (answer.kind != Answer::Kind::kSkipped && is_said(meaning) && is_given(meaning.answer))
+    if (!is_skipped(answer) && is_said(meaning) && is_given(meaning.answer))
       return in_words_of(asked.dim, meaning.says);
   return way_to(asked, answer, truth);
 }
@@ -399,20 +399,21 @@ void add_to(Tally& tally, const Outcome* outcome) {
   }
 }
 
-Outcome judge(const Asked& asked, const Answer& answer, const Run& run) {
+Outcome judge(const Asked& asked, const Answer& given, const Run& run) {
+  const Answer answer = as_asked(asked, given);
   const WithDecimals wished(asked.lesson->view.decimals);
   Truth truth = asked.asking->truth(asked, run);
   Outcome outcome;
   outcome.question = asked.question->id;
   outcome.given = answer;
-  outcome.skipped = answer.kind == Answer::Kind::kSkipped;
+  outcome.skipped = is_skipped(answer);
   outcome.tries = outcome.skipped ? 0 : 1;
   outcome.pending = truth.pending;
   outcome.from_step = asked.step;
   outcome.step = asked.until;
   outcome.because = asked.because;
   outcome.predicted = said_by(asked, answer, truth);
-  outcome.right = !truth.pending && is_right(asked, answer, truth);
+  outcome.right = !truth.pending && is_right(answer, truth);
   if (const std::string meaning = outcome.right ? std::string() : meaning_of(asked, answer, truth); !meaning.empty())
     outcome.because = meaning + " " + outcome.because;
   outcome.says = std::move(truth.sentence);
@@ -430,22 +431,22 @@ bool has_tie(const Asked& asked, const Run& run) {
 Answer model_answer(const Asked& asked, const Run& run) {
   const Truth truth = asked.asking->truth(asked, run);
   if (asked.many && asked.on_stage) {
-    std::vector<int> all(truth.points.begin(), truth.points.end());
+    std::vector<Index> all = truth.points;
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    return {.kind = Answer::Kind::kPoints, .list = std::move(all)};
+    return SeveralHandles{std::move(all)};
   }
   if (asked.many) {
-    int all = 0;
-    for (const int choice : truth.choices) all |= 1 << choice;
-    return {Answer::Kind::kChoice, all};
+    std::vector<int> all = truth.choices;
+    std::sort(all.begin(), all.end());
+    return SeveralChoices{std::move(all)};
   }
   // Less than a millionth of the tolerance is rounding, and is reported as 0.
   const bool nothing = std::abs(truth.number) < 1e-6 * truth.tolerance;
-  if (asked.number) return {.kind = Answer::Kind::kNumber, .number = nothing ? 0 : truth.number};
-  if (asked.ordered) return {.kind = Answer::Kind::kOrder, .list = truth.choices};
-  if (!truth.choices.empty()) return {Answer::Kind::kChoice, truth.choices.front()};
-  return {Answer::Kind::kPoint, truth.points.empty() ? 0 : truth.points.front()};
+  if (asked.number) return TypedNumber{nothing ? 0 : truth.number};
+  if (asked.ordered) return ChoicesInOrder{truth.choices};
+  if (!truth.choices.empty()) return OneChoice{truth.choices.front()};
+  return OneHandle{truth.points.empty() ? 0 : truth.points.front()};
 }
 
 }  // namespace snug::lesson

@@ -8,21 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "lesson/answer.hpp"
 #include "lesson/lesson.hpp"
 #include "lesson/subject.hpp"
 
 namespace snug::lesson {
 
 class TomlTable;
-
-/// An answer to a question: a handle of the stage, one of the question's choices, several of either, or a number.
-struct Answer {
-  enum class Kind { kPoint, kChoice, kSkipped, kPoints, kOrder, kNumber } kind = Kind::kSkipped;
-  int value = 0;               // the handle's index, or the choice counted from 0; if many can be chosen, their bits
-  std::vector<int> list = {};  // the handles, rising; or the choices in the order given
-  double number = 0;
-  friend bool operator==(const Answer&, const Answer&) = default;
-};
 
 /// A question as it is asked now, with the choices worked out from the run.
 struct Asked {
@@ -40,7 +32,7 @@ struct Asked {
   std::vector<std::string> choices;                // what may be chosen; empty if only the stage answers
   std::vector<std::vector<Index>> choice_handles;  // what each choice names on the stage
   bool on_stage = false;                           // whether a tap on a handle answers
-  bool many = false;                               // whether an answer can have several choices, as bits, or handles
+  bool many = false;                               // whether an answer can have several choices or handles
   bool ordered = false;                            // whether an answer puts all choices into an order
   bool number = false;                             // whether the answer is a number, and
   std::string unit;                                // its unit: "units", "%", "points"; empty for none
@@ -178,6 +170,9 @@ void read_bounds(TomlTable& table, Question& question);
 /// The ranges between a figure's bounds: "none", "1 to 12 points", "more than 12 points"; "at most 10 %".
 [[nodiscard]] std::vector<std::string> range_texts(std::span<const double> bounds, std::string_view unit);
 
+/// An answer that was kept or handed in, as its question means it: there, the bits of several choices look like one.
+[[nodiscard]] Answer as_asked(const Asked& asked, Answer answer);
+
 /// Whether this can be an answer to the question: a choice in range, or a handle that can be tapped.
 [[nodiscard]] bool answers(const Asked& asked, const Answer& answer);
 
@@ -201,8 +196,8 @@ void read_bounds(TomlTable& table, Question& question);
 /// Whether a wrong answer leaves at least two others: with only two answers, it would give the right one away.
 [[nodiscard]] bool has_second_try(const Asked& asked);
 
-/// The outcome of an answer. answer: one that answers() accepts, or a skip.
-[[nodiscard]] Outcome judge(const Asked& asked, const Answer& answer, const Run& run);
+/// The outcome of an answer, as the question means it. given: one that answers() accepts, or a skip.
+[[nodiscard]] Outcome judge(const Asked& asked, const Answer& given, const Run& run);
 
 /// Whether several answers are right, because what they name is equally far, large or early, while others are wrong.
 [[nodiscard]] bool has_tie(const Asked& asked, const Run& run);

@@ -255,10 +255,10 @@ double cost_margin(const Asked& asked, const Run& run) { return least_gap(operat
 template <Truth (*Ordered)(const Asked&, const Run&)>
 std::optional<Answer> reversed(const Asked& asked, const Run& run) {
   const Truth truth = Ordered(asked, run);
-  return Answer{.kind = Answer::Kind::kOrder, .list = {truth.choices.rbegin(), truth.choices.rend()}};
+  return ChoicesInOrder{{truth.choices.rbegin(), truth.choices.rend()}};
 }
 std::optional<Answer> tightest_first(const Asked& asked, const Run& run) {
-  return Answer{.kind = Answer::Kind::kOrder, .list = order_truth(asked, run).choices};
+  return ChoicesInOrder{order_truth(asked, run).choices};
 }
 constexpr std::array kOrderRules{WrongRule{"reversed", &reversed<order_truth>}};
 constexpr std::array kCostRules{WrongRule{"reversed", &reversed<cost_order_truth>},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace snug::lesson {
 
@@ -34,7 +35,11 @@ double Scores::lead() const {
   return sorted[0] - sorted[1];
 }
 
-Answer by_every_choice(const Asked& asked) { return by_choice((1 << std::ssize(asked.choices)) - 1); }
+SeveralChoices by_every_choice(const Asked& asked) {
+  std::vector<int> all(asked.choices.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {std::move(all)};
+}
 
 std::string choice_words(const Asked& asked, const std::vector<int>& choices) {
   std::string words;
@@ -42,10 +47,10 @@ std::string choice_words(const Asked& asked, const std::vector<int>& choices) {
   return words;
 }
 
-Answer by_handles(std::vector<int> handles) {
+SeveralHandles by_handles(std::vector<Index> handles) {
   std::sort(handles.begin(), handles.end());
   handles.erase(std::unique(handles.begin(), handles.end()), handles.end());
-  return {.kind = Answer::Kind::kPoints, .list = std::move(handles)};
+  return {std::move(handles)};
 }
 
 }  // namespace snug::lesson

@@ -28,13 +28,13 @@ struct Scores {
   [[nodiscard]] double lead() const;
 };
 
-[[nodiscard]] inline Answer by_handle(int handle) { return {Answer::Kind::kPoint, handle}; }
-[[nodiscard]] inline Answer by_choice(int choice) { return {Answer::Kind::kChoice, choice}; }
-/// All choices, where an answer can have several.
-[[nodiscard]] Answer by_every_choice(const Asked& asked);
+[[nodiscard]] inline Answer by_handle(int handle) { return OneHandle{handle}; }
+[[nodiscard]] inline Answer by_choice(int choice) { return OneChoice{choice}; }
+/// All choices.
+[[nodiscard]] SeveralChoices by_every_choice(const Asked& asked);
 /// "x, y": the words of some choices.
 [[nodiscard]] std::string choice_words(const Asked& asked, const std::vector<int>& choices);
 /// Several handles, each once.
-[[nodiscard]] Answer by_handles(std::vector<int> handles);
+[[nodiscard]] SeveralHandles by_handles(std::vector<Index> handles);
 
 }  // namespace snug::lesson

@@ -12,7 +12,6 @@
 namespace snug::lesson {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKinds{"point", "choice", "skipped", "points", "order", "number"};
 constexpr std::int64_t kMost = std::numeric_limits<int>::max();
 constexpr std::int64_t kMostSeed = std::int64_t{1} << 53;  // what a page's numbers can hold
 
@@ -64,18 +63,57 @@ void add_flag(std::string& out, std::string_view key, bool on) {
   if (on) (out += key) += " = true\n";
 }
 
+/// An answer as it is kept; of several choices the bits are the value.
+struct KeptAnswer {
+  std::string_view kind;
+  int value = 0;
+  std::vector<int> list = {};
+};
+
+KeptAnswer kept_of(const Answer& answer) {
+  return std::visit(ByKind{
+                        [](const Skipped&) { return KeptAnswer{"skipped"}; },
+                        [](const OneHandle& one) {
+                          return KeptAnswer{"point", one.handle};
+                        },
+                        [](const SeveralHandles& several) {
+                          return KeptAnswer{"points", 0, several.handles};
+                        },
+                        [](const OneChoice& one) {
+                          return KeptAnswer{"choice", one.choice};
+                        },
+                        [](const SeveralChoices& several) {
+                          return KeptAnswer{"choice", choice_bits(several)};
+                        },
+                        [](const ChoicesInOrder& all) {
+                          return KeptAnswer{"order", 0, all.choices};
+                        },
+                        [](const TypedNumber&) { return KeptAnswer{"number"}; },
+                    },
+                    answer);
+}
+
+Answer read_answer(TomlTable& table) {
+  const std::string kind = table.text("kind");
+  const int value = static_cast<int>(table.integer("value", -kMost, kMost));
+  const double number = table.any_number("number", 0);
+  std::vector<int> list;
+  if (table.has("list"))
+    for (const double entry : table.numbers("list")) list.push_back(static_cast<int>(entry));
+  if (kind == "point") return OneHandle{value};
+  if (kind == "points") return SeveralHandles{std::move(list)};
+  if (kind == "choice") return OneChoice{value};
+  if (kind == "order") return ChoicesInOrder{std::move(list)};
+  if (kind == "number") return TypedNumber{number};
+  return Skipped{};
+}
+
 Outcome read_outcome(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "[[answer]]", complaints);
   Outcome outcome;
   outcome.question = table.text("question");
   outcome.on = static_cast<std::uint64_t>(table.integer_or("on", 0, kMostSeed, 0));
-  const std::string kind = table.text("kind");
-  for (std::size_t i = 0; i < kKinds.size(); ++i)
-    if (kKinds[i] == kind) outcome.given.kind = static_cast<Answer::Kind>(i);
-  outcome.given.value = static_cast<int>(table.integer("value", -kMost, kMost));
-  outcome.given.number = table.any_number("number", 0);
-  if (table.has("list"))
-    for (const double entry : table.numbers("list")) outcome.given.list.push_back(static_cast<int>(entry));
+  outcome.given = read_answer(table);
   outcome.from_step = static_cast<int>(table.integer("from_step", 0, kMost));
   outcome.step = static_cast<int>(table.integer("step", 0, kMost));
   outcome.right = table.flag_or("right", false);
@@ -113,11 +151,12 @@ std::string kept_text(const KeptAnswers& answers) {
     out += "[[answer]]\n";
     add_text(out, "question", outcome.question);
     if (outcome.on != 0) ((out += "on = ") += std::to_string(outcome.on)) += '\n';
-    add_text(out, "kind", kKinds[static_cast<std::size_t>(outcome.given.kind)]);
-    add_number(out, "value", outcome.given.value);
-    add_list(out, "list", outcome.given.list);
-    if (outcome.given.kind == Answer::Kind::kNumber)
-      ((out += "number = ") += plain_double(outcome.given.number)) += '\n';
+    const KeptAnswer given = kept_of(outcome.given);
+    add_text(out, "kind", given.kind);
+    add_number(out, "value", given.value);
+    add_list(out, "list", given.list);
+    if (const auto* typed = std::get_if<TypedNumber>(&outcome.given))
+      ((out += "number = ") += plain_double(typed->number)) += '\n';
     add_number(out, "from_step", outcome.from_step);
     add_number(out, "step", outcome.step);
     add_flag(out, "right", outcome.right);

@@ -21,7 +21,7 @@ struct OrderLine {
 [[nodiscard]] inline std::vector<OrderLine> order_told(const Asked& asked, const Outcome& outcome,
                                                        std::span<const int> right) {
   std::vector<OrderLine> lines;
-  const std::vector<int>& given = outcome.given.list;
+  const std::span<const int> given = choices_of(outcome.given);
   for (std::size_t i = 0; i < right.size(); ++i) {
     const std::string& words = asked.choices[right[i]];
     // Equal ones may stand either way round.

@@ -24,15 +24,12 @@ std::optional<io::PointFile> file_of(const Subject& subject) {
 }
 
 /// What is picked one after the other to choose an answer; none for a number, which is typed.
-std::vector<Answer> parts_of(const Asked& asked, const Answer& answer) {
-  using Kind = Answer::Kind;
-  if (answer.kind == Kind::kNumber) return {};
+std::vector<Answer> parts_of(const Answer& answer) {
+  if (std::holds_alternative<OneHandle>(answer) || std::holds_alternative<OneChoice>(answer)) return {answer};
   std::vector<Answer> parts;
-  for (const int one : answer.list) parts.push_back({answer.kind == Kind::kPoints ? Kind::kPoint : Kind::kChoice, one});
-  if (!answer.list.empty()) return parts;
-  if (!asked.many) return {answer};
-  for (int i = 0; i < static_cast<int>(asked.choices.size()); ++i)
-    if (is_picked(asked, answer, i)) parts.push_back({Kind::kChoice, i});
+  for (const int choice : choices_of(answer)) parts.emplace_back(OneChoice{choice});
+  if (const auto* several = std::get_if<SeveralHandles>(&answer))
+    for (const Index handle : several->handles) parts.emplace_back(OneHandle{handle});
   return parts;
 }
 
@@ -135,7 +132,7 @@ void Reopening::take_answers(Session& session) const {
   for (const Outcome& outcome : outcomes_) {
     const Asked* asked = session.conversation().question_of(outcome);
     if (asked == nullptr) outcomes.push_back(outcome);  // it may be one of another algorithm
-    if (asked == nullptr || !answers(*asked, outcome.given)) continue;
+    if (asked == nullptr || !answers(*asked, as_asked(*asked, outcome.given))) continue;
     Outcome& again = outcomes.emplace_back(judge(*asked, outcome.given, session.player().run(0)));
     again.on = outcome.on, again.tries = outcome.tries, again.passed = outcome.passed;
   }
@@ -153,9 +150,9 @@ void Reopening::take_try(Session& session) const {
   const Asked* asked = session.conversation().asked();
   if (!tried_ || asked == nullptr || asked->question->id != tried_->question) return;
   if (!answers(*asked, tried_->answer)) return;
-  if (tried_->answer.kind == Answer::Kind::kNumber)
-    session.conversation().pick(std::string_view(typed(tried_->answer.number)));
-  for (const Answer& part : parts_of(*asked, tried_->answer)) session.conversation().pick(part);
+  if (const auto* number = std::get_if<TypedNumber>(&tried_->answer))
+    session.conversation().pick(std::string_view(typed(number->number)));
+  for (const Answer& part : parts_of(tried_->answer)) session.conversation().pick(part);
   session.conversation().commit();
 }
 

@@ -82,20 +82,23 @@ std::string how_to_answer(const Asked& asked) {
 }
 
 std::string chosen_text(const Asked& asked, const Answer& answer, const std::string& name) {
-  if (asked.number) return plain_number(answer.number) + " chosen. Press Enter to answer.";
-  if (asked.ordered) {
-    const std::size_t left = asked.choices.size() - answer.list.size();
-    return left == 0 ? "All in order. Press Answer." : std::to_string(left) + " still to choose.";
-  }
-  if (answer.kind == Answer::Kind::kPoints)
-    return asked.names(std::vector<Index>(answer.list.begin(), answer.list.end())) +
-           " chosen. Press Answer when you have them all.";
-  if (asked.many) {
-    const int count = __builtin_popcount(static_cast<unsigned>(answer.value));
-    return std::to_string(count) + " chosen. Press Answer when you have them all.";
-  }
-  if (answer.kind == Answer::Kind::kPoint) return name + " chosen. Tap it again or press Enter to answer.";
-  return "“" + asked.choices[answer.value] + "” chosen. Choose it again or press Enter to answer.";
+  const auto several = [](const std::string& what) { return what + " chosen. Press Answer when you have them all."; };
+  return std::visit(
+      ByKind{
+          [](const Skipped&) { return std::string(); },
+          [&](const OneHandle&) { return name + " chosen. Tap it again or press Enter to answer."; },
+          [&](const SeveralHandles& all) { return several(asked.names(all.handles)); },
+          [&](const OneChoice& one) {
+            return "“" + asked.choices[one.choice] + "” chosen. Choose it again or press Enter to answer.";
+          },
+          [&](const SeveralChoices& all) { return several(std::to_string(all.choices.size())); },
+          [&](const ChoicesInOrder& all) {
+            const std::size_t left = asked.choices.size() - all.choices.size();
+            return left == 0 ? "All in order. Press Answer." : std::to_string(left) + " still to choose.";
+          },
+          [](const TypedNumber& typed) { return plain_number(typed.number) + " chosen. Press Enter to answer."; },
+      },
+      answer);
 }
 
 std::string no_target_text(const std::string& name, std::span<const std::string> targets) {

@@ -138,6 +138,7 @@ void Session::conduct(Conduct conduct) {
 
 void Session::take_up(std::vector<Outcome> outcomes) {
   log_->take_up(std::move(outcomes));
+  conversation_->take_as_asked();
   conversation_->show_nothing();
 }
 

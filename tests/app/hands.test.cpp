@@ -142,7 +142,7 @@ TEST_CASE("a second click answers and selects nothing; a wrong guess is crossed 
   bench.click("P3");
   CHECK(bench.session().log().outcomes().empty());
   REQUIRE(bench.session().conversation().picked() != nullptr);
-  CHECK(bench.session().conversation().picked()->value == 3);
+  CHECK(*bench.session().conversation().picked() == lesson::Answer(lesson::OneHandle{3}));
   bench.click("P3");
   REQUIRE(bench.session().conversation().outcome() != nullptr);
   CHECK_FALSE(bench.session().conversation().outcome()->right);
@@ -171,8 +171,8 @@ TEST_CASE("of an answer of several choices, the handles of each are marked") {
     if (conversation.asked() == nullptr) session->forward();
     else REQUIRE(conversation.give(right()));
   const auto handles = conversation.asked()->choice_handles;
-  const int wrong = right().value == 1 ? 1 : 0;  // this choice alone
-  REQUIRE(conversation.give({lesson::Answer::Kind::kChoice, 1 << wrong}));
+  const int wrong = right() == lesson::Answer(lesson::SeveralChoices{{0}}) ? 1 : 0;  // this choice alone
+  REQUIRE(conversation.give(lesson::SeveralChoices{{wrong}}));
   CHECK(shown_at(*session).guessed_wrong == handles[wrong]);
 }
 
@@ -181,16 +181,17 @@ TEST_CASE("the bracket keys go through what can be the answer alone, and Enter g
   REQUIRE(bench.app.command("step"));
   const std::vector<Index> targets = bench.session().conversation().targets();
   REQUIRE(targets.size() < static_cast<std::size_t>(bench.session().stage().subject().size()));
+  const auto picked = [&] { return std::get<lesson::OneHandle>(*bench.session().conversation().picked()).handle; };
   CHECK_FALSE(bench.app.command("commit_answer"));
   for (const Index wanted : targets) {
     REQUIRE(bench.app.command(bench.key("]")));
     REQUIRE(bench.session().conversation().picked() != nullptr);
-    CHECK(bench.session().conversation().picked()->value == wanted);
+    CHECK(picked() == wanted);
   }
   REQUIRE(bench.app.command(bench.key("]")));  // round to the first
-  CHECK(bench.session().conversation().picked()->value == targets.front());
+  CHECK(picked() == targets.front());
   REQUIRE(bench.app.command(bench.key("[")));
-  CHECK(bench.session().conversation().picked()->value == targets.back());
+  CHECK(picked() == targets.back());
   REQUIRE(bench.app.command(bench.key("Escape")));
   CHECK(bench.session().conversation().picked() == nullptr);
   REQUIRE(bench.app.command(bench.key("]")));
@@ -249,7 +250,7 @@ TEST_CASE("watching an outcome plays from its question to it, and stops there") 
   Bench bench(asking_at_start());
   bench.session().go(0);
   CHECK_FALSE(bench.app.command("watch_outcome"));
-  REQUIRE(bench.session().conversation().give({lesson::Answer::Kind::kPoint, 6}));
+  REQUIRE(bench.session().conversation().give(lesson::OneHandle{6}));
   const int decided = bench.session().player().step();
   REQUIRE(decided >= 2);
   REQUIRE(bench.app.command("watch_outcome"));
@@ -275,10 +276,10 @@ TEST_CASE("answering plays what was skipped, in four seconds at most, and tells 
   bench.frames(1);
   const int decided = bench.session().conversation().asked()->until;
   REQUIRE(decided >= 2);
-  REQUIRE(bench.session().conversation().pick({lesson::Answer::Kind::kPoint, 6}));
+  REQUIRE(bench.session().conversation().pick(lesson::OneHandle{6}));
   REQUIRE(bench.app.command("commit_answer"));
   if (bench.session().conversation().asked() != nullptr) {  // it was wrong, and may be tried again
-    REQUIRE(bench.session().conversation().pick({lesson::Answer::Kind::kPoint, 2}));
+    REQUIRE(bench.session().conversation().pick(lesson::OneHandle{2}));
     REQUIRE(bench.app.command("commit_answer"));
   }
   REQUIRE(bench.session().conversation().deciding() != nullptr);
@@ -315,7 +316,7 @@ TEST_CASE("who wants no motion is taken to the outcome at once") {
 TEST_CASE("nothing is watched where the outcome follows its question at once") {
   Bench bench(asking_for_pair());
   REQUIRE(bench.app.command("step"));
-  REQUIRE(bench.session().conversation().give({lesson::Answer::Kind::kChoice, 0}));
+  REQUIRE(bench.session().conversation().give(lesson::OneChoice{0}));
   REQUIRE(bench.session().conversation().outcome() != nullptr);
   CHECK_FALSE(bench.app.command("watch_outcome"));
   CHECK_FALSE(bench.app.playing());

@@ -131,7 +131,7 @@ void draw_choice(const AxisTable& table, const lesson::Session& session, int row
   const Look& look = table.look;
   if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   const lesson::Answer* picked = session.conversation().picked();
-  const bool chosen = picked != nullptr && picked->value == row;
+  const bool chosen = picked != nullptr && is_picked(*session.conversation().asked(), *picked, row);
   table.list->AddRect({table.x - 6, y + 1}, {table.x + table.width + 6, y + look.px(kRow) - 1},
                       with_alpha(look->current, chosen || hovered ? 0.9f : 0.35f), 4, 0, chosen ? 2.5f : 1.0f);
 }
@@ -191,7 +191,7 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
     if (light != nullptr && (touch.hovered || touch.focused)) light->pointed = i;
     if (choosing) draw_choice(table, session, i, y, touch.hovered);
     if (choosing && touch.clicked) {
-      static_cast<void>(session.conversation().pick({lesson::Answer::Kind::kChoice, i}));
+      static_cast<void>(session.conversation().pick(lesson::OneChoice{i}));
       return y - at.y;  // the click may have closed the question
     }
     if (light != nullptr && touch.clicked) light->tapped = light->tapped == i ? -1 : i;

@@ -77,12 +77,12 @@ void draw_choices(const FrameTable& table, lesson::Session& session) {
     const std::string name = "R" + std::to_string(i + 1) + std::to_string(j + 1);
     const Touch touch = touch_area(("entry " + name).c_str(), rect, name);
     const lesson::Answer* picked = session.conversation().picked();
-    const bool chosen = picked != nullptr && (picked->value >> choice & 1) != 0;
+    const bool chosen = picked != nullptr && is_picked(*session.conversation().asked(), *picked, choice);
     if (touch.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     table.list->AddRect({rect.x, rect.y}, {rect.x + rect.width, rect.y + rect.height},
                         with_alpha(table.look->current, chosen || touch.hovered ? 0.9f : 0.35f), 3, 0,
                         chosen ? 2.5f : 1.0f);
-    if (touch.clicked) return static_cast<void>(session.conversation().pick({lesson::Answer::Kind::kChoice, choice}));
+    if (touch.clicked) return static_cast<void>(session.conversation().pick(lesson::OneChoice{choice}));
   }
 }
 

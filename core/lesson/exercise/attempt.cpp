@@ -12,7 +12,6 @@
 namespace snug::lesson {
 namespace {
 
-using AnswerKind = Answer::Kind;
 constexpr std::size_t kMostRows = 10'000;
 
 std::string built_text(const Rows& rows) {
@@ -31,15 +30,16 @@ std::string list_text(const std::vector<int>& list) {
 }
 
 std::string text_of(const Answer& answer) {
-  switch (answer.kind) {
-    case AnswerKind::kPoint: return 'p' + std::to_string(answer.value);
-    case AnswerKind::kChoice: return 'c' + std::to_string(answer.value);
-    case AnswerKind::kPoints: return 'l' + list_text(answer.list);
-    case AnswerKind::kOrder: return 'o' + list_text(answer.list);
-    case AnswerKind::kNumber: return 'n' + io::shortest_text(answer.number);
-    case AnswerKind::kSkipped: break;
-  }
-  return "s";
+  return std::visit(ByKind{
+                        [](const Skipped&) { return std::string("s"); },
+                        [](const OneHandle& one) { return 'p' + std::to_string(one.handle); },
+                        [](const SeveralHandles& several) { return 'l' + list_text(several.handles); },
+                        [](const OneChoice& one) { return 'c' + std::to_string(one.choice); },
+                        [](const SeveralChoices& several) { return 'c' + std::to_string(choice_bits(several)); },
+                        [](const ChoicesInOrder& all) { return 'o' + list_text(all.choices); },
+                        [](const TypedNumber& typed) { return 'n' + io::shortest_text(typed.number); },
+                    },
+                    answer);
 }
 
 std::optional<int> whole_of(std::string_view text) {
@@ -80,21 +80,21 @@ std::optional<Answer> answer_of(std::string_view text) {
   if (kind == 's') return text.empty() ? std::optional(Answer()) : std::nullopt;
   if (kind == 'p' || kind == 'c') {
     const auto value = whole_of(text);
-    return value ? std::optional(Answer{kind == 'p' ? AnswerKind::kPoint : AnswerKind::kChoice, *value}) : std::nullopt;
+    if (!value) return std::nullopt;
+    return kind == 'p' ? Answer(OneHandle{*value}) : OneChoice{*value};
   }
   if (kind == 'n') {
     const auto number = io::parse_number(text);
-    return number && std::isfinite(*number) ? std::optional(Answer{.kind = AnswerKind::kNumber, .number = *number})
-                                            : std::nullopt;
+    return number && std::isfinite(*number) ? std::optional<Answer>(TypedNumber{*number}) : std::nullopt;
   }
   if (kind != 'l' && kind != 'o') return std::nullopt;
-  Answer answer{.kind = kind == 'l' ? AnswerKind::kPoints : AnswerKind::kOrder};
+  std::vector<int> list;
   while (!text.empty()) {
     const auto entry = whole_of(take_until(text, '.'));
     if (!entry) return std::nullopt;
-    answer.list.push_back(*entry);
+    list.push_back(*entry);
   }
-  return answer;
+  return kind == 'l' ? Answer(SeveralHandles{std::move(list)}) : ChoicesInOrder{std::move(list)};
 }
 
 }  // namespace

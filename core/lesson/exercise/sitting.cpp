@@ -84,8 +84,9 @@ double price_of(const Session& session, std::size_t at, int hints) {
 
 /// Whether an answer is what a wrong rule decides: of numbers, within the tolerance.
 bool follows(const Asked& asked, const Answer& decided, const Answer& answer) {
-  if (decided.kind == Answer::Kind::kNumber && answer.kind == decided.kind)
-    return std::abs(decided.number - answer.number) <= asked.question->tolerance;
+  const auto *decides = std::get_if<TypedNumber>(&decided), *typed = std::get_if<TypedNumber>(&answer);
+  if (decides != nullptr && typed != nullptr)
+    return std::abs(decides->number - typed->number) <= asked.question->tolerance;
   return same_answer(asked, decided, answer);
 }
 
@@ -103,16 +104,20 @@ Answer some_wrong(const Asked& asked, const Run& run, const Answer& other) {
     return answers(asked, one) && !judge(asked, one, run).right && !same_answer(asked, one, other);
   };
   Answer right = model_answer(asked, run);
-  if (asked.number)
-    return right.number = std::max(right.number, other.number) + 1 + 10 * asked.question->tolerance, right;
-  if (asked.ordered) return std::reverse(right.list.begin(), right.list.end()), right;
-  for (int i = 0; i < std::ssize(asked.choices); ++i)
-    if (const Answer one{Answer::Kind::kChoice, asked.many ? 1 << i : i}; is_wrong(one)) return one;
-  for (Index i = 0; i < asked.subject->size(); ++i) {
-    const Answer one = asked.many ? Answer{.kind = Answer::Kind::kPoints, .list = {static_cast<int>(i)}}
-                                  : Answer{Answer::Kind::kPoint, static_cast<int>(i)};
-    if (is_wrong(one)) return one;
+  if (auto* typed = std::get_if<TypedNumber>(&right)) {
+    const auto* before = std::get_if<TypedNumber>(&other);
+    const double most = std::max(typed->number, before != nullptr ? before->number : 0);
+    typed->number = most + 1 + 10 * asked.question->tolerance;
+    return right;
   }
+  if (auto* all = std::get_if<ChoicesInOrder>(&right)) {
+    std::reverse(all->choices.begin(), all->choices.end());
+    return right;
+  }
+  for (int i = 0; i < std::ssize(asked.choices); ++i)
+    if (Answer one = asked.many ? Answer(SeveralChoices{{i}}) : OneChoice{i}; is_wrong(one)) return one;
+  for (Index i = 0; i < asked.subject->size(); ++i)
+    if (Answer one = asked.many ? Answer(SeveralHandles{{i}}) : OneHandle{i}; is_wrong(one)) return one;
   return right;
 }
 
@@ -373,7 +378,7 @@ tl::expected<void, InputError> Sitting::take_up(Session& session, const Attempt&
     for (int hint = 0; hint < attempt.made[i].hints; ++hint)
       if (!take_hint(session)) return refuse(i, "has more hints than there are");
     for (const Answer& answer : attempt.made[i].tries)
-      if (answer.kind == Answer::Kind::kSkipped || at(session) != i || !session.conversation().give(answer, false))
+      if (is_skipped(answer) || at(session) != i || !session.conversation().give(answer, false))
         return refuse(i, "cannot be answered like that");
     while (session.conversation().acknowledge()) {
     }

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "io/text.hpp"
+#include "lesson/decide.hpp"
 #include "lesson/names.hpp"
 #include "lesson/prose_figures.hpp"
 #include "lesson/say.hpp"
@@ -25,6 +26,7 @@ bool Conversation::follow(bool entered) {
                     stage_->is_own() && !is_disturbed);
   player_->mark(places(), player_->steps());
   forget();
+  take_as_asked();
   return open_at(0) != nullptr;
 }
 
@@ -175,48 +177,57 @@ const Answer* Conversation::tried() const {
 
 bool Conversation::pick(const Answer& chosen, bool gives) {
   const Asked* question = asked();
-  if (question == nullptr || chosen.kind == Answer::Kind::kSkipped) return false;
+  if (question == nullptr || is_skipped(chosen)) return false;
   if (question->many || question->ordered) return pick_one_more(*question, chosen);
   const Subject& subject = stage_->subject();
-  const bool point = chosen.kind == Answer::Kind::kPoint && chosen.value >= 0 && chosen.value < subject.size();
+  const auto* handle = std::get_if<OneHandle>(&chosen);
+  if (handle != nullptr && (handle->handle < 0 || handle->handle >= subject.size())) return false;
+  const std::string name = handle != nullptr ? subject.name_of(handle->handle) : std::string();
   if (!answers(*question, chosen))
-    return point && question->on_stage ? refuse(no_target_text(subject.name_of(chosen.value), target_names())) : false;
+    return handle != nullptr && question->on_stage ? refuse(no_target_text(name, target_names())) : false;
   if (tried() != nullptr && same_answer(*question, *tried(), chosen)) return refuse(std::string(kTriedAlready));
   if (stage_->conduct().decides && gives) return give(chosen, false);
   if (picked_ && same_answer(*question, *picked_, chosen)) return commit();
-  choose(chosen, point ? subject.name_of(chosen.value) : std::string());
+  choose(chosen, name);
   return true;
 }
 
 /// Where an answer has several parts: adds this one to what is chosen, or takes it out again.
 bool Conversation::pick_one_more(const Asked& question, const Answer& chosen) {
-  const bool point = chosen.kind == Answer::Kind::kPoint;
-  if (point != question.on_stage) return false;
-  const std::vector<Index> tappable = targets();
-  if (point && std::find(tappable.begin(), tappable.end(), chosen.value) == tappable.end())
-    return chosen.value >= 0 && chosen.value < stage_->subject().size()
-               ? refuse(no_target_text(stage_->subject().name_of(chosen.value), target_names()))
-               : false;
-  if (!point && (chosen.value < 0 || chosen.value >= static_cast<int>(question.choices.size()))) return false;
-  Answer next = picked_.value_or(Answer{});
+  const auto* handle = std::get_if<OneHandle>(&chosen);
+  const auto* choice = std::get_if<OneChoice>(&chosen);
+  if (question.on_stage) return handle != nullptr && pick_one_more_handle(handle->handle);
+  if (choice == nullptr || choice->choice < 0 || choice->choice >= std::ssize(question.choices)) return false;
+  const std::span<const int> before = picked_ ? choices_of(*picked_) : std::span<const int>();
+  std::vector<int> all(before.begin(), before.end());
   unpick();
-  if (!point && !question.ordered) {
-    next = {Answer::Kind::kChoice, next.value ^ 1 << chosen.value};
-    if (next.value == 0) return true;
-  } else {
-    next.kind = point ? Answer::Kind::kPoints : Answer::Kind::kOrder;
-    if (std::erase(next.list, chosen.value) == 0) next.list.push_back(chosen.value);
-    if (next.list.empty()) return true;
-    if (point) std::sort(next.list.begin(), next.list.end());
-  }
-  choose(std::move(next));
+  if (std::erase(all, choice->choice) == 0) all.push_back(choice->choice);
+  if (all.empty()) return true;
+  if (question.ordered) return choose(ChoicesInOrder{std::move(all)}), true;
+  std::sort(all.begin(), all.end());
+  choose(SeveralChoices{std::move(all)});
+  return true;
+}
+
+bool Conversation::pick_one_more_handle(Index handle) {
+  const std::vector<Index> tappable = targets();
+  if (handle < 0 || handle >= stage_->subject().size()) return false;
+  if (std::find(tappable.begin(), tappable.end(), handle) == tappable.end())
+    return refuse(no_target_text(stage_->subject().name_of(handle), target_names()));
+  SeveralHandles all;
+  if (const auto* before = picked_ ? std::get_if<SeveralHandles>(&*picked_) : nullptr) all = *before;
+  unpick();
+  if (std::erase(all.handles, handle) == 0) all.handles.push_back(handle);
+  if (all.handles.empty()) return true;
+  std::sort(all.handles.begin(), all.handles.end());
+  choose(std::move(all));
   return true;
 }
 
 bool Conversation::pick_number(const Asked& question, std::string_view typed) {
   const std::optional<double> number = typed_number(typed, question.unit);
   if (!number) return refuse(no_number_text(typed));
-  const Answer meant{.kind = Answer::Kind::kNumber, .number = *number};
+  const Answer meant = TypedNumber{*number};
   if (tried() != nullptr && same_answer(question, *tried(), meant)) return refuse(std::string(kTriedAlready));
   choose(meant);
   return true;
@@ -226,7 +237,7 @@ bool Conversation::pick_number(const Asked& question, std::string_view typed) {
 bool Conversation::pick_names(std::string_view typed) {
   std::string words(typed);
   std::replace(words.begin(), words.end(), ',', ' ');
-  Answer all{.kind = Answer::Kind::kPoints};
+  std::vector<Index> all;
   const std::vector<Index> tappable = targets();
   for (std::string_view rest = words; !(rest = io::trim(rest)).empty();) {
     const std::string_view word = io::take_word(rest);
@@ -234,11 +245,10 @@ bool Conversation::pick_names(std::string_view typed) {
     const auto named = [&](Index i) { return plain_name(stage_->subject().name_of(i)) == plain_name(word); };
     const auto found = std::find_if(tappable.begin(), tappable.end(), named);
     if (found == tappable.end()) return refuse(no_such_name_text(word, target_names()));
-    if (std::find(all.list.begin(), all.list.end(), *found) == all.list.end()) all.list.push_back(*found);
+    all.push_back(*found);
   }
-  if (all.list.empty()) return refuse(no_such_name_text(typed, target_names()));
-  std::sort(all.list.begin(), all.list.end());
-  choose(std::move(all));
+  if (all.empty()) return refuse(no_such_name_text(typed, target_names()));
+  choose(by_handles(std::move(all)));
   return true;
 }
 
@@ -250,7 +260,7 @@ bool Conversation::pick(std::string_view name) {
   const std::string typed = plain_name(name);
   for (Index i = 0; i < stage_->subject().size(); ++i) {
     if (plain_name(stage_->subject().name_of(i)) != typed) continue;
-    const Answer meant{Answer::Kind::kPoint, i};
+    const Answer meant = OneHandle{i};
     return (picked_ && same_answer(*question, *picked_, meant)) || pick(meant, false);
   }
   return refuse(no_such_name_text(name, target_names()));
@@ -311,11 +321,13 @@ void Conversation::close_summary() {
   ++revision_;
 }
 
-bool Conversation::give(const Answer& answer, bool for_good) {
+bool Conversation::give(const Answer& given, bool for_good) {
   const Asked* question = asked();
-  if (question == nullptr || !answers(*question, answer)) return false;
+  if (question == nullptr) return false;
+  const Answer answer = as_asked(*question, given);
+  if (!answers(*question, answer)) return false;
   const Conduct& conduct = stage_->conduct();
-  if (conduct.decides && answer.kind == Answer::Kind::kSkipped) return refuse(std::string(kNoSkipping));
+  if (conduct.decides && is_skipped(answer)) return refuse(std::string(kNoSkipping));
   Outcome outcome = judged(*question, answer);
   const bool second = tried() != nullptr, right = outcome.right;
   log_->add(question->question->id, answer, right);
@@ -449,6 +461,11 @@ std::vector<int> Conversation::right_choices() const {
   const Outcome* told = outcome();
   const Asked* question = told != nullptr ? question_of(*told) : nullptr;
   return question != nullptr ? question->asking->truth(*question, player_->run(0)).choices : std::vector<int>();
+}
+
+/// Of what was kept, only a question knows what it means.
+void Conversation::take_as_asked() {
+  for (const Asked& asked : asked_) log_->take_as_asked(asked);
 }
 
 void Conversation::judge_again() {

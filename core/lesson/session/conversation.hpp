@@ -63,7 +63,7 @@ class Conversation final : public PlayerFollower {
   /// prediction and result can be compared. for_good: at once, and without a second try; else a wrong first answer may
   /// only be called wrong, and a door that plays the way (play_answers) is left to play it. Returns false, and changes
   /// nothing, if nothing is asked or if this cannot be an answer (a handle that is no choice).
-  bool give(const Answer& answer, bool for_good = true);
+  bool give(const Answer& given, bool for_good = true);
   /// The "next" key at a question: the first press announces that a second one skips the question, the second skips it.
   /// Returns false if nothing is asked.
   bool pass_by();
@@ -125,10 +125,12 @@ class Conversation final : public PlayerFollower {
   bool refuse(std::string why);
   void choose(Answer answer, const std::string& name = {});
   [[nodiscard]] const Asked* open_at(int step) const;
+  void take_as_asked();
   [[nodiscard]] Outcome judged(const Asked& asked, const Answer& answer) const;
   void go_to_next_decision();
   bool try_again(const Asked& question, const Answer& answer);
   bool pick_one_more(const Asked& question, const Answer& chosen);
+  bool pick_one_more_handle(Index handle);
   bool pick_number(const Asked& question, std::string_view typed);
   bool pick_names(std::string_view typed);
   [[nodiscard]] int told_at(const Asked& own) const;

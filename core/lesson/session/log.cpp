@@ -80,6 +80,11 @@ void Log::take_up(std::vector<Outcome> outcomes) {
   outcomes_ = std::move(outcomes);
 }
 
+void Log::take_as_asked(const Asked& asked) {
+  for (Outcome& outcome : outcomes_)
+    if (outcome.question == asked.question->id) outcome.given = as_asked(asked, std::move(outcome.given));
+}
+
 void Log::take_up(const std::vector<DoneTask>& tasks, std::vector<std::string> moved) {
   moved_ = std::move(moved);
   for (const auto& [task, by] : tasks)

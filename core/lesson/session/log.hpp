@@ -67,6 +67,8 @@ class Log {
   /// Takes over what is known of an earlier session, without unknown questions and tasks.
   void take_up(std::vector<Outcome> outcomes);
   void take_up(const std::vector<DoneTask>& tasks, std::vector<std::string> moved);
+  /// Reads the answers to a question as it means them (as_asked).
+  void take_as_asked(const Asked& asked);
   /// Forgets all but the tasks.
   void forget_answers();
 

@@ -102,7 +102,7 @@ TEST_CASE("a number is right within its tolerance, with its unit or without") {
   CHECK(kept == outcome_of_own(session).given);
 
   Session other = at_own(keys);
-  REQUIRE(other.conversation().give(Answer{.kind = Answer::Kind::kNumber, .number = 2.2601}));
+  REQUIRE(other.conversation().give(TypedNumber{2.2601}));
   CHECK_FALSE(outcome_of_own(other).right);
   CHECK_FALSE(
       check::checked_lesson(with_question("algorithm = \"ritter\"\nbefore = \"finished\"\nasks = \"number\"\nfigure = "
@@ -160,7 +160,7 @@ TEST_CASE("an order is told line by line, each with its place in the answer; equ
   const std::vector<int> right{1, 3, 0, 2};
   const auto told = [&](std::vector<int> given, bool is_right) {
     Outcome outcome;
-    outcome.given = {.kind = Answer::Kind::kOrder, .list = std::move(given)};
+    outcome.given = ChoicesInOrder{std::move(given)};
     outcome.right = is_right;
     std::string text;
     for (const auto& [words, place, fine] : order_told(asked, outcome, right))
@@ -184,7 +184,7 @@ TEST_CASE("lines to be put into order are never shown in order") {
     CHECK(shown != std::vector<std::string>{"first", "second", "third"});
     const Answer right = model_answer(*session.conversation().asked(), session.player().run(0));
     std::vector<std::string> told;
-    for (const int one : right.list) told.push_back(shown[one]);
+    for (const int one : choices_of(right)) told.push_back(shown[one]);
     CHECK(told == std::vector<std::string>{"first", "second", "third"});
     REQUIRE(session.conversation().give(right));
     CHECK(session.log().outcomes().front().right);
@@ -199,7 +199,7 @@ TEST_CASE("the cheapest is that with the fewest operations") {
   CHECK(operations("ritter") < operations("brute_force"));
   const Answer right = model_answer(*session.conversation().asked(), session.player().run(0));
   const std::array<const char*, 3> names{"ritter", "welzl", "brute_force"};
-  for (const char* name : names) CHECK(operations(names[right.value]) <= operations(name));
+  for (const char* name : names) CHECK(operations(names[std::get<OneChoice>(right).choice]) <= operations(name));
 }
 
 TEST_CASE("a wrong answer is told what it means, at the first try and in the outcome") {

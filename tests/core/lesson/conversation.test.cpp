@@ -59,7 +59,7 @@ TEST_CASE("a first wrong answer is told to be wrong, and nothing else") {
   CHECK(session.player().step() == step);
   CHECK(session.telling().caption() == caption);
   REQUIRE(session.conversation().tried() != nullptr);
-  CHECK(session.conversation().tried()->value == 3);
+  CHECK(*session.conversation().tried() == Answer(OneHandle{3}));
   CHECK_FALSE(session.conversation().pick(point(3)));
   CHECK(session.conversation().answer_says() == "You have tried that one. Try another.");
   SUBCASE("right on the second try") {

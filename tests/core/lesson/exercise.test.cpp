@@ -179,7 +179,7 @@ TEST_CASE("the instance of a seed is the same everywhere, and no other exercise'
 
 TEST_CASE("a second try earns a half, each hint a quarter less, and one that tells it nothing") {
   Sat sat(exercise_of("fit-a-kdop"));
-  const Answer wrong{.kind = Answer::Kind::kPoints, .list = {0}};
+  const Answer wrong = SeveralHandles{{0}};
   REQUIRE(sat.session.conversation().give(wrong, false));
   CHECK(sat.sitting.mark(sat.session) == 0);
   CHECK(sat.session.conversation().tried() != nullptr);
@@ -201,10 +201,10 @@ TEST_CASE("a second try earns a half, each hint a quarter less, and one that tel
 
 TEST_CASE("after two wrong answers the right step is shown, and the run goes on from it") {
   Sat sat(exercise_of("be-quickhull"));
-  const Index right = sat.right().value;
+  const Index right = std::get<OneHandle>(sat.right()).handle;
   for (const Index i : sat.session.conversation().targets())
     if (i != right && sat.session.conversation().outcome() == nullptr)
-      REQUIRE(sat.session.conversation().give({Answer::Kind::kPoint, i}, false));
+      REQUIRE(sat.session.conversation().give(OneHandle{i}, false));
   REQUIRE(sat.session.conversation().outcome() != nullptr);
   CHECK(sat.sitting.at(sat.session) == 0);
   CHECK_FALSE(sat.session.conversation().outcome()->right);
@@ -237,7 +237,7 @@ TEST_CASE("a tap decides, a key only chooses, nothing can be skipped, and the st
 TEST_CASE("where all is told at the end, a decision can be taken back, and nothing is told before") {
   Sat sat(
       exercise_from(ritter_with("lesson = \"sphere-ritter\"", "lesson = \"sphere-ritter\"\ntold = \"at the end\"")));
-  const Answer none{.kind = Answer::Kind::kPoints, .list = {0}};
+  const Answer none = SeveralHandles{{0}};
   REQUIRE(sat.session.conversation().give(none, false));
   CHECK(sat.session.conversation().tried() == nullptr);
   CHECK(sat.session.conversation().outcome() == nullptr);
@@ -257,8 +257,8 @@ TEST_CASE("an attempt is written, read and replayed to the same mark") {
   Sat sat(exercise, 5);
   sat.sitting.take_hint(sat.session);
   sat.decide();
-  const Index right = sat.right().value;
-  REQUIRE(sat.session.conversation().give({Answer::Kind::kChoice, right == 0 ? 1 : 0}, false));
+  const bool first = sat.right() == Answer(OneChoice{0});
+  REQUIRE(sat.session.conversation().give(OneChoice{first ? 1 : 0}, false));
   sat.decide();
   Attempt attempt = sat.sitting.attempt(sat.session);
   CHECK(attempt.made.size() == 2);
@@ -276,7 +276,7 @@ TEST_CASE("an attempt is written, read and replayed to the same mark") {
   Sat later(exercise, 5);
   REQUIRE(later.sitting.take_up(later.session, attempt));
   CHECK(later.sitting.at(later.session) == 2);
-  attempt.made.push_back({0, {{Answer::Kind::kPoint, 4000}}, {}, 1});
+  attempt.made.push_back({0, {OneHandle{4000}}, {}, 1});
   CHECK_FALSE(grade(exercise, attempt));
 }
 
@@ -306,15 +306,14 @@ TEST_CASE("when it is over, the student's run is gone through with what was righ
   using Looked = Sitting::Looked;
   Sat sat(exercise_of("be-quickhull"));
   Session& session = sat.session;
-  const std::string right = session.stage().subject().name_of(sat.right().value);
+  const std::string right = session.stage().subject().name_of(std::get<OneHandle>(sat.right()).handle);
   sat.decide();
   CHECK_FALSE(sat.sitting.change_run(session));
   const Asked& second = sat.asked();
   std::string last;
   for (const Index i : session.conversation().targets())
-    if (session.conversation().outcome() == nullptr &&
-        !judge(second, {Answer::Kind::kPoint, i}, session.player().run(0)).right) {
-      REQUIRE(session.conversation().give({Answer::Kind::kPoint, i}, false));
+    if (session.conversation().outcome() == nullptr && !judge(second, OneHandle{i}, session.player().run(0)).right) {
+      REQUIRE(session.conversation().give(OneHandle{i}, false));
       last = session.stage().subject().name_of(i);
     }
   REQUIRE(session.conversation().acknowledge());
@@ -361,7 +360,7 @@ TEST_CASE("a decision's text is refused if it is damaged") {
   CHECK(text_of(*made_of("??p3>c1@12.25")) == "??p3>c1@12.2");
   CHECK(text_of(*made_of("l3.7@0.0")) == "l3.7@0.0");
   CHECK(text_of(*made_of("o2.0.1@1.5")) == "o2.0.1@1.5");
-  CHECK(made_of("n0.1@1")->tries[0].number == 0.1);
+  CHECK(made_of("n0.1@1")->tries[0] == Answer(TypedNumber{0.1}));
 }
 
 TEST_CASE("mistakes in an exercise's file are told with their places") {
@@ -524,13 +523,14 @@ TEST_CASE("lines are shuffled anew for each instance, and a typed number follows
   Sat sat(exercise_of("radii-of-boxes"), 4);
   const WrongRule* sum = find_rule(sat.asked(), "sum");
   REQUIRE(sum != nullptr);
-  auto answer = sum->decides(sat.asked(), sat.session.player().run(0));
-  REQUIRE(answer);
-  answer->number += 0.004;  // as it would be typed
-  REQUIRE(sat.session.conversation().give(*answer, false));
+  const auto decided = sum->decides(sat.asked(), sat.session.player().run(0));
+  REQUIRE(decided);
+  TypedNumber typed = std::get<TypedNumber>(*decided);
+  typed.number += 0.004;  // as it would be typed
+  REQUIRE(sat.session.conversation().give(typed, false));
   CHECK(sat.sitting.rule_says(sat.session).find("half extents") != std::string::npos);
-  answer->number = sat.right().number + 0.015;  // near the first try, and right
-  CHECK(sat.session.conversation().give(*answer, false));
+  typed.number = std::get<TypedNumber>(sat.right()).number + 0.015;  // near the first try, and right
+  CHECK(sat.session.conversation().give(typed, false));
   CHECK(sat.sitting.mark(sat.session) == 0.5);
 }
 
@@ -610,12 +610,12 @@ namespace {
 std::vector<Answer> tied_answers(const Asked& asked, const Truth& truth) {
   std::vector<Answer> all;
   if (!asked.many) {
-    for (const int choice : truth.choices) all.push_back({Answer::Kind::kChoice, choice});
-    for (const Index i : truth.points) all.push_back({Answer::Kind::kPoint, static_cast<int>(i)});
+    for (const int choice : truth.choices) all.push_back(OneChoice{choice});
+    for (const Index i : truth.points) all.push_back(OneHandle{i});
     return all;
   }
   const std::vector<int> every(truth.points.begin(), truth.points.end());
-  all.push_back({.kind = Answer::Kind::kPoints, .list = every});
+  all.push_back(SeveralHandles{every});
   const auto needed = [&](Index left_out) {
     return std::any_of(truth.tied.begin(), truth.tied.end(),
                        [&](const std::vector<Index>& tied) { return tied.size() == 1 && tied.front() == left_out; });
@@ -624,7 +624,7 @@ std::vector<Answer> tied_answers(const Asked& asked, const Truth& truth) {
     if (tied.size() == 1 || needed(tied.front())) continue;
     std::vector<int> fewer = every;
     std::erase(fewer, static_cast<int>(tied.front()));
-    all.push_back({.kind = Answer::Kind::kPoints, .list = fewer});
+    all.push_back(SeveralHandles{fewer});
   }
   return all;
 }
@@ -648,13 +648,13 @@ TEST_CASE("of what is exactly tied, each is right, and nothing else is") {
         for (const std::vector<Index>& tied : truth.tied) {
           std::vector<int> none_of_them(truth.points.begin(), truth.points.end());
           for (const Index i : tied) std::erase(none_of_them, static_cast<int>(i));
-          CHECK(!judge(asked, {.kind = Answer::Kind::kPoints, .list = none_of_them}, run).right);
+          CHECK(!judge(asked, SeveralHandles{none_of_them}, run).right);
         }
         for (int i = 0; !asked.many && i < std::ssize(asked.choices); ++i)
-          CHECK(judge(asked, {Answer::Kind::kChoice, i}, run).right ==
+          CHECK(judge(asked, OneChoice{i}, run).right ==
                 (std::find(truth.choices.begin(), truth.choices.end(), i) != truth.choices.end()));
         for (Index i = 0; !asked.many && asked.choices.empty() && i < asked.subject->size(); ++i)
-          CHECK(judge(asked, {Answer::Kind::kPoint, static_cast<int>(i)}, run).right ==
+          CHECK(judge(asked, OneHandle{i}, run).right ==
                 (std::find(truth.points.begin(), truth.points.end(), i) != truth.points.end()));
       }
       CHECK(ties >= 1);

@@ -167,7 +167,7 @@ TEST_CASE("what a run does only by rounding is not asked, and no pass is better 
   iterative.stage().scatter(307);  // the first pass ends with Ritter's circle, but for rounding
   REQUIRE(question(iterative, "first-pass") != nullptr);
   const int no = 1;
-  CHECK(model_answer(*question(iterative, "first-pass"), iterative.player().run(0)).value == no);
+  CHECK(model_answer(*question(iterative, "first-pass"), iterative.player().run(0)) == Answer(OneChoice{no}));
 }
 
 TEST_CASE("a lesson holds its questions on a mesh as well") {

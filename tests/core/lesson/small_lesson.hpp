@@ -122,8 +122,8 @@ inline lesson::Session open(const std::string& text) {
 
 inline lesson::Session open_small() { return open(std::string(kSmallLesson)); }
 
-inline lesson::Answer choice(int value) { return {lesson::Answer::Kind::kChoice, value}; }
-inline lesson::Answer point(int value) { return {lesson::Answer::Kind::kPoint, value}; }
+inline lesson::Answer choice(int value) { return lesson::OneChoice{value}; }
+inline lesson::Answer point(int value) { return lesson::OneHandle{value}; }
 
 /// Answers everything that is asked with the model answer, to the end.
 inline void play_to_end(lesson::Session& session) {

@@ -317,8 +317,7 @@ Truth extremes_truth(const Asked& asked, const Run& run) {
       is_tied = is_tied || ends.size() > 1;
     }
   if (!is_tied) truth.tied.clear();
-  const Answer right = by_handles(std::move(all));
-  truth.points.assign(right.list.begin(), right.list.end());
+  truth.points = by_handles(std::move(all)).handles;
   truth.happened = asked.names(truth.points);
   truth.sentence = truth.happened + " reach farthest" + (asked.of.empty() ? "" : " along " + asked.of) + ".";
   for (const std::vector<Index>& tied : truth.tied)
@@ -345,7 +344,7 @@ std::optional<Answer> farthest_apart(const Asked& asked, const Run& run) {
   for (Index a = 0; a < count_of(run); ++a)
     for (Index b = a + 1; b < count_of(run); ++b)
       if (const double distance = (point_at(run, a) - point_at(run, b)).norm(); distance > most)
-        most = distance, best = by_handles({static_cast<int>(a), static_cast<int>(b)});
+        most = distance, best = by_handles({a, b});
   return best;
 }
 
@@ -442,7 +441,7 @@ std::optional<Answer> its_own_face(const Asked& asked, const Run& run) {
   int choice = 0;
   for (std::size_t facet = 0; eye != nullptr && facet < hull->facets.size(); ++facet) {
     if (!hull->facets[facet].alive()) continue;
-    if (static_cast<Index>(facet) == eye->facet) return by_choice(1 << choice);
+    if (static_cast<Index>(facet) == eye->facet) return SeveralChoices{{choice}};
     ++choice;
   }
   return std::nullopt;

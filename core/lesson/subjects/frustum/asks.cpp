@@ -227,8 +227,9 @@ Truth planes_left_truth(const Asked& asked, const Run& run) {
 std::optional<Answer> every_plane(const Asked& asked, const Run&) { return by_every_choice(asked); }
 /// Those that the volume is inside of.
 std::optional<Answer> planes_passed(const Asked& asked, const Run& run) {
-  const int passed = by_every_choice(asked).value & ~static_cast<int>(crossed(asked, run));
-  return passed == 0 ? std::nullopt : std::optional(by_choice(passed));
+  SeveralChoices passed = by_every_choice(asked);
+  std::erase_if(passed.choices, [&](int plane) { return (crossed(asked, run) >> plane & 1) != 0; });
+  return passed.choices.empty() ? std::nullopt : std::optional<Answer>(std::move(passed));
 }
 
 }  // namespace snug::lesson

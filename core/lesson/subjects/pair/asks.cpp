@@ -82,11 +82,11 @@ std::optional<Answer> sum_of_half_extents(const Asked& asked, const Run&) {
   const auto* boxes = as<PairSubject>(*asked.subject);
   if (boxes == nullptr) return std::nullopt;
   const Obb<double, 3>& b = boxes->boxes().boxes[1];
-  return Answer{.kind = Answer::Kind::kNumber, .number = b.half_extents.head(asked.dim).sum()};
+  return TypedNumber{b.half_extents.head(asked.dim).sum()};
 }
 
 std::optional<Answer> whole_width(const Asked& asked, const Run& run) {
-  return Answer{.kind = Answer::Kind::kNumber, .number = 2 * radius_b_truth(asked, run).number};
+  return TypedNumber{2 * radius_b_truth(asked, run).number};
 }
 
 double separates_margin(const Asked& asked, const Run& run) {

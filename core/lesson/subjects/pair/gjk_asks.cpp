@@ -169,7 +169,7 @@ double kept_margin(const Asked& asked, const Run& run) {
 
 std::optional<Answer> keep_all(const Asked& asked, const Run&) { return by_every_choice(asked); }
 std::optional<Answer> keep_newest(const Asked& asked, const Run&) {
-  return by_choice(1 << (std::ssize(asked.choices) - 1));
+  return SeveralChoices{{static_cast<int>(std::ssize(asked.choices)) - 1}};
 }
 
 const char* offer_own_and_gjk(Asked& asked, const Run&) {

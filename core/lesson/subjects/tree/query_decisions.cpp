@@ -23,9 +23,9 @@ double outside_of(const Box2& box, const Point2& p) { return (box.min - p).cwise
 /// How far two boxes are apart, along the axis where they are farthest; below 0 where they overlap.
 double gap_between(const Box2& a, const Box2& b) { return (a.min - b.max).cwiseMax(b.min - a.max).maxCoeff(); }
 
-Answer choice_of(const Asked& asked, const Run& run, Index node) {
+OneChoice choice_of(const Asked& asked, const Run& run, Index node) {
   const std::vector<Index> waiting = waiting_at(asked, run);
-  return by_choice(static_cast<int>(std::find(waiting.begin(), waiting.end(), node) - waiting.begin()));
+  return {static_cast<int>(std::find(waiting.begin(), waiting.end(), node) - waiting.begin())};
 }
 
 /// The node that a step takes up; none if it was taken up before.
@@ -78,7 +78,7 @@ Truth next_node_truth(const Asked& asked, const Run& run) {
   const Index next = taken_up(asked, run);
   const std::string name = tree_run(run).name_of(tree_run(run).forest(asked.fact), next);
   const bool first = tree_run(run).tests_before();
-  return {{choice_of(asked, run, next).value},
+  return {{choice_of(asked, run, next).choice},
           {},
           name,
           name + (first ? " is taken: the nearer of two children comes first, and what lies beyond a hit is left out."
@@ -104,7 +104,8 @@ double next_node_margin(const Asked& asked, const Run& run) {
 std::optional<Answer> left_child_first(const Asked& asked, const Run& run) {
   const Forest& forest = tree_run(run).forest(asked.fact);
   const Index parent = forest.parent_of(tree_run(run).state(asked.fact).waiting.back());
-  return parent == kNoIndex ? std::nullopt : std::optional(choice_of(asked, run, forest.at(parent).children[0]));
+  return parent == kNoIndex ? std::nullopt
+                            : std::optional<Answer>(choice_of(asked, run, forest.at(parent).children[0]));
 }
 
 /// As if the nodes waited in a queue.

@@ -48,7 +48,7 @@ void answer_and_measure(ClaimsCover& cover, lesson::Session& session) {
   REQUIRE(cover.command(session, "measure"));
   CHECK_FALSE(cover.running());
   CHECK_FALSE(cover.command(session, "measure"));
-  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 2}));
+  REQUIRE(session.conversation().give(lesson::OneChoice{2}));
   REQUIRE(cover.command(session, "measure"));
   while (cover.running()) cover.work(session, -1);
 }
@@ -109,7 +109,7 @@ TEST_CASE("a run that is stopped shows its clouds and decides nothing") {
   lesson::Session session = opened();
   ClaimsCover cover({.clock = no_time});
   session.conversation().ask_predictions();
-  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 2}));
+  REQUIRE(session.conversation().give(lesson::OneChoice{2}));
   REQUIRE(cover.command(session, "measure"));
   for (int i = 0; i < 50; ++i) cover.work(session, -1);
   REQUIRE(cover.command(session, "stop_measuring"));

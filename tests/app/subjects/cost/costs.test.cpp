@@ -69,7 +69,7 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK_FALSE(costs.running());
   CHECK(costs.caption(session) == "Predict first, then measure.");
   CHECK_FALSE(costs.command(session, "measure"));
-  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 1}));
+  REQUIRE(session.conversation().give(lesson::OneChoice{1}));
   CHECK(costs.caption(session) == "Your predictions are in: now press Measure.");
   CHECK(costs.status(session) == "Now press Measure: 5 points.");
   REQUIRE(costs.command(session, "measure"));

@@ -75,7 +75,7 @@ TEST_CASE("the table is seen once the question is answered and all is measured, 
   REQUIRE(session.conversation().asked() != nullptr);
   CHECK_FALSE(board.command(session, "measure"));
   CHECK(board.table(session).rows.empty());
-  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give(lesson::OneChoice{0}));
   CHECK(board.table(session).sorts.empty());
   REQUIRE(board.command(session, "measure"));
   CHECK_FALSE(board.command(session, "measure"));

@@ -65,7 +65,7 @@ TEST_CASE("a question about a plane shows that plane, and its vertices only when
   CHECK(asked.plane_asked);
   CHECK(asked.vertices.empty());
   CHECK_FALSE(asked.verdict);
-  REQUIRE(session.conversation().give({lesson::Answer::Kind::kChoice, 2}));
+  REQUIRE(session.conversation().give(lesson::OneChoice{2}));
   const FrustumShown told = frustum_shown_at(session);
   REQUIRE(told.plane);
   CHECK_FALSE(told.plane_asked);

@@ -75,7 +75,7 @@ void try_claims(Session& session) {
   REQUIRE(session.inform<ClaimsSubject>([](ClaimsSubject& claims) { claims.tried(cost::all_trials()); }));
 }
 
-Answer choice(int i) { return {Answer::Kind::kChoice, i}; }
+Answer choice(int i) { return OneChoice{i}; }
 
 }  // namespace
 

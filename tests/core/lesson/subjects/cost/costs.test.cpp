@@ -4,6 +4,7 @@
 #include "check/check_lesson.hpp"
 #include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
+#include "lesson/kept_answers.hpp"
 
 using namespace snug;
 using namespace snug::lesson;
@@ -110,7 +111,7 @@ TEST_CASE("a chart can be asked a choice of one's own, which waits for the measu
   auto session = Session::open(*std::move(lesson));
   REQUIRE(session.has_value());
   session->conversation().ask_predictions();
-  REQUIRE(session->conversation().give({Answer::Kind::kChoice, 1}));
+  REQUIRE(session->conversation().give(OneChoice{1}));
   CHECK(session->log().outcomes()[0].pending);
   measured(*session, rows());
   CHECK(session->log().outcomes()[0].right);
@@ -151,14 +152,14 @@ TEST_CASE(
   REQUIRE(session.conversation().asked() != nullptr);
   CHECK(session.conversation().asked()->many);
   CHECK(session.conversation().asked()->choices.size() == 3);
-  CHECK_FALSE(session.conversation().give({Answer::Kind::kChoice, 8}));
-  CHECK(session.conversation().give({Answer::Kind::kChoice, 0b110}));
+  CHECK_FALSE(session.conversation().give(OneChoice{8}));
+  CHECK(session.conversation().give(SeveralChoices{{1, 2}}));
   session.last();
   CHECK(session.player().step() == session.player().steps());  // steps give nothing away
   CHECK(session.conversation().asked()->question->id == "slowest");
-  CHECK_FALSE(session.conversation().give({Answer::Kind::kChoice, 3}));
-  CHECK(session.conversation().give({Answer::Kind::kChoice, 0}));
-  CHECK(session.conversation().give({Answer::Kind::kSkipped, 0}));
+  CHECK_FALSE(session.conversation().give(OneChoice{3}));
+  CHECK(session.conversation().give(OneChoice{0}));
+  CHECK(session.conversation().give(Skipped{}));
   CHECK(session.conversation().asked() == nullptr);
   for (const Outcome& outcome : session.log().outcomes()) CHECK(outcome.pending);
   auto part = rows();
@@ -177,12 +178,24 @@ TEST_CASE(
   CHECK(outcomes[2].happened == "180 times");
 }
 
+TEST_CASE("several choices that were kept as bits are read as the question means them") {
+  Session session = opened();
+  take_up(session, kept_answers_of("[[answer]]\nquestion = \"front\"\nkind = \"choice\"\nvalue = 6\nfrom_step = 0\n"
+                                   "step = 0\npending = true\n"));
+  REQUIRE(session.log().outcomes().size() == 1);
+  const Outcome kept = session.log().outcomes().front();
+  CHECK(kept.given == Answer(SeveralChoices{{1, 2}}));
+  CHECK(kept_text({{kept}, {}}).find("kind = \"choice\"\nvalue = 6\n") != std::string::npos);
+  measured(session, rows());
+  CHECK(session.log().outcomes().front().right);
+}
+
 TEST_CASE("a later measurement decides anew, and a front with an unreliable time is not decided") {
   Session session = opened();
   session.conversation().ask_predictions();
-  session.conversation().give({Answer::Kind::kChoice, 0b110});
-  session.conversation().give({Answer::Kind::kChoice, 2});
-  session.conversation().give({Answer::Kind::kSkipped, 0});
+  session.conversation().give(SeveralChoices{{1, 2}});
+  session.conversation().give(OneChoice{2});
+  session.conversation().give(Skipped{});
   measured(session, rows());
   CHECK(session.log().outcomes()[0].right);
   auto without = rows();  // Exact became too slow for all points
@@ -210,9 +223,9 @@ TEST_CASE("a later measurement decides anew, and a front with an unreliable time
 TEST_CASE("what was measured on fewer points is never on the front, and its time is that of all") {
   Session session = opened();
   session.conversation().ask_predictions();
-  session.conversation().give({Answer::Kind::kChoice, 0b011});
-  session.conversation().give({Answer::Kind::kChoice, 2});
-  session.conversation().give({Answer::Kind::kChoice, 3});
+  session.conversation().give(SeveralChoices{{0, 1}});
+  session.conversation().give(OneChoice{2});
+  session.conversation().give(OneChoice{3});
   auto few = rows();
   few[1] = row("aabb", 60, 9);
   few[2] = row("exact", 20, 1, 2, 4);

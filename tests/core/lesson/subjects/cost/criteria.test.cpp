@@ -190,9 +190,9 @@ TEST_CASE("predictions wait for the measurement, and are judged by the situation
   REQUIRE(session.conversation().asked() != nullptr);
   CHECK(session.conversation().asked()->choices == std::vector<std::string>{"Sphere", "AABB", "14-DOP", "Hull"});
   const int wrong = 3;  // the hull's test is the exact test itself, and costs most
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, wrong}));
+  REQUIRE(session.conversation().give(OneChoice{wrong}));
   CHECK(session.log().outcomes().front().pending);
-  REQUIRE(session.conversation().give({.kind = Answer::Kind::kOrder, .list = {3, 2, 1, 0}}));
+  REQUIRE(session.conversation().give(ChoicesInOrder{{3, 2, 1, 0}}));
   REQUIRE(session.stage().slide(0, 10000));
   count_now(session);
   CHECK_FALSE(session.log().outcomes().front().pending);

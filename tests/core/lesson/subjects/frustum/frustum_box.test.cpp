@@ -66,7 +66,7 @@ Question about_plane(const char* asks, int nth) {
   return question;
 }
 
-Answer corner(int dim, int bits) { return {Answer::Kind::kPoint, index_of(dim, {Kind::kCorner, 0, bits})}; }
+Answer corner(int dim, int bits) { return OneHandle{index_of(dim, {Kind::kCorner, 0, bits})}; }
 
 }  // namespace
 
@@ -228,15 +228,15 @@ TEST_CASE("p- and n-vertex are answered on the stage, by a corner of the box and
   REQUIRE(session.conversation().asked() != nullptr);
   CHECK(session.conversation().asked()->stage_points.size() == 4);
   CHECK(session.conversation().asked()->choices == std::vector<std::string>{"−−", "+−", "−+", "++"});
-  CHECK_FALSE(session.conversation().give({Answer::Kind::kPoint, index_of(2, {Kind::kCenter, 0, 0})}));
-  CHECK_FALSE(session.conversation().give({Answer::Kind::kPoint, index_of(2, {Kind::kCorner, 1, 2})}));
+  CHECK_FALSE(session.conversation().give(OneHandle{index_of(2, {Kind::kCenter, 0, 0})}));
+  CHECK_FALSE(session.conversation().give(OneHandle{index_of(2, {Kind::kCorner, 1, 2})}));
   REQUIRE(session.conversation().give(corner(2, 2)));  // the left normal is (-1, 1): up and back
   CHECK(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->says == "−+ lies farthest along the normal of the left plane.");
   CHECK(session.conversation().asked() == nullptr);  // until it was read
   REQUIRE(session.conversation().acknowledge());
   REQUIRE(session.conversation().asked() != nullptr);
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give(OneChoice{0}));
   CHECK_FALSE(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->predicted == "−−");
   CHECK(session.conversation().outcome()->happened == "++");
@@ -268,14 +268,14 @@ TEST_CASE("the side of a plane and the verdict are chosen among the three") {
   Session session =
       asking(plain(2, {1, 0, 0}, {0.3, 0.2, 0}), {about_plane("plane_side", 1), about_plane("plane_side", 3), verdict});
   CHECK(session.conversation().asked()->choices == std::vector<std::string>{"inside", "intersecting", "outside"});
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give(OneChoice{0}));
   CHECK(session.conversation().outcome()->right);
   session.go(2);
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 2}));
+  REQUIRE(session.conversation().give(OneChoice{2}));
   CHECK_FALSE(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->happened == "intersecting");
   session.go(session.player().steps());
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 1}));
+  REQUIRE(session.conversation().give(OneChoice{1}));
   CHECK(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->says == "The box crosses the near plane and is not entirely outside any.");
 }
@@ -393,7 +393,7 @@ TEST_CASE("a point is on one of two sides of a plane, and not across it") {
   CHECK(session.conversation().asked()->question->id == "left-sign");
   CHECK(session.conversation().asked()->choices ==
         std::vector<std::string>{"in the negative half-space", "on the plane", "in the positive half-space"});
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give(OneChoice{0}));
   CHECK(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->happened == "in the negative half-space");
 }
@@ -406,7 +406,7 @@ TEST_CASE("a number of one plane is hidden where it is asked for, and told at th
       if (figure.key == "distance") return figure.text;
     return std::string("none");
   };
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give(OneChoice{0}));
   CHECK(distance() == "−0.288 units");
   session.conversation().acknowledge();
   session.go(2);

@@ -404,7 +404,7 @@ TEST_CASE("which axis separates boxes that are apart by less than rounding: the 
   REQUIRE(session.player().choose(0, "sat_all").has_value());
   session.go(0);
   REQUIRE(session.conversation().asked() != nullptr);
-  REQUIRE(session.conversation().give({Answer::Kind::kChoice, 0}));
+  REQUIRE(session.conversation().give(OneChoice{0}));
   CHECK(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->happened == "A x");
 }

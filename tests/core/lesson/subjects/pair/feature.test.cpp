@@ -32,7 +32,7 @@ std::string right_answer(const std::string& center, int dim = 3) {
   session.go(0);
   REQUIRE(session.conversation().asked() != nullptr);
   const Answer answer = model_answer(*session.conversation().asked(), session.player().run(0));
-  return session.conversation().asked()->choices[answer.value];
+  return session.conversation().asked()->choices[std::get<OneChoice>(answer).choice];
 }
 
 }  // namespace

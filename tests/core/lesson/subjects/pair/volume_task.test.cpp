@@ -106,7 +106,7 @@ TEST_CASE("the first axis with a gap is asked of a test of two boxes, and of no 
       const Asked* asked = session.conversation().asked();
       REQUIRE(asked != nullptr);
       CHECK(asked->choices == std::vector<std::string>{"x", "y", "none"});
-      return model_answer(*asked, session.player().run(0)).value;
+      return std::get<OneChoice>(model_answer(*asked, session.player().run(0))).choice;
     };
     session.jump(0);
     CHECK(truth() == 2);

@@ -267,11 +267,11 @@ TEST_CASE("which effects are skipped is worked out from the run") {
   REQUIRE(session.conversation().asked() != nullptr);
   CHECK(session.conversation().asked()->choices.size() == 8);
   CHECK(session.conversation().asked()->choices.back() == "none of them");
-  CHECK(session.conversation().give({lesson::Answer::Kind::kChoice, 1 << 7}));
+  CHECK(session.conversation().give(lesson::SeveralChoices{{7}}));
   CHECK(session.conversation().outcome()->right);
   session.jump(189);
   REQUIRE(session.conversation().asked() != nullptr);
-  CHECK(session.conversation().give({lesson::Answer::Kind::kChoice, (1 << 7) - 1}));
+  CHECK(session.conversation().give(lesson::SeveralChoices{{0, 1, 2, 3, 4, 5, 6}}));
   CHECK(session.conversation().outcome()->right);
   CHECK(session.conversation().outcome()->happened == "all of them");
 }

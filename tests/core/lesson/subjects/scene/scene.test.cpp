@@ -140,13 +140,13 @@ TEST_CASE("a figure is not told before the first question about it is answered")
     return false;
   };
   session.go(0);
-  session.conversation().give({lesson::Answer::Kind::kChoice, 0});
+  session.conversation().give(lesson::OneChoice{0});
   CHECK(session.player().step() == 1);
   CHECK(told("after_broad"));
   CHECK_FALSE(told("after_loose"));
   CHECK_FALSE(told("touching"));
   session.jump(29);
-  session.conversation().give({lesson::Answer::Kind::kChoice, 0});
+  session.conversation().give(lesson::OneChoice{0});
   session.jump(40);
   CHECK(told("after_loose"));
   CHECK_FALSE(told("touching"));
@@ -334,7 +334,7 @@ TEST_CASE("questions on figures have the range that holds them as their answer")
   CHECK(asked->choices[0] == "at most 20 pairs");
   CHECK(asked->choices[1] == "21 to 120 pairs");
   CHECK(asked->choices[3] == "more than 400 pairs");
-  session.conversation().give({lesson::Answer::Kind::kChoice, 3});
+  session.conversation().give(lesson::OneChoice{3});
   REQUIRE(session.conversation().outcome() != nullptr);
   CHECK_FALSE(session.conversation().outcome()->right);
   CHECK(session.player().step() == 1);
@@ -355,7 +355,7 @@ TEST_CASE("a question may stand long before its frame, and its figure is not tol
   };
   CHECK_FALSE(told("slack"));
   CHECK(told("cost"));
-  session.conversation().give({lesson::Answer::Kind::kChoice, 0});
+  session.conversation().give(lesson::OneChoice{0});
   REQUIRE(session.conversation().outcome() != nullptr);
   CHECK(session.conversation().outcome()->right);  // the first box again
   CHECK(session.player().step() == 120);

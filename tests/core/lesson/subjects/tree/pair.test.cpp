@@ -98,7 +98,7 @@ TEST_CASE("whether two nodes are apart can be asked, and the model answer is rig
       const auto& fact =
           std::get<hierarchy::PairTested>(tree_run(session->player().run(0)).trace()[asked.fact].step.fact);
       ++(fact.overlap ? overlap : apart);
-      CHECK(model_answer(asked, session->player().run(0)).value == (fact.overlap ? kNo : kYes));
+      CHECK(model_answer(asked, session->player().run(0)) == Answer(OneChoice{fact.overlap ? kNo : kYes}));
     }
   }
   CHECK(apart > 5);

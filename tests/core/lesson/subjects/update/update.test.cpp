@@ -209,7 +209,8 @@ because = "No neighbour reaches farther."
   const auto& next = *std::get_if<fit::NeighborsCompared>(&run_of(session).trace()[2].step.fact);
   for (const lesson::Asked& asked : session.conversation().questions())
     if (asked.question->id == "extreme")
-      CHECK(lesson::model_answer(asked, session.player().run(0)).value == (next.best == next.vertex ? 0 : 1));
+      CHECK(lesson::model_answer(asked, session.player().run(0)) ==
+            lesson::Answer(lesson::OneChoice{next.best == next.vertex ? 0 : 1}));
 }
 
 TEST_CASE("the looseness over a whole turn is that of the updates at its poses") {
