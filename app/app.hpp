@@ -82,6 +82,7 @@ struct Invitation {
   Rect at;
 };
 
+struct AppState;
 struct Look;
 struct DrawnWords;
 struct GlScene;
@@ -139,19 +140,8 @@ class App {
   /// While the way to an outcome is played, any press ends that and does nothing else: a click and a command see to it
   /// themselves, a door's keys by this. Returns false if none is played.
   bool end_playing();
-  /// Runs the command of a button or key. Names: those of the cover and of the panels' buttons, and first back step
-  /// play last next_mark previous_mark faster slower undo redo add_point delete_point push scatter reset_points
-  /// reset_view skip_question commit_answer select_next select_previous select_none move_left move_right move_up
-  /// move_down move_nearer move_farther (for the selected point; with "_fine" added, by a tenth), zoom_in zoom_out
-  /// orbit_left orbit_right orbit_up orbit_down toggle_optimum watch_outcome continue show_answer close_summary;
-  /// predict_again, which forgets the lesson's answers and starts it over; practise, which asks on another example;
-  /// review:QUESTION, which shows its outcome again; in an exercise hint, which takes the next one, and take_back;
-  /// other_run, which at its end changes between the student's run and the right one; and turn:EFFECT, which does with
-  /// an effect of the scene what Player::toggle does. push lets the selected body of a scene hop. At a question,
-  /// next_mark and step announce that a second press skips it, because a clicker has no other key. At an outcome, they,
-  /// play and commit_answer continue. watch_outcome goes back to the question and plays up to the outcome; it fails if
-  /// no steps lie between. Returns false if the name is unknown or the command impossible now (undo with nothing to
-  /// undo).
+  /// Runs the command of a button or key: one of the cover's or of the panels' buttons, or one of app/commands. Returns
+  /// false if the name is unknown or the command impossible now (undo with nothing to undo).
   bool command(std::string_view name);
   /// Chooses an answer to the open question by its number, as Conversation::pick does. Where the last prediction about
   /// a cover was given, by this or by a command, measuring begins: it is what decides it.
@@ -224,9 +214,8 @@ class App {
   [[nodiscard]] std::optional<CloseUp> close_up() const;
 
  private:
-  struct State;
   [[nodiscard]] double seconds_until_step(double now) const;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<AppState> state_;
 };
 
 }  // namespace snug::app

@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "app/commands.hpp"
 #include "app/look.hpp"
 #include "app/widgets.hpp"
 #include "desktop/menus.hpp"
@@ -15,7 +14,7 @@
 namespace snug::desktop {
 namespace {
 
-using app::Face;
+using app::Face, app::KeyRow;
 
 constexpr float kKeysSize = 13, kWordsSize = 14, kLine = 19, kBetween = 8;  // kBetween: rows
 constexpr float kPad = 28, kHead = 60, kFoot = 24, kAside = 16;             // kAside: between keys and words, columns
@@ -32,7 +31,7 @@ Widths widths_of(const app::Look& look, const std::vector<KeyRow>& rows, float c
 }
 
 float height_of(const app::Look& look, const KeyRow& row, float words) {
-  const auto lines = app::lines_of(look, Face::kRegular, kWordsSize, row.does, words).size();
+  const auto lines = app::lines_of(look, Face::kRegular, kWordsSize, row.words, words).size();
   return look.px(kLine) * static_cast<float>(lines) + look.px(kBetween);
 }
 
@@ -57,7 +56,7 @@ void draw_rows(ImDrawList* list, const app::Look& look, const std::vector<KeyRow
     float y = at.y;
     app::text(list, look, Face::kMonoBold, kKeysSize,
               {at.x, app::middle_of(y + look.px(kLine) / 2, look.px(kKeysSize))}, look->current_text, rows[i].keys);
-    for (const auto& line : app::lines_of(look, Face::kRegular, kWordsSize, rows[i].does, widths.words)) {
+    for (const auto& line : app::lines_of(look, Face::kRegular, kWordsSize, rows[i].words, widths.words)) {
       app::text(list, look, Face::kRegular, kWordsSize,
                 {at.x + widths.keys + kAside, app::middle_of(y + look.px(kLine) / 2, look.px(kWordsSize))}, look->ink,
                 line);
@@ -70,11 +69,10 @@ void draw_rows(ImDrawList* list, const app::Look& look, const std::vector<KeyRow
 }  // namespace
 
 std::vector<KeyRow> key_rows(Shell& shell) {
-  std::vector<KeyRow> rows;
-  for (const app::KeyHelp& help : app::kKeyHelp) rows.push_back({std::string(help.keys), std::string(help.does)});
+  std::vector<KeyRow> rows = app::key_rows();
   rows.push_back({"Tab  Shift Tab", "the next or the previous button, link or field; Enter presses it"});
   rows.push_back({"F10", "the menus"});
-  for (auto& [keys, words] : keys_of_menus(shell)) rows.push_back({std::move(keys), std::move(words)});
+  for (KeyRow& row : keys_of_menus(shell)) rows.push_back(std::move(row));
   rows.push_back({"/", "on the course’s page, search it"});
   rows.push_back({"N  P  T  Esc", "while presenting: the next lesson, the previous one, the text; the end"});
   rows.push_back({"L  W  R", "while presenting: a spotlight, a pen that fades, a ruler for the height of type"});
@@ -83,8 +81,6 @@ std::vector<KeyRow> key_rows(Shell& shell) {
   rows.push_back({"Q", "this state as a code that a phone scans"});
   rows.push_back({"Shift D", "add this state to a demo’s file, which grows by one each time"});
   rows.push_back({"Ctrl S", "the stage as a picture; with Shift as SVG, whose words are text"});
-  if (shell.app().sitting() != nullptr)
-    rows.push_back({"H  R", "the exercise: a hint; at its end, from the right run to yours, and back"});
   if (shell.demo) {
     rows.push_back({"PgDn →  PgUp ←", "the demo: the next reveal or state, and back"});
     rows.push_back({"Home  H", "the demo: this state as it was; so does a key for next or back that is held"});

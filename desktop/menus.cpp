@@ -25,7 +25,7 @@ namespace {
 using app::Face;
 using What = FileCard::What;
 
-/// A line of a menu. key: as app::command_for takes it, with "Ctrl " before it where Control is held.
+/// A line of a menu. key: as app::Command has it.
 struct Item {
   std::string words, key;
   bool enabled = true;
@@ -51,16 +51,18 @@ bool is_open_lesson(Shell& shell) {
   return !shell.course_shown && shell.app().session() != nullptr && shell.app().sitting() == nullptr;
 }
 
-/// An item that runs one of the app's commands, with its key.
-Item item_of(Shell& shell, std::string words, const char* name, bool enabled, bool begins_part = false) {
-  return {std::move(words), app::key_of(name), enabled, [&shell, name] { shell.app().command(name); }, begins_part};
+/// An item that runs one of the app's commands.
+Item item_of(Shell& shell, const char* name, bool enabled, bool begins_part = false) {
+  const app::Command& command = *app::find_command(name);
+  return {std::string(command.menu), std::string(command.keys), enabled, [&shell, name] { shell.app().command(name); },
+          begins_part};
 }
 
 Items file_items(Shell& shell) {
   const bool open = is_open_lesson(shell), chart = open && shell.app().cover() != nullptr;
   const bool takes_points = open || (shell.course_shown && shell.lesson_for_points());
   Items items{
-      {"Open points …", "Ctrl o", takes_points, [&] { ask_path(shell, What::kOpenPoints); }},
+      {"Open points …", "Ctrl+o", takes_points, [&] { ask_path(shell, What::kOpenPoints); }},
       {"Open lesson …", "", true, [&] { ask_path(shell, What::kOpenLesson); }},
   };
   for (const std::string& path : shell.kept().recent)
@@ -74,30 +76,30 @@ Items file_items(Shell& shell) {
   const bool exercise = !shell.course_shown && shell.app().sitting() != nullptr;
   items.push_back({std::string(lesson::kHandInWord), "", exercise || (open && shell.sheet() != nullptr),
                    [&shell] { shell.hand_in(); }, true});
-  items.push_back({"Quit", "Ctrl q", true, [&] { shell.wish = "quit"; }, true});
+  items.push_back({"Quit", "Ctrl+q", true, [&] { shell.wish = "quit"; }, true});
   return items;
 }
 
 Items edit_items(Shell& shell) {
   const bool lesson = !shell.course_shown && shell.app().session() != nullptr;
-  return {item_of(shell, "Undo", "undo", lesson && shell.session().stage().can_undo()),
-          item_of(shell, "Redo", "redo", lesson && shell.session().stage().can_redo()),
+  return {item_of(shell, "undo", lesson && shell.session().stage().can_undo()),
+          item_of(shell, "redo", lesson && shell.session().stage().can_redo()),
           {"Copy picture", "", lesson, [&] { shell.wish = "copy_picture"; }, true},
-          {"Copy points", "Ctrl c", has_points(shell), [&] { shell.copy_points(); }},
-          {"Paste points", "Ctrl v", is_open_lesson(shell) && has_points(shell), [&] { shell.paste_points(); }}};
+          {"Copy points", "Ctrl+c", has_points(shell), [&] { shell.copy_points(); }},
+          {"Paste points", "Ctrl+v", is_open_lesson(shell) && has_points(shell), [&] { shell.paste_points(); }}};
 }
 
 Items view_items(Shell& shell) {
   const bool lesson = !shell.course_shown;
   return {{lesson ? "Course" : "Back to the lesson", "F2", true, [&] { shell.switch_course(); }},
-          item_of(shell, "Zoom in", "zoom_in", lesson, true),
-          item_of(shell, "Zoom out", "zoom_out", lesson),
-          item_of(shell, "Show everything", "reset_view", lesson),
+          item_of(shell, "zoom_in", lesson, true),
+          item_of(shell, "zoom_out", lesson),
+          item_of(shell, "reset_view", lesson),
           {"Next theme", "", true, [&] { shell.next_theme(); }, true},
           {"Larger text", "", shell.may_resize(1), [&] { shell.resize_text(1); }},
           {"Smaller text", "", shell.may_resize(-1), [&] { shell.resize_text(-1); }},
           {"Full screen", "F11", true, [&] { shell.wish = "full_screen"; }, true},
-          {std::string(lesson::kPresentWord), "F5", lesson, [&] { shell.present(true); }}};
+          {std::string(lesson::kPresentWord), "F5", lesson, [&] { shell.present(!shell.presenting); }}};
 }
 
 Items lesson_items(Shell& shell) {
@@ -109,16 +111,16 @@ Items lesson_items(Shell& shell) {
   };
   return {go(-1),
           go(1),
-          item_of(shell, "Play or pause", "play", any, true),
-          item_of(shell, "First step", "first", any),
-          item_of(shell, "Last step", "last", any),
-          item_of(shell, "Next mark", "next_mark", any),
-          item_of(shell, "Previous mark", "previous_mark", any),
-          item_of(shell, "Start over", "reset_points", any, true)};
+          item_of(shell, "play", any, true),
+          item_of(shell, "first", any),
+          item_of(shell, "last", any),
+          item_of(shell, "next_mark", any),
+          item_of(shell, "previous_mark", any),
+          item_of(shell, "reset_points", any, true)};
 }
 
 Items help_items(Shell& shell) {
-  return {{"Keys", "F1", true, [&] { shell.keys_shown = true; }},
+  return {{"Keys", "F1", true, [&] { shell.keys_shown = !shell.keys_shown; }},
           {"About Snug", "", true, [&] { shell.about_shown = true; }}};
 }
 
@@ -136,13 +138,6 @@ Items all_items(Shell& shell) {
   return all;
 }
 
-/// "Ctrl o" as people read it: "Ctrl O".
-std::string key_words(std::string key) {
-  if (!key.empty() && key.size() > 1 && key[key.size() - 2] == ' ')
-    key.back() = static_cast<char>(std::toupper(static_cast<unsigned char>(key.back())));
-  return key == " " ? "Space" : key == "PageDown" ? "PgDn" : key == "PageUp" ? "PgUp" : key;
-}
-
 /// A menu's list, while it is open. From its top it has as much of the window as it needs.
 void draw_menu(Shell& shell, const Menu& menu, ImVec2 at) {
   const std::string id = std::string("menu ") + menu.title;
@@ -152,7 +147,7 @@ void draw_menu(Shell& shell, const Menu& menu, ImVec2 at) {
   float widest = 0;
   for (const Item& item : items)
     widest = std::max(widest, app::measure(look, Face::kRegular, 14, item.words).x +
-                                  app::measure(look, Face::kRegular, 13, key_words(item.key)).x);
+                                  app::measure(look, Face::kRegular, 13, app::shown_key(item.key)).x);
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float width = std::min(std::max(look.px(200), widest + look.px(64)), window.x - 16);
   const float room = window.y - at.y - 16, count = static_cast<float>(items.size());
@@ -171,12 +166,12 @@ void draw_menu(Shell& shell, const Menu& menu, ImVec2 at) {
     if (touch.hovered && item.enabled)
       list->AddRectFilled({rect.x, rect.y + 1}, {rect.x + rect.width, rect.y + row - 1}, look->raised, 6);
     const app::Color color = item.enabled ? look->ink : app::with_alpha(look->muted, 0.6f);
-    const float key_width = app::measure(look, Face::kRegular, 13, key_words(item.key)).x;
+    const float key_width = app::measure(look, Face::kRegular, 13, app::shown_key(item.key)).x;
     app::text(list, look, Face::kRegular, 14, {rect.x + 10, app::middle_of(rect.y + row / 2, look.px(14))}, color,
               app::shortened(look, Face::kRegular, 14, item.words, rect.width - key_width - 32));
     app::text_right(list, look, Face::kRegular, 13,
                     {rect.x + rect.width - 10, app::middle_of(rect.y + row / 2, look.px(13))}, look->muted,
-                    key_words(item.key));
+                    app::shown_key(item.key));
     if (touch.clicked) chosen = item.run;
   }
   if (!chosen) return;
@@ -254,29 +249,33 @@ void draw_about(Shell& shell, const app::Rect& window) {
   if (app::touch_area("about away", window, lesson::kDismissWord).clicked) shell.about_shown = false;
 }
 
+/// The items with a key that is none of the app's own commands.
+std::vector<Item> items_with_keys(Shell& shell) {
+  std::vector<Item> keyed = all_items(shell);
+  std::erase_if(keyed, [](const Item& item) {
+    const auto is_same = [&](const app::Command& command) { return command.keys == item.key; };
+    return item.key.empty() || std::any_of(app::commands().begin(), app::commands().end(), is_same);
+  });
+  return keyed;
+}
+
 bool menu_by_key(Shell& shell, const std::string& key, bool shift, bool control) {
-  if (!control || shift) return false;
-  for (const Menu& menu : kMenus)
-    for (const Item& item : menu.items(shell)) {
-      if (item.key != "Ctrl " + key || app::command_for(key, shift, control, false) != std::string_view()) continue;
-      if (item.enabled) item.run();
-      return true;
-    }
+  for (const Item& item : items_with_keys(shell)) {
+    if (!app::has_key(item.key, key, shift, control)) continue;
+    if (item.enabled) item.run();
+    return true;
+  }
   return false;
 }
 
-std::vector<std::pair<std::string, std::string>> keys_of_menus(Shell& shell) {
-  std::vector<std::pair<std::string, std::string>> keys;
-  for (const Menu& menu : kMenus)
-    for (const Item& item : menu.items(shell)) {
-      const bool control = item.key.starts_with("Ctrl ");
-      const std::string letter = control ? item.key.substr(5) : item.key;
-      if (item.key.empty() || !app::command_for(letter, false, control, false).empty()) continue;
-      std::string words = item.words.ends_with(" …") ? item.words.substr(0, item.words.rfind(' ')) : item.words;
-      words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
-      keys.emplace_back(key_words(item.key), std::move(words));
-    }
-  return keys;
+std::vector<app::KeyRow> keys_of_menus(Shell& shell) {
+  std::vector<app::KeyRow> rows;
+  for (const Item& item : items_with_keys(shell)) {
+    std::string words = item.words.ends_with(" …") ? item.words.substr(0, item.words.rfind(' ')) : item.words;
+    words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+    rows.push_back({app::shown_key(item.key), std::move(words)});
+  }
+  return rows;
 }
 
 void Shell::open_lesson_file(const std::string& path) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "app/commands.hpp"
 #include "desktop/shell.hpp"
 
 namespace snug::desktop {
@@ -13,8 +13,8 @@ namespace snug::desktop {
 float draw_menus(Shell& shell, const app::Rect& bar, float x, float right);
 /// Runs the command of a menu by its key, as the browser names it. Returns whether it is one.
 bool menu_by_key(Shell& shell, const std::string& key, bool shift, bool control);
-/// Every key of a menu that is not one of the app's own commands: "Ctrl O", and the item's words.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> keys_of_menus(Shell& shell);
+/// The rows for the card of keys of what is not one of the app's own commands.
+[[nodiscard]] std::vector<app::KeyRow> keys_of_menus(Shell& shell);
 
 /// The card About, with the version and the licences.
 void draw_about(Shell& shell, const app::Rect& window);

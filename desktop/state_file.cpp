@@ -200,7 +200,7 @@ void StateFile::write(Shell& shell, const Extent& extent) {
   state["frames_beside"] = beside_;
   state["keys"] = Json::array();
   if (shell.keys_shown)
-    for (const KeyRow& row : key_rows(shell)) state["keys"].push_back(row.keys);
+    for (const app::KeyRow& row : key_rows(shell)) state["keys"].push_back(row.keys);
   state["about"] = shell.about_shown ? shell.parts : "";
   state["replaces"] = shell.file_card.replaces;
   state["mistakes"] = mistakes_of(shell);

@@ -454,17 +454,14 @@ void answer_key(GlfwHost& host, Shell& shell, const std::string& key, bool shift
   if (!control && key == "D" && !shell.course_shown && shell.app().sitting() == nullptr) return shell.record();
   if (control && key == "s" && !shell.course_shown && (shell.app().cover() == nullptr || !shell.app().cover()->shown()))
     return shell.save_stage(shift ? "svg" : "png");
-  if (key == "F1" || key == "?") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
+  if (key == "?") return static_cast<void>(shell.keys_shown = !shell.keys_shown);
   if (shell.keys_shown && (key == "ArrowDown" || key == "ArrowUp")) {
     constexpr float kRows = 81;  // three
     return shell.keys_scroll = key == "ArrowDown" ? kRows : -kRows, static_cast<void>(shell.measured_anew = true);
   }
-  if (key == "F11") return host.fill_screen(!host.fills_screen());
-  if (key == "F2") return shell.switch_course();
   if (key == "F10" && !shell.presenting) return shell.focus.go_to(shell.first_menu);
   if (menu_by_key(shell, key, shift, control)) return;
-  const bool presents = key == "F5" || (key == "P" && ImGui::GetIO().KeyShift && !shell.presenting);
-  if (presents && !shell.course_shown) return shell.present(!shell.presenting);
+  if (key == "P" && shift && !shell.presenting && !shell.course_shown) return shell.present(true);
   if (!shell.course_shown && shell.app().end_playing()) return;
   if (key == "Escape" && put_away(shell)) return;
   if (!control && move_focus(shell, key, shift)) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/commands.hpp"
 #include "app/cover.hpp"
 #include "io/point_file.hpp"
 #include "lesson/demo.hpp"
@@ -61,6 +62,12 @@ bool command(const std::string& name) {
 
 std::string command_of_key(const std::string& key, bool shift, bool control) {
   return door().app ? std::string(door().app->command_of_key(key, shift, control)) : std::string();
+}
+
+val key_rows() {
+  return array_of(app::key_rows(), [](const app::KeyRow& row) {
+    return array_of(std::array{row.keys, row.words}, text);
+  });
 }
 
 void pick_choice(int choice) {

@@ -10,6 +10,8 @@ namespace snug::web {
 using emscripten::val;
 
 bool command(const std::string& name);
+/// The rows of the card of keys that every door has: [keys, words].
+emscripten::val key_rows();
 std::string command_of_key(const std::string& key, bool shift, bool control);
 /// Chooses an answer by its number; choosing it again gives it.
 void pick_choice(int choice);

@@ -221,6 +221,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("place_named", &place_named);
   function("command", &web::command);
   function("command_of_key", &web::command_of_key);
+  function("key_rows", &web::key_rows);
   function("pick_choice", &web::pick_choice);
   function("pick_name", &web::pick_name);
   function("targets", &web::targets);

@@ -43,7 +43,7 @@ export function listen_to_keys(door, act, choose, leave, lecture) {
     const does = key === "F5" || (key === "P" && shiftKey) ? lecture.present
       : key === "D" ? lecture.record
       : key.toLowerCase() === "q" ? lecture.code
-      : key === "?" ? () => import("./keys_card.js").then((card) => card.show_keys())
+      : key === "?" ? () => import("./keys_card.js").then((card) => card.show_keys(door.key_rows()))
       : null;
     if (!control && does) return event.preventDefault(), does();
     const command = door.command_of_key(event.key, event.shiftKey, control);

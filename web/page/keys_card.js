@@ -2,19 +2,7 @@
 import { button, element } from "./dom.js";
 import { bring_style, show_dialog } from "./sheet.js";
 
-const kLesson = [
-  ["→  ←", "next, previous"],
-  ["Space", "play or pause"],
-  ["Home  End", "the first step, the last step"],
-  ["Page Down, Page Up", "the next mark, the previous one; at a question, Page Down twice skips it"],
-  ["<  >", "slower, faster"],
-  ["[  ]", "select the previous or the next point"],
-  ["↑ ↓ ← →", "move what is selected; with Shift by a tenth"],
-  ["1  2  3", "choose an answer to the question; Enter gives it"],
-  ["S", "skip the question"],
-  ["H  R", "in an exercise: a hint; at its end, from the right run to yours, and back"],
-  ["Ctrl Z, Ctrl Y", "undo, redo"],
-  ["+  −  0", "zoom in, zoom out, show everything"],
+const kPage = [
   ["Shift D", "add what stands here to a demo’s file"],
   ["Q", "this state as a code that a phone scans"],
   ["F5, Shift P", "present, and end the presentation"],
@@ -48,10 +36,12 @@ const list = (/** @type {string} */ title, /** @type {string[][]} */ rows) =>
   [element("h3", {}, title), element("dl", {}, ...rows.flatMap(([keys, does]) =>
     [element("dt", {}, keys), element("dd", {}, does)]))];
 
-export function show_keys() {
+/** lesson: the rows of the program, which every door has. @param {string[][]} lesson */
+export function show_keys(lesson) {
   if (document.querySelector(".keys-card")) return;
   bring_style("hall.css");
-  const lists = [list("In a lesson", kLesson), list("In a presentation", kPresenting), list("In a demo", kDemo)];
+  const lists = [list("In a lesson", [...lesson, ...kPage]), list("In a presentation", kPresenting),
+    list("In a demo", kDemo)];
   const { classList } = document.documentElement;
   const first = classList.contains("demo") ? 2 : classList.contains("presenting") ? 1 : 0; // what one is in
   lists.unshift(...lists.splice(first, 1));

@@ -342,6 +342,7 @@ interface Door {
   place_named(name: string): Point | null;
   command(name: string): boolean;
   command_of_key(key: string, shift: boolean, control: boolean): string;
+  key_rows(): string[][];
   pick_choice(choice: number): void;
   pick_name(name: string): boolean;
   targets(): string[];
