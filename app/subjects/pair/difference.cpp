@@ -19,7 +19,7 @@ constexpr float kInsetHead = 22;
 
 /// How wide the panel is if the stage is high enough.
 float inset_width(const Look& look, const Rect& stage) {
-  return stage.width < 440 ? 150 : look.px(stage.width < 900 ? 220 : 272);
+  return stage.width < 440 ? 180 : look.px(stage.width < 900 ? 220 : 272);
 }
 
 /// What GJK knows about the difference at a step.

@@ -44,9 +44,11 @@ class PairView final : public SubjectView, private LocalFrame {
   [[nodiscard]] Point3 place_of(const lesson::Session& session, Index i) const override {
     return place_shown(session, session.stage().subject().at(i));
   }
-  /// In its own frame A stands still: only what may be an answer is left of it.
+  /// In its own frame A stands still: only what may be an answer is left of it. An exercise turns nothing.
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
-    return !in_frame_ || answered_on_stage(session) || lesson::place_of(session.stage().subject().dim(), i).box == 1;
+    const lesson::BoxHandle handle = lesson::place_of(session.stage().subject().dim(), i);
+    if (session.stage().conduct().decides && handle.kind == lesson::BoxHandle::Kind::kTurn) return false;
+    return !in_frame_ || answered_on_stage(session) || handle.box == 1;
   }
 
   /// In space the axis has a second picture, where there is room above the boxes.
@@ -193,6 +195,12 @@ class VolumesView final : public SubjectView {
   }
   [[nodiscard]] bool working() const override { return working_; }
   [[nodiscard]] bool shows_points(const lesson::Session&) const override { return false; }
+  /// What turns a volume, or changes its radius, does nothing where the volumes are given.
+  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
+    const lesson::Handle::Kind kind = subject_of(session).handle(i).kind;
+    return !session.stage().conduct().decides || kind == lesson::Handle::Kind::kVertex ||
+           kind == lesson::Handle::Kind::kCenter;
+  }
   /// The table of all pairs needs room.
   [[nodiscard]] bool fills_column(const lesson::Session& session) const override { return pair_of(session).any; }
   [[nodiscard]] bool bears_name(const lesson::Session& session, Index i) const override {
