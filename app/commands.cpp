@@ -132,7 +132,7 @@ bool watch_outcome(AppState& s, std::string_view) {
 bool predict_again(AppState& s, std::string_view) {
   if (s.sitting) return false;
   s.forget();
-  if (s.session->lesson().subject->asks_of_steps) s.session->go(0);
+  if (s.session->lesson().subject->experiment == nullptr) s.session->go(0);
   return stop(s);
 }
 

@@ -103,7 +103,7 @@ void draw_cover_panel(Shell& shell, const app::Rect& rect) {
            session.conversation().questions())  // those of this situation: the score counts no others
         if (const lesson::Outcome* outcome = session.conversation().outcome_of(asked))
           draw_outcome(column, *outcome, figures), column.gap(8);
-    if (!session.lesson().subject->asks_of_steps) draw_score(shell, column);
+    if (session.lesson().subject->experiment != nullptr) draw_score(shell, column);
   });
 }
 

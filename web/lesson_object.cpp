@@ -71,7 +71,7 @@ val lesson_object(const lesson::Session& session) {
   object.set("algorithms",
              array_of(lesson.algorithms, [&](std::string_view name) { return algorithm_object(lesson, name); }));
   object.set("stepWord", text(lesson.subject->step_word));
-  object.set("asksOfSteps", lesson.subject->asks_of_steps);
+  object.set("measures", lesson.subject->experiment != nullptr);
   object.set("tools", tools_object(session.stage().subject()));
   object.set("stageSays", text(session.stage().subject().stage_says()));
   object.set("handleWords", array_of(session.stage().subject().handle_words(), text));

@@ -157,7 +157,7 @@ void check_runs(Lesson& lesson, Runs& runs, Complaints& complaints) {
 void check_tasks(const Lesson& lesson, const Subject& own, Complaints& complaints) {
   for (const Task& task : lesson.tasks) {
     const std::size_t before = complaints.count();
-    if (own.points() != nullptr && fit::count_of(*own.points()) < task.points && lesson.subject->asks_of_steps)
+    if (own.points() != nullptr && fit::count_of(*own.points()) < task.points && lesson.subject->experiment == nullptr)
       complaints.add(task.place, "the task is for more points than the lesson has");
     for (const std::string& name : task.only)
       if (!handle_named(own, name))
@@ -304,7 +304,7 @@ void check_on_runs(Lesson& lesson, const toml::table& toml, const Situations& si
   check_links(lesson, toml, situations, complaints);
   check_all_figures(lesson, toml, situations, complaints);
   for (const auto& one : situations) {
-    if (lesson.subject->asks_of_steps) check_runs(one->lesson, one->runs, complaints);
+    if (lesson.subject->experiment == nullptr) check_runs(one->lesson, one->runs, complaints);
     check_tasks(one->lesson, *one->own, complaints);
   }
 }

@@ -75,7 +75,7 @@ tl::expected<Played, InputError> play(Session& session) {
   session.forget_answers();
   for (const std::string_view situation : situation_names(session.lesson())) {
     if (const Done shown = session.stage().show_situation(situation); !shown) return tl::unexpected(shown.error());
-    if (subject.before_play != nullptr) subject.before_play(session);
+    if (subject.experiment != nullptr) subject.experiment->perform(session);
     for (const std::string& name : playable(session)) {
       auto algorithm = play_algorithm(session, name, played.false_keys);
       if (!algorithm) return tl::unexpected(std::move(algorithm.error()));

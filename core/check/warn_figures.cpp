@@ -142,7 +142,7 @@ void warn_of_figures(const Lesson& lesson, const toml::table& toml, std::span<co
       const toml::table* table = tables->get(i)->as_table();
       warn_of_stretch(*stretch, {table, "text", table}, lesson.sections[i].situation, figures, complaints);
     }
-  if (!lesson.subject->asks_of_steps) return;  // such questions are asked of the lesson's own alone
+  if (lesson.subject->experiment != nullptr) return;  // such questions are asked of the lesson's own alone
   for (const PlacedText& text : prompts_of(toml)) {
     if (!is_said_of_any(text)) continue;
     std::vector<ProseFault> told;

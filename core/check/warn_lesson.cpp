@@ -120,7 +120,7 @@ void warn_of_words(const Lesson& lesson, const toml::table& toml, std::span<cons
     if (i < lesson.sections.size()) warn_of_length(table, lesson.sections[i], complaints);
   });
   each_of("question", [&](const toml::table& table, std::size_t) {
-    if (lesson.subject->asks_of_steps) warn_of_own_words(table, handles ? &*handles : nullptr, complaints);
+    if (lesson.subject->experiment == nullptr) warn_of_own_words(table, handles ? &*handles : nullptr, complaints);
   });
   if (!handles) return;
   for (const PlacedText& text : prompts_of(toml)) warn_of_handles(text, *handles, complaints);

@@ -171,8 +171,8 @@ bool comes_before(const Run& run, const Gate& gate) {
 
 std::optional<Asked> resolve(const Question& question, const Lesson& lesson, const Subject& subject, const Run& run,
                              std::string& why) {
+  if (question.predicts) return asked_anytime(question, lesson, subject, run);
   const SubjectRow& row = *lesson.subject;
-  if (!row.asks_of_steps) return asked_anytime(question, lesson, subject, run);
   const Gate& gate = question.gate;
   Asked asked;
   asked.lesson = &lesson;
@@ -225,15 +225,14 @@ std::vector<Asked> asked_on(const Lesson& lesson, std::string_view method, const
   std::string why;
   for (const Question& question : lesson.questions) {
     if (question.situation != subject.origin().situation) continue;
-    if (lesson.subject->asks_of_steps && question.gate.algorithm != method) continue;
-    if ((question.holds == Holds::kHere || !lesson.subject->asks_of_steps) && !own_run) continue;
+    if (!question.predicts && question.gate.algorithm != method) continue;
+    if ((question.holds == Holds::kHere || question.predicts) && !own_run) continue;
     if (!conditions_hold(question, lesson, method, subject, run)) continue;
     auto asked = resolve(question, lesson, subject, run, why);
     if (!asked) continue;
     put_words(*asked, own_run);
     all.push_back(*std::move(asked));
   }
-  if (!lesson.subject->asks_of_steps) return all;
   sort_stably(all, [](const Asked& a, const Asked& b) { return a.step < b.step; });
   // Questions at one place are asked one after the other, before the first is decided.
   std::vector<Asked> apart;

@@ -318,7 +318,7 @@ std::string no_figure_after(const Asked& asked, const Run& run) {
 }
 
 std::vector<std::string_view> general_askings(const SubjectRow& subject) {
-  if (!subject.asks_of_steps) return {kChoice.name};
+  if (subject.experiment != nullptr) return {kChoice.name};
   std::vector<std::string_view> names;
   for (const Asking* asking : kOfAnyStep) names.push_back(asking->name);
   if (subject.compares)

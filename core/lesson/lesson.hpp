@@ -127,6 +127,7 @@ enum class Holds : std::uint8_t {
 struct Question {
   std::string id;
   Gate gate;
+  bool predicts = false;       // before the first step, without a gate
   std::string asks = "point";  // "point", "choice", or anything that its subject's facts can be asked
   std::string prompt;
   std::vector<std::string> choices;  // for "choice"; for "sequence" in the right order

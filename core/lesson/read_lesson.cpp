@@ -26,7 +26,7 @@ constexpr std::int64_t kMostMinutes = 240;
 std::vector<std::string_view> volumes() {
   std::vector<std::string_view> names;
   for (const SubjectRow* row : subjects())
-    if (row->chart.empty())
+    if (row->experiment == nullptr)
       for (const std::string_view volume : row->volumes()) names.push_back(volume);
   return names;
 }
@@ -34,7 +34,7 @@ std::vector<std::string_view> volumes() {
 std::vector<std::string_view> charts() {
   std::vector<std::string_view> names;
   for (const SubjectRow* row : subjects())
-    if (!row->chart.empty()) names.push_back(row->chart);
+    if (row->experiment != nullptr) names.push_back(row->experiment->chart);
   return names;
 }
 
@@ -229,7 +229,8 @@ Question read_question(const toml::table& toml, const Lesson& lesson, Complaints
   question.place = table.place();
   question.figure_place = table.place_of("figure");
   question.id = table.text("id");
-  if (lesson.subject->asks_of_steps) question.gate = read_gate(table, lesson);
+  question.predicts = lesson.subject->experiment != nullptr;
+  if (!question.predicts) question.gate = read_gate(table, lesson);
   question.prompt = table.text("prompt");
   question.can_be_asked = reads_soundly(table, complaints, [&] { read_asking(table, lesson, question); });
   read_truth(table, lesson, question, complaints);
@@ -447,9 +448,8 @@ bool check_gate(const Gate& gate, const SubjectRow& subject, const std::vector<s
 }
 
 void check_gates(Lesson& lesson, Complaints& complaints) {
-  if (!lesson.subject->asks_of_steps) return;
   std::erase_if(lesson.questions, [&](const Question& question) {
-    return !check_gate(question.gate, *lesson.subject, lesson.subject->facts(), complaints);
+    return !question.predicts && !check_gate(question.gate, *lesson.subject, lesson.subject->facts(), complaints);
   });
 }
 

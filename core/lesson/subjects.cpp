@@ -41,7 +41,8 @@ std::span<const MarkOn> marks_on_subjects() {
 
 const SubjectRow* find_subject(std::string_view volume, std::string_view chart) {
   for (const SubjectRow* row : subjects())
-    if (row->chart == chart && is_among(row->volumes(), volume)) return row;
+    if ((row->experiment != nullptr ? row->experiment->chart : "") == chart && is_among(row->volumes(), volume))
+      return row;
   return nullptr;
 }
 

@@ -16,20 +16,26 @@ namespace snug::lesson {
 
 class Session;
 
+/// What is measured of what stands on the stage: costs, criteria, claims. Questions about it are predictions, which are
+/// asked before the first step, when somebody wants to measure.
+struct Experiment {
+  std::string_view chart;            // the value of "chart" in a lesson's file that selects it
+  std::string_view decided_by = "";  // what replaces time if there is no clock; empty for nothing
+  /// Does it at once, for a lesson that is played without a screen.
+  void (*perform)(Session& session);
+};
+
 struct SubjectRow {
   std::string_view name;                // that of its folder: "pair"
   std::string_view table;               // the table that it needs in a lesson's file: "boxes"
   std::string_view step_word = "step";  // what the timeline counts
   /// The values of "volume" in a lesson's file that select it.
   std::vector<std::string_view> (*volumes)() = nullptr;
-  std::string_view chart = "";  // the value of "chart" that selects it; empty for none
+  const Experiment* experiment = nullptr;  // null: its questions are about steps
   std::span<const Method> (*methods)(std::string_view volume) = nullptr;
   std::vector<std::string_view> (*facts)() = nullptr;  // what a question's gate may name
   std::vector<AskingOf> (*askings)() = nullptr;        // besides those of any step (general_askings)
-  std::string_view decided_by = "";                    // what replaces time if there is no clock; empty for nothing
   bool compares = false;                               // whether its methods' results are compared with a reference
-  bool asks_of_steps = true;            // false: its questions come before the first step, without a gate;
-  bool predict_when_measuring = false;  // then not at once, but when measuring is wanted
 
   /// Reads its own tables from the file.
   void (*read)(TomlTable& table, Lesson& lesson, Complaints& complaints) = nullptr;
@@ -50,8 +56,6 @@ struct SubjectRow {
   std::vector<InputError> (*faults)(const Lesson& lesson, const std::optional<io::PointFile>& mesh) = nullptr;
   /// Plays a task's model in a session where the task was started, and grades it; null: the model's rows are set.
   tl::expected<Grade, InputError> (*play_task)(Session& session, const Task& task) = nullptr;
-  /// Does what has to be done before questions can be answered; null for nothing.
-  void (*before_play)(Session& session) = nullptr;
   /// A stage of each of its kinds of lesson, for `snug lesson table`; none if it has the figures of another subject.
   std::span<const StageSample> samples = {};
 };

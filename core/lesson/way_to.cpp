@@ -62,7 +62,7 @@ Done go_to_question(Session& session, const Place& at) {
   if (Done shown = session.stage().show_situation(question->situation); !shown) return shown;
   if (!own.empty())
     if (Done used = use(session, own); !used) return used;
-  if (at.answered && !session.lesson().subject->asks_of_steps)
+  if (at.answered && question->predicts)
     return refused("the question " + at.question + " is decided by what is measured then, and has no outcome before");
   if (Done opened = open_question(session, at.question); !opened) return opened;
   if (at.answered) session.conversation().give(model_answer(*session.conversation().asked(), session.player().run(0)));

@@ -26,7 +26,8 @@ struct LessonOptions {
 
 /// Adds what decides the lesson's answers without a clock.
 void add_decided_by(Json& json, const lesson::Lesson& lesson) {
-  if (!lesson.subject->decided_by.empty()) json["decided_by"] = lesson.subject->decided_by;
+  const lesson::Experiment* const experiment = lesson.subject->experiment;
+  if (experiment != nullptr && !experiment->decided_by.empty()) json["decided_by"] = experiment->decided_by;
 }
 
 // ---- list ------------------------------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ Json figures_of(const lesson::Session& session) {
 /// What may be asked of a step: a question's "asks".
 Json asks_of(const lesson::Session& session, int step) {
   Json asks = Json::array();
-  if (!session.lesson().subject->asks_of_steps) return asks;
+  if (session.lesson().subject->experiment != nullptr) return asks;
   for (const lesson::Asking& asking : session.player().run(0).askings(step)) asks.push_back(asking.name);
   for (const std::string_view name : lesson::general_askings(*session.lesson().subject))
     if (!name.starts_with("point") || !session.player().run(0).handles(step).empty()) asks.push_back(name);

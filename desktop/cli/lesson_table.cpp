@@ -55,7 +55,7 @@ std::string lesson_on(const lesson::SubjectRow& subject, const lesson::StageSamp
   ((text += sample.volume) += "\"\nalgorithms = [") +=
       sample.algorithms.empty() ? all_algorithms(subject, sample) : std::string(sample.algorithms);
   text += "]\n";
-  if (!subject.chart.empty()) ((text += "chart = \"") += subject.chart) += "\"\n";
+  if (subject.experiment != nullptr) ((text += "chart = \"") += subject.experiment->chart) += "\"\n";
   return (text += sample.tables) += "\n[[section]]\ntitle = \"Sample\"\ntext = \"Sample.\"\n";
 }
 

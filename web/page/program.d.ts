@@ -285,7 +285,7 @@ interface Lesson extends PointSet {
   sections: { title: string; situation: string; blocks: Block[] }[];
   algorithms: LessonAlgorithm[];
   stepWord: "step" | "frame";
-  asksOfSteps: boolean;
+  measures: boolean;
   tools: { word: string; title: string; points: boolean };
   stageSays: string;
   handleWords: string[];

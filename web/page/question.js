@@ -111,7 +111,7 @@ export class QuestionCard {
       view.predictions.find(({ id }) => id === question)?.prompt ?? "";
     by_id("told").replaceChildren(
       ...told.map((each) => this.#told_card(each, prompt_of(each))),
-      ...(score && !this.#lesson.asksOfSteps ? [this.#score_card(score)] : []),
+      ...(score && this.#lesson.measures ? [this.#score_card(score)] : []),
     );
     box.scrollTop = 0;
     if (had_focus) (first_in(box) ?? by_id("canvas")).focus({ preventScroll: true });

@@ -14,12 +14,12 @@
 namespace snug::lesson {
 
 Conversation::Conversation(const Lesson& lesson, Stage& stage, Player& player, Log& log)
-    : lesson_(&lesson), stage_(&stage), player_(&player), log_(&log),
-      predicts_(!lesson.subject->predict_when_measuring) {}
+    : lesson_(&lesson), stage_(&stage), player_(&player), log_(&log), predicts_(lesson.subject->experiment == nullptr) {
+}
 
 /// Finds what is asked of a new run.
 bool Conversation::follow(bool entered) {
-  if (entered) predicts_ = !lesson_->subject->predict_when_measuring;
+  if (entered) predicts_ = lesson_->subject->experiment == nullptr;
   const Subject& subject = stage_->subject();
   const bool is_disturbed = subject.frames() != nullptr && subject.frames()->is_disturbed();
   asked_ = asked_on(*lesson_, name_in(*lesson_, *player_->method(0)), subject, player_->run(0),
@@ -73,7 +73,7 @@ std::uint64_t Conversation::instance() const {
 }
 
 bool Conversation::can_practise() const {
-  return lesson_->subject->asks_of_steps && !asked_.empty() &&
+  return !asked_.empty() &&
          std::any_of(lesson_->questions.begin(), lesson_->questions.end(), [&](const Question& question) {
            return question.holds == Holds::kAlways && question.situation == stage_->situation() &&
                   question.gate.algorithm == name_in(*lesson_, *player_->method(0));
@@ -288,9 +288,9 @@ std::vector<std::string> Conversation::target_names() const {
 std::string Conversation::score() const {
   if (standing() != nullptr || to_predict() != nullptr || deciding_) return {};
   const auto open = [](const Outcome& outcome) { return outcome.pending; };
-  const bool of_steps = lesson_->subject->asks_of_steps;
   const auto& outcomes = log_->outcomes();
-  const bool over = of_steps ? player_->over() : std::none_of(outcomes.begin(), outcomes.end(), open);
+  const bool over =
+      lesson_->subject->experiment == nullptr ? player_->over() : std::none_of(outcomes.begin(), outcomes.end(), open);
   if (!over) return {};
   std::string says = score_text(tally());
   for (const Slider* slider : log_->to_move()) says += " Still to do: move the slider “" + slider->title + "”.";
@@ -300,7 +300,7 @@ std::string Conversation::score() const {
 bool Conversation::at_summary() const {
   if (summary_closed_ || deciding_ || !player_->over() || outcome() != nullptr) return false;
   const Tally all = tally();
-  return lesson_->subject->asks_of_steps && all.all() > 0 && all.open == 0;
+  return lesson_->subject->experiment == nullptr && all.all() > 0 && all.open == 0;
 }
 
 std::vector<const Method*> Conversation::waiting() const {

@@ -88,22 +88,21 @@ void try_all(Session& session) {
   session.inform<ClaimsSubject>([](ClaimsSubject& claims) { claims.tried(cost::all_trials()); });
 }
 
+constexpr Experiment kClaimsExperiment{.chart = "claims", .perform = &try_all};
+
 }  // namespace
 
 const SubjectRow kClaimsRow{.name = "claims",
                             .table = "points",
                             .volumes = &claim_volumes,
-                            .chart = "claims",
+                            .experiment = &kClaimsExperiment,
                             .methods = &claim_methods,
                             .facts = &no_claim_facts,
                             .askings = &claims_askings,
-                            .asks_of_steps = false,
-                            .predict_when_measuring = true,
                             .read = &read_claims,
                             .read_model = &read_point_model,
                             .check_first = &check_claims,
                             .open = &open_claims,
-                            .before_play = &try_all,
                             .samples = kClaimsSamples};
 
 void ClaimsSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {

@@ -75,25 +75,23 @@ tl::expected<Grade, InputError> play_cost_task(Session& session, const Task& tas
   return *session.grade();
 }
 
+constexpr Experiment kCostExperiment{.chart = "cost", .decided_by = "operations", .perform = &count_costs};
+
 }  // namespace
 
 const SubjectRow kCostRow{.name = "cost",
                           .table = "points",
                           .volumes = &charted_volumes,
-                          .chart = "cost",
+                          .experiment = &kCostExperiment,
                           .methods = &charted_methods,
                           .facts = &no_facts,
                           .askings = &cost_askings,
-                          .decided_by = "operations",
-                          .asks_of_steps = false,
-                          .predict_when_measuring = true,
                           .read = &read_chart,
                           .read_model = &read_point_model,
                           .task_figures = kTaskFigures,
                           .check_task = &check_cost_task,
                           .open = &open_chart,
-                          .play_task = &play_cost_task,
-                          .before_play = &count_costs};
+                          .play_task = &play_cost_task};
 
 void CostSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   const std::string_view kind = lesson.generators.empty() ? "gaussian" : std::string_view(lesson.generators.front());

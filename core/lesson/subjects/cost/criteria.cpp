@@ -88,25 +88,23 @@ std::vector<int> ranks_among(const std::vector<double>& values, double doubt) {
   return ranks;
 }
 
+constexpr Experiment kCriteriaExperiment{.chart = "criteria", .decided_by = "operations", .perform = &count_criteria};
+
 }  // namespace
 
 const SubjectRow kCriteriaRow{.name = "criteria",
                               .table = "points",
                               .volumes = &compared_volumes,
-                              .chart = "criteria",
+                              .experiment = &kCriteriaExperiment,
                               .methods = &compared_methods,
                               .facts = &no_facts_of_criteria,
                               .askings = &criteria_askings,
-                              .decided_by = "operations",
                               .compares = true,
-                              .asks_of_steps = false,
-                              .predict_when_measuring = true,
                               .read = &read_criteria,
                               .read_model = &read_criteria_model,
                               .check_task = &check_criteria_task,
                               .open = &open_criteria,
                               .play_task = &play_criteria_task,
-                              .before_play = &count_criteria,
                               .samples = kCriteriaSamples};
 
 ShapeCosts& CriteriaSubject::known() const {
