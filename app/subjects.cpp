@@ -6,7 +6,7 @@
 #include "app/subjects/claims/claims_cover.hpp"
 #include "app/subjects/cloud/view.hpp"
 #include "app/subjects/cost/costs.hpp"
-#include "app/subjects/cost/criteria_board.hpp"
+#include "app/subjects/criteria/criteria_board.hpp"
 #include "app/subjects/field/view.hpp"
 #include "app/subjects/frustum/view.hpp"
 #include "app/subjects/pair/view.hpp"

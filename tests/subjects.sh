@@ -11,7 +11,7 @@ complain() { # what is wrong, the lines
 for folder in app/subjects/*/ core/lesson/subjects/*/; do
     subject=$(basename "$folder")
     complain "$folder includes another subject:" \
-        "$(git grep -nE '#include "[a-z]+/subjects/' -- "$folder" | grep -v "/subjects/$subject/" || true)"
+        "$(git grep -hE '#include "[a-z]+/subjects/' -- "$folder" | grep -v "/subjects/$subject/" || true)"
 done
 
 # The rooms, without the subjects' folders and lists.

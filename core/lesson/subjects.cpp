@@ -10,7 +10,7 @@
 #include "lesson/subjects/cloud/cloud.hpp"
 #include "lesson/subjects/cloud/stored.hpp"
 #include "lesson/subjects/cost/cost.hpp"
-#include "lesson/subjects/cost/criteria.hpp"
+#include "lesson/subjects/criteria/criteria.hpp"
 #include "lesson/subjects/field/field.hpp"
 #include "lesson/subjects/frustum/frustum.hpp"
 #include "lesson/subjects/pair/axis_rows.hpp"

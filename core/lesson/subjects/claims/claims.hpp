@@ -2,9 +2,9 @@
 // answers. A cloud on which a claim does not hold can be put on the stage.
 #pragma once
 
+#include "lesson/on_cloud.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/subjects/cost/on_cloud.hpp"
 #include "measure/trials.hpp"
 
 namespace snug::lesson {

@@ -2,9 +2,9 @@
 // each method, decides the answers.
 #pragma once
 
+#include "lesson/on_cloud.hpp"
 #include "lesson/session.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/subjects/cost/on_cloud.hpp"
 #include "measure/rows.hpp"
 
 namespace snug::lesson {

@@ -4,7 +4,7 @@
 
 #include "geometry/sort.hpp"
 #include "lesson/names.hpp"
-#include "lesson/subjects/cost/criteria_words.hpp"
+#include "lesson/subjects/criteria/criteria_words.hpp"
 
 namespace snug::lesson {
 namespace {

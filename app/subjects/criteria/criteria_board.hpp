@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/cover.hpp"
-#include "app/subjects/cost/small_pictures.hpp"
-#include "lesson/subjects/cost/criteria_words.hpp"
+#include "app/subjects/criteria/small_pictures.hpp"
+#include "lesson/subjects/criteria/criteria_words.hpp"
 #include "measure/criteria_run.hpp"
 #include "measure/report.hpp"
 

@@ -1,10 +1,10 @@
 // Which volume when: the model, what is known of shapes, predictions and tasks.
-#include "lesson/subjects/cost/criteria.hpp"
+#include "lesson/subjects/criteria/criteria.hpp"
 
 #include "check/check_lesson.hpp"
 #include "check/play.hpp"
 #include "core/lesson/small_lesson.hpp"
-#include "lesson/subjects/cost/criteria_words.hpp"
+#include "lesson/subjects/criteria/criteria_words.hpp"
 #include "measure/report.hpp"
 
 using namespace snug;

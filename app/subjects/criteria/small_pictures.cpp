@@ -1,4 +1,4 @@
-#include "app/subjects/cost/small_pictures.hpp"
+#include "app/subjects/criteria/small_pictures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lesson/subjects/cost/shape_costs.hpp"
+#include "lesson/subjects/criteria/shape_costs.hpp"
 
 #include <algorithm>
 

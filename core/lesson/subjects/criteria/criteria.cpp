@@ -1,4 +1,4 @@
-#include "lesson/subjects/cost/criteria.hpp"
+#include "lesson/subjects/criteria/criteria.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,9 +7,8 @@
 #include "geometry/tolerance.hpp"
 #include "lesson/check_solution.hpp"
 #include "lesson/point_subject.hpp"
-#include "lesson/subjects/cost/asks.hpp"
-#include "lesson/subjects/cost/criteria_words.hpp"
-#include "lesson/subjects/cost/samples.hpp"
+#include "lesson/subjects/criteria/criteria_words.hpp"
+#include "lesson/subjects/criteria/samples.hpp"
 
 namespace snug::lesson {
 namespace {

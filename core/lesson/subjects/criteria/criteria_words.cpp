@@ -1,4 +1,4 @@
-#include "lesson/subjects/cost/criteria_words.hpp"
+#include "lesson/subjects/criteria/criteria_words.hpp"
 
 #include <algorithm>
 #include <array>

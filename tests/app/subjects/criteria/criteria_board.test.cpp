@@ -1,5 +1,5 @@
 // The board of small pictures and tables: measured in slices, sorted, picked, turned.
-#include "app/subjects/cost/criteria_board.hpp"
+#include "app/subjects/criteria/criteria_board.hpp"
 
 #include <doctest/doctest.h>
 

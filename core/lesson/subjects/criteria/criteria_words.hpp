@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lesson/ask.hpp"
-#include "lesson/subjects/cost/criteria.hpp"
+#include "lesson/subjects/criteria/criteria.hpp"
 
 namespace snug::lesson {
 

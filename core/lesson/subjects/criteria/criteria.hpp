@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "lesson/on_cloud.hpp"
 #include "lesson/subjects.hpp"
-#include "lesson/subjects/cost/load.hpp"
-#include "lesson/subjects/cost/on_cloud.hpp"
-#include "lesson/subjects/cost/shape_costs.hpp"
+#include "lesson/subjects/criteria/load.hpp"
+#include "lesson/subjects/criteria/shape_costs.hpp"
 
 namespace snug::lesson {
 

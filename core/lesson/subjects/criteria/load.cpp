@@ -1,4 +1,4 @@
-#include "lesson/subjects/cost/load.hpp"
+#include "lesson/subjects/criteria/load.hpp"
 
 #include <array>
 #include <cmath>

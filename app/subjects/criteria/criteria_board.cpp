@@ -1,4 +1,4 @@
-#include "app/subjects/cost/criteria_board.hpp"
+#include "app/subjects/criteria/criteria_board.hpp"
 
 #include <algorithm>
 #include <charconv>
