@@ -56,8 +56,8 @@ void apply_impulse(System& system, const ContactRow& row, const V3& impulse) {
 }
 
 /// The impulses of the pair in the last round.
-std::vector<Impulse> held_by(const System& system, const Pair& pair) {
-  const auto before = [](const Impulse& impulse, const Pair& wanted) { return impulse.pair < wanted; };
+std::vector<Impulse> held_by(const System& system, const BodyPair& pair) {
+  const auto before = [](const Impulse& impulse, const BodyPair& wanted) { return impulse.pair < wanted; };
   const auto from = std::lower_bound(system.impulses.begin(), system.impulses.end(), pair, before);
   auto to = from;
   while (to != system.impulses.end() && to->pair == pair) ++to;
@@ -87,7 +87,7 @@ void span_plane(ContactRow& row) {
   row.second = row.normal.cross(row.first);
 }
 
-ContactRow row_of(const System& system, const Pair& pair, const V3& normal, const ManifoldPoint& point) {
+ContactRow row_of(const System& system, const BodyPair& pair, const V3& normal, const ManifoldPoint& point) {
   ContactRow row{
       .pair = pair, .normal = normal, .separation = point.separation, .slop = system.slop(pair), .impulse = {pair}};
   row.against_wall = !member_of(system, pair.a).moves() || !member_of(system, pair.b).moves();
@@ -261,7 +261,7 @@ std::vector<Shift> shifts_apart(const System& system, const std::vector<ContactR
   const auto walls = walls_of(system, rows);
   for (std::size_t i = 0; i < rows.size();) {
     const ContactRow* deepest = &rows[i];
-    const Pair pair = rows[i].pair;
+    const BodyPair pair = rows[i].pair;
     for (; i < rows.size() && rows[i].pair == pair; ++i)
       if (rows[i].separation < deepest->separation) deepest = &rows[i];
     const double depth = -deepest->separation - deepest->slop;

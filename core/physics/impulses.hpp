@@ -17,7 +17,7 @@ struct Surface {
 
 /// A point of a contact while impulses are found.
 struct ContactRow {
-  Pair pair;
+  BodyPair pair;
   V3 normal, first, second;  // the last two across the first
   V3 arm_a, arm_b;           // from the centres of mass
   double separation = 0, slop = 0;

@@ -41,7 +41,7 @@ class Islands {
 }
 
 /// The island of a pair in which at least one body moves.
-[[nodiscard]] inline std::size_t island_of(const System& system, Islands& islands, const Pair& pair) {
+[[nodiscard]] inline std::size_t island_of(const System& system, Islands& islands, const BodyPair& pair) {
   const std::size_t a = pair.a;
   return islands.of(system.members[a].moves() ? a : static_cast<std::size_t>(pair.b));
 }

@@ -22,13 +22,13 @@ void System::place(std::size_t i, const V3& position, const Quaternion& orientat
 
 double System::pace() const { return (gravity == V3::Zero() ? limits::kUsualGravity : gravity.norm()) * round(); }
 
-double System::thinner(const Pair& pair) const {
+double System::thinner(const BodyPair& pair) const {
   const Member &a = members[pair.a], &b = members[pair.b];
   if (a.moves() != b.moves()) return (a.moves() ? a : b).shape.thinnest;
   return std::min(a.shape.thinnest, b.shape.thinnest);
 }
 
-double System::slop(const Pair& pair) const { return limits::kSlop * thinner(pair); }
+double System::slop(const BodyPair& pair) const { return limits::kSlop * thinner(pair); }
 
 double System::margin(std::size_t i) const {
   if (!solid) return 0;

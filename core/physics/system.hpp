@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/body_pair.hpp"
 #include "geometry/pose.hpp"
 #include "physics/shape.hpp"
 
@@ -34,27 +35,24 @@ struct Motion {
   bool asleep = false;
   std::uint64_t moved = 0;  // Moving::moves when it last moved or fell asleep
 
-  void wake() { asleep = false, still = 0, drifted = drifted_angular = V3::Zero(); }
+  void wake() {
+    asleep = false;
+    still = 0;
+    drifted = drifted_angular = V3::Zero();
+  }
 };
 
 [[nodiscard]] inline Pose<double, 3> pose_of(const Motion& motion) { return {motion.rotation, motion.position}; }
 
-/// Two bodies, a < b.
-struct Pair {
-  Index a = 0, b = 0;
-  friend bool operator==(const Pair&, const Pair&) = default;
-  friend bool operator<(const Pair& x, const Pair& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
-};
-
 /// Two bodies that touch, or may touch before the next frame.
 struct Contact {
-  Pair pair;
+  BodyPair pair;
   bool touching = false;
 };
 
 /// The impulse at a contact point in the last frame, with which the next frame starts.
 struct Impulse {
-  Pair pair;
+  BodyPair pair;
   V3 on_a = V3::Zero(), on_b = V3::Zero();   // where, in each body's own frame
   double normal = 0, first = 0, second = 0;  // kg scene units / s
   double approach = 0;                       // the speed at which the bodies approached, until they bounce
@@ -89,9 +87,9 @@ struct System : Moving {
   [[nodiscard]] double pace() const;
   /// The half thickness of the thinner body, or of the only one that moves, scene units: a floor may be as thin as
   /// paper.
-  [[nodiscard]] double thinner(const Pair& pair) const;
+  [[nodiscard]] double thinner(const BodyPair& pair) const;
   /// The penetration that is left as it is, scene units.
-  [[nodiscard]] double slop(const Pair& pair) const;
+  [[nodiscard]] double slop(const BodyPair& pair) const;
   /// The distance from a body within which contacts are looked for, scene units.
   [[nodiscard]] double margin(std::size_t i) const;
   /// The kinetic and potential energy of all bodies that velocities move.

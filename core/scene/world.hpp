@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "geometry/aabb.hpp"
+#include "geometry/body_pair.hpp"
 #include "geometry/frustum.hpp"
+#include "hierarchy/broad_phase/sweep_and_prune.hpp"
 #include "physics/system.hpp"
 #include "scene/declaration.hpp"
 
@@ -45,7 +47,6 @@ template <class... Slots>
 using physics::Contact;
 using physics::Member;
 using physics::Motion;
-using physics::Pair;
 using physics::Shape;
 
 /// How many pairs each stage left, how many the broad phase compared, and the axis along which it sorted (-1:
@@ -54,12 +55,6 @@ struct Funnel {
   std::int64_t all = 0, compared = 0, after_broad = 0, after_loose = 0, touching = 0;
   int axis = -1;
   std::int64_t swaps = 0;
-};
-
-/// The bodies by where their AABBs begin along an axis, as the last sweep left them: the next begins from there.
-struct SweepOrder {
-  int axis = -1;  // none yet
-  std::vector<Index> bodies;
 };
 
 /// The figures of the last update of the volumes.
@@ -81,10 +76,10 @@ struct State {
   std::array<std::uint64_t, kSlots> revisions{};
   std::vector<Aabb<double, 3>> volumes;
   Refitted refitted;
-  std::vector<Pair> pairs;  // pairs whose AABBs overlap
-  std::vector<Pair> near;   // those of them whose bounding spheres overlap
+  std::vector<BodyPair> pairs;  // pairs whose AABBs overlap
+  std::vector<BodyPair> near;   // those of them whose bounding spheres overlap
   Funnel funnel;
-  SweepOrder sweep;
+  hierarchy::SweepOrder sweep;
   std::vector<std::uint8_t> visibility;  // query::Culling, by body
   std::vector<std::vector<V3>> shadows;  // by body, a convex polygon on the ground
   std::vector<std::vector<V3>> trails;   // by body, the oldest place first

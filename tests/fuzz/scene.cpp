@@ -4,7 +4,7 @@
 
 #include "fuzz/bytes.hpp"
 #include "geometry/tolerance.hpp"
-#include "scene/pairs.hpp"
+#include "hierarchy/broad_phase/broad_phase.hpp"
 #include "scene/scene.hpp"
 
 namespace {
@@ -31,7 +31,7 @@ const std::vector<std::pair<std::string_view, std::vector<Known>>>& settings() {
       {"drag", {{"to", 3, {}}, {"stiffness", 1, {}}}},
       {"bounce", {{"restitution", 1, {}}, {"friction", 1, {}}, {"sleep", 0, {"yes", "no"}}}},
       {"refit", {{"strategy", 0, {"rotated_box", "loose", "rebuild", "hill_climb"}}}},
-      {"broad_phase", {{"search", 0, {scene::kPairSearchNames.begin(), scene::kPairSearchNames.end()}}}},
+      {"broad_phase", {{"search", 0, {hierarchy::kPairSearchNames.begin(), hierarchy::kPairSearchNames.end()}}}},
       {"cull", {{"from", 3, {}}, {"at", 3, {}}, {"half_tangent", 1, {}}, {"near", 1, {}}, {"far", 1, {}}}},
       {"shadow", {{"light", 3, {}}, {"ground", 1, {}}}},
       {"trail", {{"length", 1, {}}}},
@@ -126,9 +126,10 @@ void check_volumes(const scene::World& world) {
 
 void check_pairs(const scene::Scene& scene) {
   const scene::State& state = scene.world().state;
-  const auto wanted = scene::overlapping_pairs(state.volumes, scene::PairSearch::kAllPairs).pairs;
-  for (const auto search : {scene::PairSearch::kSweepAndPrune, scene::PairSearch::kTree, scene::PairSearch::kGrid})
-    require(scene::overlapping_pairs(state.volumes, search).pairs == wanted);
+  const auto wanted = hierarchy::broad_phase(state.volumes, hierarchy::PairSearch::kAllPairs).pairs;
+  for (const auto search :
+       {hierarchy::PairSearch::kSweepAndPrune, hierarchy::PairSearch::kTree, hierarchy::PairSearch::kGrid})
+    require(hierarchy::broad_phase(state.volumes, search).pairs == wanted);
   // The broad phase gives each box room for the motion until its next run.
   if (has(scene, "broad_phase"))
     require(std::includes(state.pairs.begin(), state.pairs.end(), wanted.begin(), wanted.end()));

@@ -41,9 +41,9 @@ Color mixed(Color a, Color b, double share) {
 }
 
 /// Which bodies are in one of the pairs.
-std::vector<bool> in_pairs(std::size_t bodies, const std::vector<scene::Pair>& pairs) {
+std::vector<bool> in_pairs(std::size_t bodies, const std::vector<BodyPair>& pairs) {
   std::vector<bool> flags(bodies, false);
-  for (const scene::Pair& pair : pairs) flags[pair.a] = flags[pair.b] = true;
+  for (const BodyPair& pair : pairs) flags[pair.a] = flags[pair.b] = true;
   return flags;
 }
 

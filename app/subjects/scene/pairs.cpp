@@ -26,7 +26,7 @@ Seen body_in(const Brush& brush, const SceneFrame& frame, std::size_t i) {
 void draw_pairs(Brush& brush, const SceneFrame& frame) {
   if (frame.bodies.size() > kCrowd) return;
   const Palette& p = brush.p;
-  for (const scene::Pair& pair : frame.pairs) {
+  for (const BodyPair& pair : frame.pairs) {
     if (std::binary_search(frame.touching.begin(), frame.touching.end(), pair)) continue;
     const bool near = std::binary_search(frame.near.begin(), frame.near.end(), pair);
     draw_between(brush, body_in(brush, frame, pair.a), body_in(brush, frame, pair.b),
@@ -36,7 +36,7 @@ void draw_pairs(Brush& brush, const SceneFrame& frame) {
 
 std::vector<std::vector<std::size_t>> partners_in(const SceneFrame& frame) {
   std::vector<std::vector<std::size_t>> partners(frame.bodies.size());
-  for (const scene::Pair& pair : frame.touching) {
+  for (const BodyPair& pair : frame.touching) {
     partners[pair.a].push_back(pair.b);
     partners[pair.b].push_back(pair.a);
   }
@@ -52,7 +52,7 @@ void draw_contact(Brush& brush, const Seen& a, const Seen& b) {
 }
 
 void draw_touching_in_crowd(Brush& brush, const SceneFrame& frame) {
-  for (const scene::Pair& pair : frame.touching)
+  for (const BodyPair& pair : frame.touching)
     draw_between(brush, body_in(brush, frame, pair.a), body_in(brush, frame, pair.b), Stroke::kSolid,
                  brush.p.support_text, 0.7f);
 }

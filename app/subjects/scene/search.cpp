@@ -5,6 +5,7 @@
 
 #include "app/subjects/scene/owner.hpp"
 #include "app/subjects/scene/pairs.hpp"
+#include "hierarchy/broad_phase/grid.hpp"
 #include "hierarchy/build.hpp"
 #include "lesson/figures.hpp"
 #include "lesson/subjects/scene/scene.hpp"
@@ -44,9 +45,9 @@ void draw_nodes_around(Brush& brush, const SceneFrame& frame, Index body) {
 
 /// The cells that the body's AABB reaches into.
 void draw_cells(Brush& brush, const SceneFrame& frame, Index body) {
-  const scene::Grid grid = scene::grid_of(frame.volumes);
-  const scene::Grid::Cell from = grid.cell_of(aabb_of_body(frame, body).min),
-                          to = grid.cell_of(aabb_of_body(frame, body).max);
+  const hierarchy::Grid grid = hierarchy::grid_of(frame.volumes);
+  const hierarchy::Grid::Cell from = grid.cell_of(aabb_of_body(frame, body).min),
+                              to = grid.cell_of(aabb_of_body(frame, body).max);
   if ((to[0] - from[0] + 1) * (to[1] - from[1] + 1) * (to[2] - from[2] + 1) > kMostCellsDrawn) return;
   for (std::int64_t x = from[0]; x <= to[0]; ++x)
     for (std::int64_t y = from[1]; y <= to[1]; ++y)
@@ -69,7 +70,7 @@ std::optional<SearchShown> search_at(const Brush& brush, const SceneFrame& frame
     return std::nullopt;
   const auto search = lesson::search_shown(lesson::set_of(session), session.player().method(0)->name);
   if (!search) return std::nullopt;
-  const std::vector<scene::Pair> compared = lesson::pairs_compared(frame, *search);
+  const std::vector<BodyPair> compared = lesson::pairs_compared(frame, *search);
   SearchShown shown{.search = *search};
   const Index chosen = brush.hands.hovered != kNoIndex ? brush.hands.hovered : brush.hands.selected;
   const std::vector<Index> most = lesson::most_compared(compared, frame.bodies.size());
@@ -78,15 +79,15 @@ std::optional<SearchShown> search_at(const Brush& brush, const SceneFrame& frame
   else if (!most.empty()) shown.body = most.front();
   else return std::nullopt;
   shown.others = lesson::compared_with(compared, shown.body);
-  if (*search == scene::PairSearch::kSweepAndPrune) shown.active = lesson::active_list(frame, shown.body);
+  if (*search == hierarchy::PairSearch::kSweepAndPrune) shown.active = lesson::active_list(frame, shown.body);
   return shown;
 }
 
 void draw_search(Brush& brush, const SceneFrame& frame, const SearchShown& shown) {
   const Palette& p = brush.p;
   const auto center = [&](Index body) { return frame.bodies[body].position; };
-  if (shown.search == scene::PairSearch::kTree) draw_nodes_around(brush, frame, shown.body);
-  if (shown.search == scene::PairSearch::kGrid) draw_cells(brush, frame, shown.body);
+  if (shown.search == hierarchy::PairSearch::kTree) draw_nodes_around(brush, frame, shown.body);
+  if (shown.search == hierarchy::PairSearch::kGrid) draw_cells(brush, frame, shown.body);
   for (const Index other : shown.others) {
     line(brush.list, brush.at(center(shown.body)), brush.at(center(other)), Stroke::kSolid,
          with_alpha(p.examined, 0.75f), brush.stroke(0.7f));

@@ -12,7 +12,7 @@ namespace snug::app {
 
 /// The search of a frame, seen from one body.
 struct SearchShown {
-  scene::PairSearch search;
+  hierarchy::PairSearch search;
   Index body = kNoIndex;      // the one pointed at or selected, or else one that is compared with the most others
   std::vector<Index> others;  // those that it was compared with
   std::vector<Index> active;  // of a sweep: the active list when it comes to the body

@@ -94,7 +94,7 @@ struct SweepPicture {
 float sweep_room(const Look& look, const lesson::Session& session, const Rect& stage) {
   const std::size_t bodies = lesson::members_of(session).size();
   const auto search = lesson::search_shown(lesson::set_of(session), session.player().method(0)->name);
-  if (search != scene::PairSearch::kSweepAndPrune || lesson::set_of(session).graph || stage.width < kSweepStage ||
+  if (search != hierarchy::PairSearch::kSweepAndPrune || lesson::set_of(session).graph || stage.width < kSweepStage ||
       bodies == 0 || bodies > kMostSwept)
     return 0;
   if (lesson::frame_of(session)->swept.empty()) return 0;  // before the first frame

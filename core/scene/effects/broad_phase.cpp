@@ -2,15 +2,15 @@
 #include <utility>
 
 #include "geometry/tolerance.hpp"
+#include "hierarchy/broad_phase/broad_phase.hpp"
 #include "scene/effect.hpp"
-#include "scene/pairs.hpp"
 
 namespace snug::scene {
 namespace {
 
 class BroadPhase final : public Effect {
  public:
-  explicit BroadPhase(PairSearch search) : search_(search) {}
+  explicit BroadPhase(hierarchy::PairSearch search) : search_(search) {}
 
   void run(World& world) override {
     std::vector<Aabb<double, 3>> boxes = world.state.volumes;
@@ -18,26 +18,29 @@ class BroadPhase final : public Effect {
       // Room for points that rounding may have put outside the box, and for the body's motion until the next test.
       const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() +
                                                                           boxes[i].max.cwiseAbs().maxCoeff());
-      boxes[i].min -= V3::Constant(room), boxes[i].max += V3::Constant(room);
+      boxes[i].min -= V3::Constant(room);
+      boxes[i].max += V3::Constant(room);
     }
-    PairsFound found = overlapping_pairs(boxes, search_, &world.state.sweep);
+    hierarchy::PairsFound found = hierarchy::broad_phase(boxes, search_, &world.state.sweep);
+    Funnel& funnel = world.state.funnel;
+    funnel.compared = found.compared;
+    funnel.axis = found.axis;
+    funnel.swaps = found.swaps;
+    funnel.after_broad = static_cast<std::int64_t>(found.pairs.size());
     world.state.pairs = std::move(found.pairs);
-    world.state.funnel.compared = found.compared, world.state.funnel.axis = found.axis;
-    world.state.funnel.swaps = found.swaps;
-    world.state.funnel.after_broad = static_cast<std::int64_t>(world.state.pairs.size());
     world.state.changed(Slot::kPairs);
   }
 
  private:
-  PairSearch search_;
+  hierarchy::PairSearch search_;
 };
 
 }  // namespace
 
 MadeEffect make_broad_phase(const EffectCall& call, World& world) {
   Settings settings(call, world);
-  const std::size_t search = settings.word("search", kPairSearchNames);
-  return settings.make<BroadPhase>(static_cast<PairSearch>(search));
+  const std::size_t search = settings.word("search", hierarchy::kPairSearchNames);
+  return settings.make<BroadPhase>(static_cast<hierarchy::PairSearch>(search));
 }
 
 }  // namespace snug::scene

@@ -13,7 +13,7 @@ class NarrowPhase final : public Effect {
     world.contacts.clear();
     state.near.clear();
     state.funnel.touching = 0;
-    for (const Pair& pair : state.pairs) {
+    for (const BodyPair& pair : state.pairs) {
       const std::size_t a = pair.a, b = pair.b;
       if (!near(world, a, b)) continue;
       state.near.push_back(pair);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/sort.hpp"
+#include "hierarchy/broad_phase/broad_phase.hpp"
 #include "lesson/check_solution.hpp"
 #include "lesson/fact_run.hpp"
 #include "lesson/subjects.hpp"
@@ -14,7 +15,6 @@
 #include "lesson/subjects/scene/scene_figures.hpp"
 #include "lesson/subjects/scene/scene_text.hpp"
 #include "measure/timing.hpp"
-#include "scene/pairs.hpp"
 
 namespace snug::lesson {
 
@@ -116,7 +116,7 @@ const SceneRecording& recording_for(const View& view, const SceneRun& run, int s
 
 /// Whether a method searches for pairs by sorting.
 bool sorts(const Method& method) {
-  return method.name == scene::kPairSearchNames[static_cast<std::size_t>(scene::PairSearch::kSweepAndPrune)];
+  return method.name == hierarchy::kPairSearchNames[static_cast<std::size_t>(hierarchy::PairSearch::kSweepAndPrune)];
 }
 
 std::string count_of_pairs(double n) { return count_text(static_cast<std::int64_t>(n)); }

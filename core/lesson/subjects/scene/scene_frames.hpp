@@ -20,7 +20,7 @@ struct SceneFrame {
   };
   std::vector<Placed> bodies;
   std::vector<Aabb<double, 3>> volumes;
-  std::vector<scene::Pair> pairs, near, touching;
+  std::vector<BodyPair> pairs, near, touching;
   std::vector<std::vector<scene::V3>> shadows, trails;
   std::vector<scene::Ray> rays;
   int swept_along = -1;                  // the axis that AABBs were sorted along; -1: none

@@ -5,7 +5,8 @@
 #include "fit/catalogue.hpp"
 #include "fit/update/updates.hpp"
 #include "hierarchy/bounds.hpp"
-#include "scene/pairs.hpp"
+#include "hierarchy/broad_phase/broad_phase.hpp"
+#include "hierarchy/broad_phase/grid.hpp"
 
 namespace snug::lesson {
 namespace {
@@ -33,10 +34,10 @@ std::string name_of(const fit::UpdateStrategy& strategy) {
 }
 
 std::vector<Method> methods_of_scenes() {
-  std::vector<Method> all{scene_method("sweep_and_prune", "Sort and sweep", scene::kSweepAndPrunePseudocode),
-                          scene_method("tree", "Tree (BVH)", scene::kTreePairsPseudocode),
-                          scene_method("all_pairs", "All pairs", scene::kAllPairsPseudocode),
-                          scene_method("grid", "Uniform grid", scene::kGridPairsPseudocode)};
+  std::vector<Method> all{scene_method("sweep_and_prune", "Sort and sweep", hierarchy::kSweepAndPrunePseudocode),
+                          scene_method("tree", "Tree (BVH)", hierarchy::kTreePairsPseudocode),
+                          scene_method("all_pairs", "All pairs", hierarchy::kAllPairsPseudocode),
+                          scene_method("grid", "Uniform grid", hierarchy::kGridPairsPseudocode)};
   static std::vector<std::string> names;  // the rows only refer to them
   for (const fit::UpdateStrategy& strategy : fit::update_strategies()) names.push_back(name_of(strategy));
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -126,8 +127,8 @@ scene::Declaration declaration_of(const SceneSet& set, const AnyPointSet& points
 tl::expected<scene::Declaration, InputError> declaration_with(const SceneSet& scene_set, std::string_view method,
                                                               const AnyPointSet& points, std::uint64_t seed) {
   scene::Declaration declaration = declaration_of(scene_set, points, seed);
-  const bool search = std::find(scene::kPairSearchNames.begin(), scene::kPairSearchNames.end(), method) !=
-                      scene::kPairSearchNames.end();
+  const bool search = std::find(hierarchy::kPairSearchNames.begin(), hierarchy::kPairSearchNames.end(), method) !=
+                      hierarchy::kPairSearchNames.end();
   const std::string_view effect = search ? "broad_phase" : "refit";
   const auto call = std::find_if(declaration.effects.begin(), declaration.effects.end(),
                                  [&](const scene::EffectCall& one) { return one.name == effect; });

@@ -9,11 +9,11 @@
 namespace snug::lesson {
 namespace {
 
-std::optional<scene::PairSearch> search_named(std::string_view name) {
-  const auto& names = scene::kPairSearchNames;
+std::optional<hierarchy::PairSearch> search_named(std::string_view name) {
+  const auto& names = hierarchy::kPairSearchNames;
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
-  return static_cast<scene::PairSearch>(found - names.begin());
+  return static_cast<hierarchy::PairSearch>(found - names.begin());
 }
 
 /// The effects by which bodies move from the velocities that they have.
@@ -21,34 +21,34 @@ bool is_of_velocities(const scene::EffectCall& call) {
   return call.name == "fall" || call.name == "bounce" || call.name == "drag" || call.name == "move";
 }
 
-std::optional<scene::PairSearch> search_asked(const Asked& asked) {
+std::optional<hierarchy::PairSearch> search_asked(const Asked& asked) {
   return search_shown(as<SceneSubject>(*asked.subject)->set(), asked.question->gate.algorithm);
 }
 
 }  // namespace
 
-std::optional<scene::PairSearch> search_shown(const SceneSet& set, std::string_view method) {
+std::optional<hierarchy::PairSearch> search_shown(const SceneSet& set, std::string_view method) {
   if (std::any_of(set.effects.begin(), set.effects.end(), is_of_velocities)) return std::nullopt;
   for (const scene::EffectCall& call : set.effects) {
     if (call.name != "broad_phase") continue;
     if (const auto own = search_named(method)) return own;
     for (const scene::Setting& setting : call.settings)
       if (setting.key == "search") return search_named(setting.text);
-    return scene::PairSearch::kSweepAndPrune;
+    return hierarchy::PairSearch::kSweepAndPrune;
   }
   return std::nullopt;
 }
 
-std::vector<scene::Pair> pairs_compared(const SceneFrame& frame, scene::PairSearch search) {
-  std::vector<scene::Pair> compared;
-  scene::SweepOrder sweep{frame.swept_along, frame.swept};
-  static_cast<void>(scene::overlapping_pairs(frame.volumes, search, &sweep, &compared));
+std::vector<BodyPair> pairs_compared(const SceneFrame& frame, hierarchy::PairSearch search) {
+  std::vector<BodyPair> compared;
+  hierarchy::SweepOrder sweep{frame.swept_along, frame.swept};
+  static_cast<void>(hierarchy::broad_phase(frame.volumes, search, &sweep, &compared));
   return compared;
 }
 
-std::vector<Index> compared_with(std::span<const scene::Pair> compared, Index body) {
+std::vector<Index> compared_with(std::span<const BodyPair> compared, Index body) {
   std::vector<Index> others;
-  for (const scene::Pair& pair : compared) {
+  for (const BodyPair& pair : compared) {
     if (pair.a == body) others.push_back(pair.b);
     if (pair.b == body) others.push_back(pair.a);
   }
@@ -56,9 +56,9 @@ std::vector<Index> compared_with(std::span<const scene::Pair> compared, Index bo
   return others;
 }
 
-std::vector<Index> most_compared(std::span<const scene::Pair> compared, std::size_t bodies) {
+std::vector<Index> most_compared(std::span<const BodyPair> compared, std::size_t bodies) {
   std::vector<int> counts(bodies, 0);
-  for (const scene::Pair& pair : compared) ++counts[pair.a], ++counts[pair.b];
+  for (const BodyPair& pair : compared) ++counts[pair.a], ++counts[pair.b];
   const int most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
   std::vector<Index> all;
   for (std::size_t i = 0; most > 0 && i < bodies; ++i)
@@ -88,7 +88,7 @@ const char* offer_bodies(Asked& asked, const Run&) {
 
 Truth most_compared_truth(const Asked& asked, const Run& run) {
   const SceneFrame& frame = scene_run(run).recording().frames[asked.fact + 1];
-  const std::vector<scene::Pair> compared = pairs_compared(frame, *search_asked(asked));
+  const std::vector<BodyPair> compared = pairs_compared(frame, *search_asked(asked));
   Truth truth;
   truth.points = most_compared(compared, frame.bodies.size());
   truth.happened = asked.names(truth.points);

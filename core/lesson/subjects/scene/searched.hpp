@@ -6,24 +6,24 @@
 #include <string_view>
 #include <vector>
 
+#include "hierarchy/broad_phase/broad_phase.hpp"
 #include "lesson/subjects/scene/scene_frames.hpp"
 #include "lesson/subjects/scene/scene_set.hpp"
-#include "scene/pairs.hpp"
 
 namespace snug::lesson {
 
 /// The search of a method, or of the scene's own broad phase if the method is none. None if nothing searches, or if
 /// bodies move by their velocities: then the search widens the AABBs by how far they may move, which no frame keeps.
-[[nodiscard]] std::optional<scene::PairSearch> search_shown(const SceneSet& set, std::string_view method);
+[[nodiscard]] std::optional<hierarchy::PairSearch> search_shown(const SceneSet& set, std::string_view method);
 
 /// Each pair of bodies whose AABBs the search compared in the frame.
-[[nodiscard]] std::vector<scene::Pair> pairs_compared(const SceneFrame& frame, scene::PairSearch search);
+[[nodiscard]] std::vector<BodyPair> pairs_compared(const SceneFrame& frame, hierarchy::PairSearch search);
 
 /// The bodies that one was compared with, rising.
-[[nodiscard]] std::vector<Index> compared_with(std::span<const scene::Pair> compared, Index body);
+[[nodiscard]] std::vector<Index> compared_with(std::span<const BodyPair> compared, Index body);
 
 /// The bodies that were compared with the most others, rising; none if there was no comparison.
-[[nodiscard]] std::vector<Index> most_compared(std::span<const scene::Pair> compared, std::size_t bodies);
+[[nodiscard]] std::vector<Index> most_compared(std::span<const BodyPair> compared, std::size_t bodies);
 
 /// The active list of a sweep when it comes to a body: those that begin before it and have not ended, in the sweep's
 /// order.
