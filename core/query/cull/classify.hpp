@@ -2,12 +2,12 @@
 // Source: U. Assarsson, T. Möller, "Optimized View Frustum Culling Algorithms for Bounding Boxes", 2000: p- and
 // n-vertex, plane masking, temporal coherence.
 //
-// All answers are those of exact arithmetic on the numbers as they are, in float as in double: a volume is outside just
-// where all of it is on the outer side of one plane, and inside where none of it is on the outer side of any. So
-// nothing that touches the frustum is ever called outside, and nothing that sticks out inside. (A kind of volume whose
-// header gives a support mapping alone is promised that and no more: within rounding of a plane it is called
-// intersecting.) But what is outside without being so of one plane (near the frustum's edges and corners) is called
-// intersecting: frustum_sat.hpp tells how often.
+// All answers are those of exact arithmetic on the numbers as they are, in float as in double: a volume is outside
+// exactly if all of it is in one plane's positive half-space, and inside exactly if none of it is in any plane's. So
+// nothing that touches the frustum is ever called outside, and nothing that sticks out is called inside. (A kind of
+// volume whose header gives a support mapping alone is promised that and no more: within rounding of a plane it is
+// called intersecting.) But a volume that is outside the frustum without being outside one plane (near an edge or a
+// vertex of the frustum) is called intersecting; for boxes frustum_sat.hpp decides that exactly.
 #pragma once
 
 #include <type_traits>

@@ -7,7 +7,6 @@
 #include "geometry/tolerance.hpp"
 #include "number/dyadic.hpp"
 #include "number/power_of_two.hpp"
-#include "query/cull/classify.hpp"
 #include "query/overlap/box_of_numbers.hpp"
 
 namespace snug::query {
@@ -148,29 +147,9 @@ bool FrustumSat<Scalar, Dim>::overlaps(const Aabb<Scalar, Dim>& box) const {
   return overlaps_any(box);
 }
 
-template <class Scalar, int Dim>
-tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum,
-                                          std::span<const Obb<Scalar, Dim>> boxes) {
-  const auto exact = FrustumSat<Scalar, Dim>::make(frustum);
-  if (!exact) return tl::unexpected(exact.error());
-  CullTally tally;
-  for (const auto& box : boxes) {
-    const Culling verdict = classify(frustum, box).verdict;
-    if (verdict == Culling::kInside) ++tally.inside;
-    else if (verdict == Culling::kOutside) ++tally.outside;
-    else ++tally.intersecting;
-    if (verdict == Culling::kIntersecting && !exact->overlaps(box)) ++tally.really_outside;
-  }
-  return tally;
-}
-
-#define SNUG_INSTANTIATE(Scalar, Dim)                                                                                  \
-  template class FrustumSat<Scalar, Dim>;                                                                              \
-  template tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>&, std::span<const Obb<Scalar, Dim>>);
-SNUG_INSTANTIATE(float, 2)
-SNUG_INSTANTIATE(float, 3)
-SNUG_INSTANTIATE(double, 2)
-SNUG_INSTANTIATE(double, 3)
-#undef SNUG_INSTANTIATE
+template class FrustumSat<float, 2>;
+template class FrustumSat<float, 3>;
+template class FrustumSat<double, 2>;
+template class FrustumSat<double, 3>;
 
 }  // namespace snug::query

@@ -5,14 +5,10 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
 
 #include "geometry/aabb.hpp"
 #include "geometry/frustum_corners.hpp"
 #include "geometry/obb.hpp"
-#include "query/cull/classify_steps.hpp"
 
 namespace snug::query {
 
@@ -39,16 +35,5 @@ class FrustumSat {
   std::array<Vector<double, Dim>, kFrustumCorners<Dim>> corners_;
   double size_ = 0;  // their largest coordinate; infinite if one overflows
 };
-
-/// How the plane test's answers compare with the true ones.
-struct CullTally {
-  std::int64_t inside = 0, intersecting = 0, outside = 0;  // according to the plane test
-  std::int64_t really_outside = 0;                         // how many of those that it calls intersecting
-};
-
-/// Errors: as of corners_of. boxes: as of classify.
-template <class Scalar, int Dim>
-[[nodiscard]] tl::expected<CullTally, InputError> tally(const Frustum<Scalar, Dim>& frustum,
-                                                        std::span<const Obb<Scalar, Dim>> boxes);
 
 }  // namespace snug::query
