@@ -13,65 +13,59 @@ namespace {
 
 constexpr const char* kUnknown = "–";
 
-/// The value of a key; null where there is none.
-Json at(const Json& json, const char* key) {
-  const auto found = json.is_object() ? json.find(key) : json.end();
-  return json.is_object() && found != json.end() ? *found : Json();
-}
-
-std::string words_at(const Json& json, const char* key) {
-  const Json value = at(json, key);
-  return value.is_string() ? value.get<std::string>() : std::string();
-}
-
-std::string number_at(const Json& json, const char* key, double times, const char* unit) {
-  const Json value = at(json, key);
-  return value.is_number() ? lesson::number_text(times * value.get<double>(), 3) + unit : kUnknown;
+std::string scaled_at(const Json& json, const char* key, double times, const char* unit) {
+  const auto value = number_at(json, key);
+  return value ? lesson::number_text(times * *value, 3) + unit : kUnknown;
 }
 
 std::string time_at(const Json& row, const char* key) {
-  const Json time = at(row, key), median = at(time, "median");
-  if (!median.is_number()) return kUnknown;
-  return time_text(median.get<double>()) + (at(time, "trusted") == false ? ", not measured reliably" : "");
+  const Json* const time = value_at(row, key);
+  const auto median = time != nullptr ? number_at(*time, "median") : std::nullopt;
+  if (!median) return kUnknown;
+  const Json* const trusted = value_at(*time, "trusted");
+  return time_text(*median) + (trusted != nullptr && *trusted == false ? ", not measured reliably" : "");
 }
 
-std::string spread_at(const Json& row, const char* key) { return number_at(at(row, key), "spread", 100, " %"); }
+std::string spread_at(const Json& row, const char* key) {
+  const Json* const time = value_at(row, key);
+  return time != nullptr ? scaled_at(*time, "spread", 100, " %") : kUnknown;
+}
 
 std::string bytes_of(const Json& row) {
-  const Json bytes = at(row, "bytes");
-  return bytes.is_number_integer() ? lesson::count_text(bytes.get<std::int64_t>()) : kUnknown;
+  const Json* const bytes = value_at(row, "bytes");
+  return bytes != nullptr && bytes->is_number_integer() ? lesson::count_text(bytes->get<std::int64_t>()) : kUnknown;
 }
 
 }  // namespace
 
 std::string measured_says(const MeasuredTable& measured) {
-  const Json about = at(measured.table, "provenance");
-  std::string says = "Measured on " + measured.date + ", on " + words_at(about, "points") + ", by ";
-  const std::string processor = words_at(about, "processor");
+  const Json& about = measured.table["provenance"];
+  std::string says = "Measured on " + measured.date + ", on " + text_at(about, "points") + ", by ";
+  const std::string processor = text_at(about, "processor");
   says += processor.empty() ? "an unknown processor" : processor;
   for (const char* key : {"platform", "build"})
-    if (const std::string words = words_at(about, key); !words.empty()) says += ", " + words;
+    if (const std::string words = text_at(about, key); !words.empty()) says += ", " + words;
   return says + ". Measure again to replace it.";
 }
 
 app::WordTable measured_words(const MeasuredTable& measured) {
-  const bool which = words_at(measured.table, "table") == "which";
+  const bool which = text_at(measured.table, "table") == "which";
   app::WordTable words;
   words.head = which ? std::vector<std::string>{"Volume", "Test",   "Spread", "Looseness",
                                                 "Build",  "Spread", "Bytes",  "False pos."}
                      : std::vector<std::string>{"Algorithm", "Time", "Spread", "Bytes", "Times the hull"};
-  for (const Json& row : at(measured.table, "rows")) {
+  for (const Json& row : measured.table["rows"]) {
     std::vector<std::string>& cells = words.rows.emplace_back();
-    cells.push_back(lesson::title_among_volumes(words_at(row, "volume"), words_at(row, "algorithm")));
+    cells.push_back(lesson::title_among_volumes(text_at(row, "volume"), text_at(row, "algorithm")));
     if (which)
       for (std::string& cell : std::vector<std::string>{time_at(row, "test_ns"), spread_at(row, "test_ns"),
-                                                        number_at(row, "over_hull", 1, ""), time_at(row, "build_ns"),
+                                                        scaled_at(row, "over_hull", 1, ""), time_at(row, "build_ns"),
                                                         spread_at(row, "build_ns"), bytes_of(row),
-                                                        number_at(row, "false_positives", 100, " %")})
+                                                        scaled_at(row, "false_positives", 100, " %")})
         cells.push_back(std::move(cell));
     else
       for (std::string& cell : std::vector<std::string>{time_at(row, "time_ns"), spread_at(row, "time_ns"),
-                                                        bytes_of(row), number_at(row, "over_hull", 1, "")})
+                                                        bytes_of(row), scaled_at(row, "over_hull", 1, "")})
         cells.push_back(std::move(cell));
   }
   return words;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,22 @@ using Json = nlohmann::ordered_json;
 /// The value as one line, with its line feed.
 [[nodiscard]] inline std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// The value of a key; null where there is none, or where the JSON is no object.
+[[nodiscard]] inline const Json* value_at(const Json& json, std::string_view key) {
+  if (!json.is_object()) return nullptr;
+  const auto found = json.find(key);
+  return found != json.end() ? &*found : nullptr;
+}
+/// A key's text or number; empty or none where there is none.
+[[nodiscard]] inline std::string text_at(const Json& json, std::string_view key) {
+  const Json* const value = value_at(json, key);
+  return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
+}
+[[nodiscard]] inline std::optional<double> number_at(const Json& json, std::string_view key) {
+  const Json* const value = value_at(json, key);
+  return value != nullptr && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
 /// The first dim coordinates of a vector.

@@ -20,20 +20,9 @@ std::vector<std::pair<const char*, const char*>> timed_in(const std::string& tab
   return {{"time_ns", "fit"}};
 }
 
-std::optional<double> number_at(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return json.is_object() && found != json.end() && found->is_number() ? std::optional(found->get<double>())
-                                                                       : std::nullopt;
-}
-
 std::optional<std::int64_t> count_at(const Json& json, const char* key) {
   const auto number = number_at(json, key);
   return number && *number >= 0 && *number < 1e15 ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
-}
-
-std::string text_at(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return json.is_object() && found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 /// An algorithm's times in all files, the shortest first.

@@ -9,11 +9,6 @@ namespace {
 
 constexpr double kMostSeed = 0x1p53;  // what a page's numbers can hold
 
-const Json* find(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found == json.end() ? nullptr : &*found;
-}
-
 /// Whether a version, numbers with dots between them, comes before another.
 bool is_before(const std::string& a, const std::string& b) {
   const auto parts = [](const std::string& version) {
@@ -36,10 +31,10 @@ const char* status_of_another(const std::string& version) {
 tl::expected<Claimed, std::string> attempt_of(const Json& json) {
   Claimed claimed;
   if (!json.is_object()) return tl::unexpected<std::string>("an attempt is no object");
-  const Json* exercise = find(json, "exercise");
-  const Json* hash = find(json, "hash");
-  const Json* seed = find(json, "seed");
-  const Json* decisions = find(json, "decisions");
+  const Json* exercise = value_at(json, "exercise");
+  const Json* hash = value_at(json, "hash");
+  const Json* seed = value_at(json, "seed");
+  const Json* decisions = value_at(json, "decisions");
   if (exercise == nullptr || !exercise->is_string()) return tl::unexpected<std::string>("\"exercise\" is no text");
   claimed.attempt.exercise = exercise->get<std::string>();
   const std::string digits = hash != nullptr && hash->is_string() ? hash->get<std::string>() : "";
@@ -49,7 +44,7 @@ tl::expected<Claimed, std::string> attempt_of(const Json& json) {
   if (seed == nullptr || !seed->is_number_integer() || seed->get<double>() < 0 || seed->get<double>() > kMostSeed)
     return tl::unexpected<std::string>("\"seed\" is no whole number from 0 to 2^53");
   claimed.attempt.seed = seed->get<std::uint64_t>();
-  if (const Json* level = find(json, "level"); level != nullptr) {
+  if (const Json* level = value_at(json, "level"); level != nullptr) {
     if (!level->is_number_integer() || level->get<double>() < 0 || level->get<double>() > lesson::kMostLevels)
       return tl::unexpected<std::string>("\"level\" is no whole number from 0 to 9");
     claimed.attempt.level = level->get<int>();
@@ -70,7 +65,8 @@ tl::expected<Claimed, std::string> attempt_of(const Json& json) {
     claimed.attempt.made.push_back(*std::move(made));
   }
   if (is_code(claimed.attempt.exercise) && !claimed.code) return tl::unexpected<std::string>("it has no code");
-  if (const Json* mark = find(json, "mark"); mark != nullptr && mark->is_number()) claimed.mark = mark->get<double>();
+  if (const Json* mark = value_at(json, "mark"); mark != nullptr && mark->is_number())
+    claimed.mark = mark->get<double>();
   return claimed;
 }
 
@@ -78,18 +74,18 @@ tl::expected<ResultFile, NoResult> read_result(std::string_view text) {
   if (text.empty()) return tl::unexpected(NoResult{false, "is empty"});
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return tl::unexpected(NoResult{false, "is not JSON"});
-  const Json* format = json.is_object() ? find(json, "snug_result") : nullptr;
+  const Json* format = value_at(json, "snug_result");
   if (format == nullptr || !format->is_number_integer()) return tl::unexpected(NoResult{true, "is no result file"});
   ResultFile file;
   file.format = format->get<int>();
-  if (const Json* version = find(json, "version"); version != nullptr && version->is_string())
+  if (const Json* version = value_at(json, "version"); version != nullptr && version->is_string())
     file.version = version->get<std::string>();
-  if (const Json* student = find(json, "student"); student != nullptr && student->is_string())
+  if (const Json* student = value_at(json, "student"); student != nullptr && student->is_string())
     file.student = student->get<std::string>();
-  const Json* attempts = find(json, "attempts");
+  const Json* attempts = value_at(json, "attempts");
   if (attempts == nullptr || !attempts->is_array()) return tl::unexpected(NoResult{false, "\"attempts\" is no list"});
   for (const Json& one : *attempts) file.attempts.push_back(attempt_of(one));
-  if (const Json* sheets = find(json, "sheets"); sheets != nullptr && sheets->is_array())
+  if (const Json* sheets = value_at(json, "sheets"); sheets != nullptr && sheets->is_array())
     for (const Json& one : *sheets) file.sheets.push_back(sheet_of(one));
   return file;
 }

@@ -14,11 +14,6 @@ namespace {
 constexpr std::size_t kMostWritten = 4000;  // letters of an answer
 constexpr std::size_t kMostRows = 200;      // of a table
 
-const Json* value_at(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return !json.is_object() || found == json.end() ? nullptr : &*found;
-}
-
 /// A key's object; an empty one where it is missing or something else.
 Json object_at(const Json& json, const char* key) {
   const Json* const found = value_at(json, key);
