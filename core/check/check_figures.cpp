@@ -20,8 +20,8 @@ void add_keys(std::vector<std::string>& keys, const std::string& algorithm, cons
 std::string lack_of(const RunFigure& figure, const std::string& algorithm, const Lesson& lesson, const Subject& own,
                     const RunOf& run_of) {
   std::vector<std::string> keys, among{algorithm};
-  if (!figure.algorithm.empty()) among = {offered(figure.algorithm, lesson)};
-  else if (offered(algorithm, lesson).empty()) among = lesson.algorithms;
+  if (!figure.algorithm.empty()) among = {offered(lesson, figure.algorithm)};
+  else if (offered(lesson, algorithm).empty()) among = lesson.algorithms;
   bool all_known = true;
   for (const std::string& name : among) {
     const Run* run = run_of(name);

@@ -71,11 +71,11 @@ std::string known_algorithm(TomlTable& table, std::string_view key, const std::s
 std::string read_algorithm(TomlTable& table, std::string_view key, const Lesson& lesson) {
   const std::string name = table.text(key);
   const Method* method = find_method(lesson, name);
-  const std::string own = method != nullptr ? name_in(lesson, *method) : name;
-  if (name.empty() || lesson.algorithms.empty() || is_among(lesson.algorithms, own)) return own;
-  if (method != nullptr) table.wrong(key, "names an algorithm that the lesson does not offer: " + name);
-  else check_name(table, key, name, lesson.algorithms);
-  return own;
+  if (!name.empty() && !lesson.algorithms.empty() && offered(lesson, name).empty()) {
+    if (method != nullptr) table.wrong(key, "names an algorithm that the lesson does not offer: " + name);
+    else check_name(table, key, name, lesson.algorithms);
+  }
+  return method != nullptr ? name_in(lesson, *method) : name;
 }
 
 /// Reads the volume: the file's own, or else that in the first algorithm's name.
@@ -124,9 +124,7 @@ bool check_link(const toml::table& section, const Stretch& stretch, const Lesson
   switch (link.kind) {
     case Link::Kind::kMesh: return check("a mesh", lesson.meshes);
     case Link::Kind::kAlgorithm:
-      if (const Method* method = find_method(lesson, link.target))
-        if (is_among(lesson.algorithms, name_in(lesson, *method))) return true;
-      return check("an algorithm", lesson.algorithms);
+      return !offered(lesson, link.target).empty() || check("an algorithm", lesson.algorithms);
     case Link::Kind::kStep: return is_step_number(link.target) || wrong("a step that is not a number: " + link.target);
     case Link::Kind::kSituation: return check("a situation", situation_names(lesson));
     case Link::Kind::kMark:  // a handle's name is known once the lesson runs

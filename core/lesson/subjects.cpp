@@ -71,6 +71,12 @@ std::string name_in(const Lesson& lesson, const Method& method) {
   return own ? std::string(method.name) : std::string(method.volume) + '/' + std::string(method.name);
 }
 
+std::string offered(const Lesson& lesson, std::string_view name) {
+  const Method* method = find_method(lesson, name);
+  std::string own = method != nullptr ? name_in(lesson, *method) : std::string();
+  return is_among(lesson.algorithms, own) ? own : std::string();
+}
+
 bool is_mixed(const Lesson& lesson) {
   return std::any_of(lesson.algorithms.begin(), lesson.algorithms.end(),
                      [](const std::string& name) { return name.find('/') != std::string::npos; });

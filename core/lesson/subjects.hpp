@@ -70,6 +70,8 @@ struct SubjectRow {
 [[nodiscard]] const Method* find_method(const Lesson& lesson, std::string_view name);
 /// The lesson's name of a method: "k8", or "kdop/k8" if it is of another volume than the lesson's.
 [[nodiscard]] std::string name_in(const Lesson& lesson, const Method& method);
+/// The lesson's name of an algorithm that it offers, by either of its names; empty if it does not offer it.
+[[nodiscard]] std::string offered(const Lesson& lesson, std::string_view name);
 /// Whether its methods are of several volumes.
 [[nodiscard]] bool is_mixed(const Lesson& lesson);
 [[nodiscard]] const Method* find_method(std::span<const Method> methods, std::string_view name);

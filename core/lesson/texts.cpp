@@ -63,12 +63,6 @@ std::vector<PlacedFigure> figures_in(const toml::table& toml, const Lesson& less
   return figures;
 }
 
-std::string offered(const std::string& name, const Lesson& lesson) {
-  const Method* method = find_method(lesson, name);
-  const std::string own = method != nullptr ? name_in(lesson, *method) : std::string();
-  return is_among(lesson.algorithms, own) ? own : std::string();
-}
-
 bool is_among_figures(const std::vector<RunFigure>& figures, const RunFigure& one) {
   return std::find(figures.begin(), figures.end(), one) != figures.end();
 }
@@ -83,7 +77,7 @@ void read_texts(const toml::table& toml, Lesson& lesson, Complaints& complaints)
   }
   for (PlacedFigure& placed : figures_in(toml, lesson)) {
     const std::string& algorithm = placed.figure.algorithm;
-    if (!algorithm.empty() && !lesson.algorithms.empty() && offered(algorithm, lesson).empty())
+    if (!algorithm.empty() && !lesson.algorithms.empty() && offered(lesson, algorithm).empty())
       complaints.add(placed.place, '"' + std::string(placed.key) + "\" shows a figure of an algorithm that " +
                                        none_of_text(algorithm, lesson.algorithms));
     else if (!is_among_figures(lesson.figures, placed.figure)) lesson.figures.push_back(std::move(placed.figure));

@@ -37,8 +37,6 @@ struct PlacedFigure {
 };
 [[nodiscard]] std::vector<PlacedFigure> figures_in(const toml::table& toml, const Lesson& lesson);
 
-/// The lesson's name of an algorithm that it offers; empty if it does not.
-[[nodiscard]] std::string offered(const std::string& name, const Lesson& lesson);
 [[nodiscard]] bool is_among_figures(const std::vector<RunFigure>& figures, const RunFigure& one);
 
 }  // namespace snug::lesson

@@ -28,8 +28,7 @@ Done no_question(const Lesson& lesson, const std::string& id) {
 
 Done use(Session& session, const std::string& algorithm) {
   const Lesson& lesson = session.lesson();
-  const Method* method = find_method(lesson, algorithm);  // "capsule/by_hand" is "by_hand" in a lesson of capsules
-  if (method == nullptr || !is_among(lesson.algorithms, name_in(lesson, *method)))
+  if (offered(lesson, algorithm).empty())
     return refused("the lesson's algorithm " + none_of_text(algorithm, lesson.algorithms));
   return session.player().choose(0, algorithm);
 }
