@@ -416,6 +416,19 @@ std::string answers_beside(const Function& function, const Row& row, const Numbe
   return text;
 }
 
+/// How right and yours are told apart on the stage; empty if neither stands there.
+std::string told_apart(const Function& function, const Answered& answer, bool right, bool yours) {
+  const std::string how = "yours has dots or a cross.";
+  if (!right && !yours) return {};
+  if (!right) return (function.gives == "i" ? "What is right is -1: none. On the stage " : "On the stage ") + how;
+  const std::string text = "On the stage what is right has dashes or a ring; ";
+  if (yours) return text + how;
+  const bool is_drawable = is_of_numbers(function, answer);
+  if (function.gives == "i" && is_drawable && answer->front() == -1) return text + "yours is -1: none.";
+  const Drawn* drawn = drawn_of(function);
+  return text + "yours cannot be drawn" + std::string(drawn != nullptr && is_drawable ? drawn->lacks : "") + '.';
+}
+
 /// A paragraph for a lesson's text, without the characters that would be markup there.
 std::string plain(std::string_view told) {
   std::string text;
@@ -433,19 +446,8 @@ std::string words_of(const Function& function, const Numbers& input, const Answe
   const stage::Row& row = stage::row_of(function);
   const bool right = !stage::answers_beside(function, row, input, function.right(input), "right").empty();
   const bool yours = !stage::answers_beside(function, row, input, answer, "yours").empty();
-  std::string text;
-  if (right || yours) text = "On the stage ";
-  if (right) text += "what is right has dashes or a ring; ";
-  if (yours) text += "yours has dots or a cross.";
-  const stage::Drawn* drawn = stage::drawn_of(function);
-  const bool is_none = function.gives == "i" && stage::is_of_numbers(function, answer) && answer->front() == -1;
-  if (right && is_none) text += "yours is -1: none.";
-  else if (right && !yours)
-    text += "yours cannot be drawn" +
-            std::string(drawn != nullptr && stage::is_of_numbers(function, answer) ? drawn->lacks : "") + '.';
-  if (yours && !right && function.gives == "i")
-    text = "What is right is -1: none. On the stage yours has dots or a cross.";
-  if (drawn != nullptr && (right || yours))
+  std::string text = stage::told_apart(function, answer, right, yours);
+  if (const stage::Drawn* drawn = stage::drawn_of(function); drawn != nullptr && (right || yours))
     text += ' ' + std::string(drawn->says) + std::string(right && yours ? drawn->both : "") + '.';
   return row.names != nullptr ? text + (text.empty() ? "" : " ") + row.names(input) : text;
 }
