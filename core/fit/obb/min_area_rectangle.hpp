@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "fit/obb/obb_frame.hpp"
@@ -18,15 +17,6 @@
 #include "number/power_of_two.hpp"
 
 namespace snug::fit {
-
-inline constexpr std::array<std::string_view, 6> kMinAreaRectanglePseudocode{
-    "for each edge of the hull, in turn",
-    "  move the vertices farthest along it, across it and back",
-    "  rectangle ← on the edge and through these vertices",
-    "  keep the smallest",
-    "grow it to contain every vertex, exactly",
-    "return rectangle",
-};
 
 /// The rectangle on the hull's edge that starts at vertices[on], and the vertices that its other sides touch.
 struct CalipersRectangle {

@@ -102,7 +102,7 @@ template <class Scalar, int Dim, StepObserver<ObbStep<Scalar, Dim>> Observer = I
 Fit<Obb<Scalar, Dim>> obb_face_aligned(PointSpan<Scalar, Dim> points, Observer&& observe = {}) {
   const ConvexHull<Scalar, Dim> hull = watched_hull(points, 0, observe);
   Matrix<Scalar, Dim> axes;
-  if constexpr (Dim == 2)  // the calipers report their steps on lines 2 and 3, as in their own pseudocode
+  if constexpr (Dim == 2)  // the calipers report their steps on lines 2 and 3
     axes = smallest_rectangle(hull, observe).axes.template cast<Scalar>();
   else axes = ObbFaceAligned<Scalar, std::remove_reference_t<Observer>>(hull, observe).run();
   return finish_on_hull<Scalar, Dim>(axes, hull, 4, observe);
