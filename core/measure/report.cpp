@@ -48,14 +48,9 @@ void mark_none(Fields& fields) {
 template <class Row>
 Fields fields_of(Row& row) {
   Fields fields;
-  Row::fields(row, [&](std::string_view name, auto& value) { add(fields, name, &value); });
+  row.fields([&](std::string_view name, auto& value) { add(fields, name, &value); });
   mark_none(fields);
   return fields;
-}
-/// A row's fields, for reading only.
-template <class Row>
-Fields fields_of(const Row& row) {
-  return fields_of(const_cast<Row&>(row));
 }
 
 // ---- values as text: shared by both formats, except for missing values
@@ -72,7 +67,8 @@ std::string text_of(const std::optional<Held>& value) {
 
 std::string csv_value(const auto& value) { return text_of(value); }
 std::string csv_value(double value) {
-  return std::isfinite(value) ? text_of(value) : std::isnan(value) ? "nan" : "inf";
+  if (std::isfinite(value)) return text_of(value);
+  return std::isnan(value) ? "nan" : "inf";
 }
 std::string csv_value(const std::string& value);
 std::string csv_value(const std::optional<std::string>& value) { return value ? csv_value(*value) : std::string(); }
@@ -116,7 +112,10 @@ void put_object(JsonWriter& json, const Fields& fields) {
     if (field.none) null = std::exchange(own_level, {});
     if (own_level != level) {
       if (!level.empty()) json.close_object();
-      if (!own_level.empty()) json.key(own_level), json.open_object();
+      if (!own_level.empty()) {
+        json.key(own_level);
+        json.open_object();
+      }
       level = own_level;
     }
     json.key(field.none ? null : own_name);
@@ -165,12 +164,21 @@ std::optional<std::vector<std::string>> fields_of_line(std::string_view line) {
   bool quoted = false, closed = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') fields.back() += line[++i];
-    else if (quoted && c == '"') quoted = false, closed = true;
-    else if (!quoted && c == ',') fields.emplace_back(), closed = false;
-    else if (closed) return std::nullopt;
-    else if (c == '"' && fields.back().empty() && !quoted) quoted = true;
-    else fields.back() += c;
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += line[++i];
+    } else if (quoted && c == '"') {
+      quoted = false;
+      closed = true;
+    } else if (!quoted && c == ',') {
+      fields.emplace_back();
+      closed = false;
+    } else if (closed) {
+      return std::nullopt;
+    } else if (c == '"' && fields.back().empty() && !quoted) {
+      quoted = true;
+    } else {
+      fields.back() += c;
+    }
   }
   if (quoted) return std::nullopt;
   return fields;
@@ -255,22 +263,28 @@ Wrong read_lines(std::string_view text, std::string_view name, std::string_view 
 
 }  // namespace
 
+// Fields can be written, so each row is copied before it is read.
 template <class Row>
 std::string csv_of(const Provenance& provenance, std::span<const Row> rows) {
-  const Row none;
-  std::string text = csv_head(Row::kTable, fields_of(provenance), fields_of(none));
-  for (const Row& row : rows) add_csv_row(text, fields_of(row));
+  Provenance about = provenance;
+  Row none;
+  std::string text = csv_head(Row::kTable, fields_of(about), fields_of(none));
+  for (Row row : rows) add_csv_row(text, fields_of(row));
   return text;
 }
 
 template <class Row>
 std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
+  Provenance about = provenance;
   JsonWriter json;
   json.open_object();
-  json.key("table"), json.text(Row::kTable);
-  json.key("provenance"), put_object(json, fields_of(provenance));
-  json.key("rows"), json.open_list();
-  for (const Row& row : rows) put_object(json, fields_of(row));
+  json.key("table");
+  json.text(Row::kTable);
+  json.key("provenance");
+  put_object(json, fields_of(about));
+  json.key("rows");
+  json.open_list();
+  for (Row row : rows) put_object(json, fields_of(row));
   json.close_list();
   json.close_object();
   return json.take() + '\n';
@@ -279,7 +293,7 @@ std::string json_of(const Provenance& provenance, std::span<const Row> rows) {
 template <class Row>
 tl::expected<Table<Row>, InputError> read_csv(std::string_view text, std::string_view name) {
   Table<Row> table;
-  const Row none;
+  Row none;
   const auto wrong = read_lines(text, name, Row::kTable, fields_of(table.provenance), fields_of(none),
                                 [&] { return fields_of(table.rows.emplace_back()); });
   if (wrong) return *wrong;

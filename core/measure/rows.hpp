@@ -24,18 +24,15 @@ struct Provenance {
   int dim = 3;
   std::int64_t seed = 1;
   double clock_resolution_ns = 0;
-  static void fields(auto& own, auto&& see) {
-    see("version", own.version), see("build", own.build), see("platform", own.platform),
-        see("processor", own.processor);
-    see("points", own.points), see("scalar", own.scalar), see("dim", own.dim), see("seed", own.seed);
-    see("clock_resolution_ns", own.clock_resolution_ns);
+  void fields(auto&& see) {
+    SNUG_SEE(see, version, build, platform, processor, points, scalar, dim, seed, clock_resolution_ns);
   }
 };
 
 /// The fields of a timing, with names such as "time_ns.median". prefix: "time_ns".
 void timing_fields(std::string_view prefix, auto& timing, auto&& see) {
-  Timing::fields(
-      timing, [&](std::string_view name, auto& value) { see(std::string(prefix).append(1, '.').append(name), value); });
+  timing.fields(
+      [&](std::string_view name, auto& value) { see(std::string(prefix).append(1, '.').append(name), value); });
 }
 
 /// An algorithm and what its accuracy costs.
@@ -64,21 +61,20 @@ struct CostRow {
   bool contains = false, on_boundary = false;
   std::optional<bool> optimal;  // none if the algorithm does not guarantee it
   bool on_front = false;        // whether no other row beats it in both time and measure (mark_front)
-  static void fields(auto& own, auto&& see) {
-    see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points), see("of", own.of);
-    see("whole_ns", own.whole_ns);
-    timing_fields("time_ns", own.time, see);
+  void fields(auto&& see) {
+    SNUG_SEE(see, volume, algorithm, points, of, whole_ns);
+    timing_fields("time_ns", time, see);
     for (std::size_t i = 0; i < kOperationNames.size(); ++i)
-      see(std::string("operations.").append(kOperationNames[i]), own.operations[i]);
-    see("steps", own.steps), see("size", own.size), see("measure", own.measure), see("tightness", own.tightness);
-    see("over_hull", own.over_hull), see("bytes", own.bytes), see("overlap_pairs", own.overlap_pairs);
-    see("overlapping", own.overlapping);
-    timing_fields("overlap_ns", own.overlap, see);
-    timing_fields("scene_overlap_ns", own.scene_overlap, see);
-    see("update", own.update);
-    timing_fields("update_ns", own.updated, see);
-    see("certificate.contains", own.contains), see("certificate.on_boundary", own.on_boundary);
-    see("certificate.optimal", own.optimal), see("on_front", own.on_front);
+      see(std::string("operations.").append(kOperationNames[i]), operations[i]);
+    SNUG_SEE(see, steps, size, measure, tightness, over_hull, bytes, overlap_pairs, overlapping);
+    timing_fields("overlap_ns", overlap, see);
+    timing_fields("scene_overlap_ns", scene_overlap, see);
+    SNUG_SEE(see, update);
+    timing_fields("update_ns", updated, see);
+    see("certificate.contains", contains);
+    see("certificate.on_boundary", on_boundary);
+    see("certificate.optimal", optimal);
+    SNUG_SEE(see, on_front);
   }
 };
 
@@ -94,11 +90,10 @@ struct GrowthRow {
   std::optional<double> theory_exponent;  // the theory's; none if it does not depend on n alone
   bool tight = false;                     // whether the theory is more than an upper bound
   std::string stopped;                    // why there are no more points; empty if there are more
-  static void fields(auto& own, auto&& see) {
-    see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points);
-    timing_fields("time_ns", own.time, see);
-    see("in_fit", own.in_fit), see("exponent", own.exponent), see("theory", own.theory);
-    see("theory_exponent", own.theory_exponent), see("tight", own.tight), see("stopped", own.stopped);
+  void fields(auto&& see) {
+    SNUG_SEE(see, volume, algorithm, points);
+    timing_fields("time_ns", time, see);
+    SNUG_SEE(see, in_fit, exponent, theory, theory_exponent, tight, stopped);
   }
 };
 
@@ -112,10 +107,9 @@ struct TurnRow {
   double measure = 0;
   bool contains = false;
   Timing updated;  // one update: the median of the whole turn
-  static void fields(auto& own, auto&& see) {
-    see("volume", own.volume), see("strategy", own.strategy), see("points", own.points), see("degrees", own.degrees);
-    see("slack", own.slack), see("measure", own.measure), see("contains", own.contains);
-    timing_fields("update_ns", own.updated, see);
+  void fields(auto&& see) {
+    SNUG_SEE(see, volume, strategy, points, degrees, slack, measure, contains);
+    timing_fields("update_ns", updated, see);
   }
 };
 
@@ -135,20 +129,25 @@ struct WhichRow {
   bool deforms = false;
   std::optional<double> total_build, total_updates, total_tests, total_false_positives,
       total;  // ns; none without a hull
-  static void fields(auto& own, auto&& see) {
-    see("volume", own.volume), see("algorithm", own.algorithm), see("points", own.points), see("of", own.of);
-    timing_fields("test_ns", own.test, see);
-    see("over_hull", own.over_hull);
-    timing_fields("build_ns", own.build, see);
-    see("whole_ns", own.whole_ns);
-    timing_fields("update_ns", own.update, see);
-    see("bytes", own.bytes), see("pairs_apart", own.pairs_apart), see("passed", own.passed);
-    see("false_positives", own.false_positives);
-    see("load.bodies", own.bodies), see("load.frames", own.frames), see("load.updates", own.updates);
-    see("load.pairs", own.pairs), see("load.hit_rate", own.hit_rate), see("load.deforms", own.deforms);
-    see("total_ns.build", own.total_build), see("total_ns.updates", own.total_updates);
-    see("total_ns.tests", own.total_tests), see("total_ns.false_positives", own.total_false_positives);
-    see("total_ns.total", own.total);
+  void fields(auto&& see) {
+    SNUG_SEE(see, volume, algorithm, points, of);
+    timing_fields("test_ns", test, see);
+    SNUG_SEE(see, over_hull);
+    timing_fields("build_ns", build, see);
+    SNUG_SEE(see, whole_ns);
+    timing_fields("update_ns", update, see);
+    SNUG_SEE(see, bytes, pairs_apart, passed, false_positives);
+    see("load.bodies", bodies);
+    see("load.frames", frames);
+    see("load.updates", updates);
+    see("load.pairs", pairs);
+    see("load.hit_rate", hit_rate);
+    see("load.deforms", deforms);
+    see("total_ns.build", total_build);
+    see("total_ns.updates", total_updates);
+    see("total_ns.tests", total_tests);
+    see("total_ns.false_positives", total_false_positives);
+    see("total_ns.total", total);
   }
 };
 
@@ -161,10 +160,7 @@ struct ClaimRow {
   std::string measured;             // in words, with the figures of this run
   double figure = 0;                // the number that decides
   std::string verdict = "unknown";  // or "holds", "typical" (but not a bound), "false"
-  static void fields(auto& own, auto&& see) {
-    see("claim", own.claim), see("lecture", own.lecture), see("slide", own.slide), see("says", own.says);
-    see("measured", own.measured), see("figure", own.figure), see("verdict", own.verdict);
-  }
+  void fields(auto&& see) { SNUG_SEE(see, claim, lecture, slide, says, measured, figure, verdict); }
 };
 
 }  // namespace snug::cost

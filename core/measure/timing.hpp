@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "trace/fields.hpp"
+
 namespace snug::cost {
 
 /// Nanoseconds since some moment; never goes back.
@@ -36,10 +38,7 @@ struct Timing {
   [[nodiscard]] double doubt(double least) const {
     return repeats == 0 ? 0 : median * std::max(least, spread.value_or(1));
   }
-  static void fields(auto& own, auto&& see) {
-    see("median", own.median), see("min", own.min), see("spread", own.spread), see("repeats", own.repeats);
-    see("batch", own.batch), see("trusted", own.trusted);
-  }
+  void fields(auto&& see) { SNUG_SEE(see, median, min, spread, repeats, batch, trusted); }
 };
 
 /// Times are not trusted, and marked as unreliable, if their spread is wider than this over their median, or the median

@@ -21,10 +21,7 @@ struct TrialRow {
   Index points = 0;
   double value = 0;    // the ratio that the claim is about, on this cloud
   bool holds = false;  // whether it holds there
-  static void fields(auto& own, auto&& see) {
-    see("claim", own.claim), see("kind", own.kind), see("seed", own.seed), see("points", own.points);
-    see("value", own.value), see("holds", own.holds);
-  }
+  void fields(auto&& see) { SNUG_SEE(see, claim, kind, seed, points, value, holds); }
 };
 
 /// How many clouds of each kind a claim is tried on, with the seeds from 1, and the kinds.

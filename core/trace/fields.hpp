@@ -39,14 +39,23 @@ concept Listed = requires(const Type& own) {
   Type::tie(own);
 };
 
-/// Calls see(name, field) for each field, in order. The fields can be written if own is not const.
+/// Calls see(name, field) for each of the fields, in order.
+template <std::size_t kCount>
+void see_each(const std::array<std::string_view, kCount>& names, auto fields, auto&& see) {
+  static_assert(kCount == std::tuple_size_v<decltype(fields)>);
+  const auto call = [&]<std::size_t... kAt>(std::index_sequence<kAt...>) {
+    (see(names[kAt], std::get<kAt>(fields)), ...);
+  };
+  call(std::make_index_sequence<kCount>());
+}
+/// The same for the members that are named, within a member function.
+#define SNUG_SEE(see, ...)                                                                                             \
+  ::snug::see_each(::snug::names_in<::snug::count_of_names(#__VA_ARGS__)>(#__VA_ARGS__), std::tie(__VA_ARGS__), see)
+
+/// The same for all fields of a type that lists them. They can be written if own is not const.
 void see_fields(auto& own, auto&& see) {
   using Type = std::remove_const_t<std::remove_reference_t<decltype(own)>>;
-  static_assert(Type::kFields.size() == std::tuple_size_v<decltype(Type::tie(own))>);
-  const auto call = [&]<std::size_t... kAt>(std::index_sequence<kAt...>, auto fields) {
-    (see(Type::kFields[kAt], std::get<kAt>(fields)), ...);
-  };
-  call(std::make_index_sequence<Type::kFields.size()>(), Type::tie(own));
+  see_each(Type::kFields, Type::tie(own), see);
 }
 
 }  // namespace snug

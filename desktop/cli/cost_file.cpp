@@ -32,9 +32,8 @@ bool read(const Json& json, std::optional<Value>& value) {
 /// The value at a path such as "time_ns.median"; null if there is none.
 const Json* find(const Json& json, std::string_view name) {
   const std::size_t dot = name.find('.');
-  const auto found = json.find(std::string(name.substr(0, dot)));
-  if (!json.is_object() || found == json.end()) return nullptr;
-  return dot == std::string_view::npos ? &*found : find(*found, name.substr(dot + 1));
+  const Json* const found = value_at(json, name.substr(0, dot));
+  return found == nullptr || dot == std::string_view::npos ? found : find(*found, name.substr(dot + 1));
 }
 
 /// Whether the field is within an object that is null, because nothing was timed.
@@ -49,7 +48,7 @@ bool is_none(const Json& json, std::string_view name) {
 template <class Row>
 std::string set_fields(Row& row, const Json& json, const std::string& where) {
   std::string wrong;
-  Row::fields(row, [&](std::string_view name, auto& value) {
+  row.fields([&](std::string_view name, auto& value) {
     if (!wrong.empty() || is_none(json, name)) return;
     const Json* const found = find(json, name);
     if (found == nullptr && cost::is_new_column(name)) return;
