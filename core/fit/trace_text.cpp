@@ -80,7 +80,9 @@ void put_axes(Json& json, const AxesFound<double, 3>& fact, int dim) {
   Vector<double, 3> variances = Vector<double, 3>::Zero();
   rows.topRows(dim) = fact.axes.rightCols(dim).transpose();
   variances.head(dim) = fact.variances.tail(dim);
-  json("mean", fact.mean), json("axes", rows), json("variances", variances);
+  json("mean", fact.mean);
+  json("axes", rows);
+  json("variances", variances);
 }
 
 std::string_view volume_key(const Volume3& volume) {

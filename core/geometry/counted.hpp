@@ -1,4 +1,5 @@
-// A number that counts what is done with it: arithmetic that is a template over its numbers tells so what it costs.
+// A number that counts the operations on it, so that arithmetic that is a template over its numbers tells what it
+// costs.
 #pragma once
 
 #include <compare>
@@ -23,9 +24,18 @@ struct Counted {
   Counted(double of) : value(of) {}  // NOLINT: constants cost nothing
 
   friend Counted operator-(Counted a) { return -a.value; }
-  friend Counted operator+(Counted a, Counted b) { return ++counted_work.additions, a.value + b.value; }
-  friend Counted operator-(Counted a, Counted b) { return ++counted_work.additions, a.value - b.value; }
-  friend Counted operator*(Counted a, Counted b) { return ++counted_work.multiplications, a.value * b.value; }
+  friend Counted operator+(Counted a, Counted b) {
+    ++counted_work.additions;
+    return a.value + b.value;
+  }
+  friend Counted operator-(Counted a, Counted b) {
+    ++counted_work.additions;
+    return a.value - b.value;
+  }
+  friend Counted operator*(Counted a, Counted b) {
+    ++counted_work.multiplications;
+    return a.value * b.value;
+  }
   Counted& operator+=(Counted b) { return *this = *this + b; }
   Counted& operator-=(Counted b) { return *this = *this - b; }
   Counted& operator*=(Counted b) { return *this = *this * b; }

@@ -124,9 +124,14 @@ int cross_sign_exact(P2 a, P2 b, P2 c, P2 d) noexcept {
     return sign_of(Wide{e[0]} * f[1] - Wide{e[1]} * f[0]);
   }
   ExactSum sum;
-  const auto add = [&](double x, double y) { sum.add_product(x, y); };
-  add(b[0], d[1]), add(-b[0], c[1]), add(-a[0], d[1]), add(a[0], c[1]);
-  add(-b[1], d[0]), add(b[1], c[0]), add(a[1], d[0]), add(-a[1], c[0]);
+  sum.add_product(b[0], d[1]);
+  sum.add_product(-b[0], c[1]);
+  sum.add_product(-a[0], d[1]);
+  sum.add_product(a[0], c[1]);
+  sum.add_product(-b[1], d[0]);
+  sum.add_product(b[1], c[0]);
+  sum.add_product(a[1], d[0]);
+  sum.add_product(-a[1], c[0]);
   return sum.sign();
 }
 
@@ -143,8 +148,10 @@ int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept {
   ++exact_decisions;
   ExactSum sum;
   for (int i = 0; i < Dim; ++i) {
-    sum.add_product(b[i], d[i]), sum.add_product(-b[i], c[i]);
-    sum.add_product(-a[i], d[i]), sum.add_product(a[i], c[i]);
+    sum.add_product(b[i], d[i]);
+    sum.add_product(-b[i], c[i]);
+    sum.add_product(-a[i], d[i]);
+    sum.add_product(a[i], c[i]);
   }
   return sum.sign();
 }

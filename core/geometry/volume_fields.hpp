@@ -24,13 +24,17 @@ void fields_to_read(Kind<Scalar, Dim>& volume, auto&& see) {
 template <class Scalar, int Dim>
 void fields_of(const Obb<Scalar, Dim>& box, auto&& see) {
   const Matrix<Scalar, Dim> rows = box.axes.transpose();
-  see("center", box.center), see("axes", rows), see("half_extents", box.half_extents);
+  see("center", box.center);
+  see("axes", rows);
+  see("half_extents", box.half_extents);
 }
 
 template <class Scalar, int Dim>
 void fields_of(const Lozenge<Scalar, Dim>& lozenge, auto&& see) {
   const std::vector<Vector<Scalar, Dim>> edges(lozenge.edges.begin(), lozenge.edges.end());
-  see("origin", lozenge.origin), see("edges", edges), see("radius", lozenge.radius);
+  see("origin", lozenge.origin);
+  see("edges", edges);
+  see("radius", lozenge.radius);
 }
 
 /// The bounds that are used.
@@ -39,7 +43,9 @@ void fields_of(const Kdop<Scalar, Dim>& kdop, auto&& see) {
   const std::size_t slabs = kdop.k / 2;
   const std::vector<Scalar> min(kdop.min.begin(), kdop.min.begin() + slabs),
       max(kdop.max.begin(), kdop.max.begin() + slabs);
-  see("k", kdop.k), see("min", min), see("max", max);
+  see("k", kdop.k);
+  see("min", min);
+  see("max", max);
 }
 
 /// Only the vertices: everything else follows from them.

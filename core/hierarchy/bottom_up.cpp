@@ -56,8 +56,8 @@ class BottomUp {
  private:
   [[nodiscard]] const Group& group(Index id) const { return groups_[place_[id]]; }
 
-  /// Among equally near groups it takes the previous one in the chain, so that the chain ends, and else the first by
-  /// id.
+  /// Among equally near groups it takes the previous one in the chain, so that the chain ends; otherwise the one of
+  /// least id.
   [[nodiscard]] Index nearest_to(Index id, Index before) const {
     const Group& own = group(id);
     Index nearest = kNoIndex;
@@ -78,7 +78,8 @@ class BottomUp {
   void merge(Index left, Index right, Index id) {
     const Group merged{united(group(left).box, group(right).box), group(left).bodies + group(right).bodies, id};
     merges_.push_back({left, right, surface_of(merged.box, layout_.dim)});
-    remove(left), remove(right);
+    remove(left);
+    remove(right);
     place_[id] = static_cast<Index>(groups_.size());
     groups_.push_back(merged);
   }

@@ -51,7 +51,10 @@ struct OneByOne {
       record->answers[i] = {static_cast<std::int8_t>(result.rejected_by), static_cast<std::int8_t>(first),
                             static_cast<std::uint8_t>(planes)};
   }
-  void pay(std::int64_t planes, std::int64_t products) { cost.planes += planes, cost.products += products; }
+  void pay(std::int64_t planes, std::int64_t products) {
+    cost.planes += planes;
+    cost.products += products;
+  }
 
   /// Compares all vertices with all planes: the naive way.
   void all_vertices(std::size_t i) {
@@ -131,8 +134,8 @@ struct TreeTeller {
     const std::size_t at = place.index;
     const int level = place.is_body ? field.leaf_levels[at] + 1 : field.levels[at];
     LevelTests& tests = record->levels[level];
-    const PlaneSet reached =
-        result.rejected_by >= 0 ? (PlaneSet{1} << result.rejected_by) - 1 : kAllPlanes<3>;  // looked at, or skipped
+    const PlaneSet reached = result.rejected_by >= 0 ? (PlaneSet{1} << result.rejected_by) - 1
+                                                     : kAllPlanes<3>;  // tested, or skipped by the mask
     ++tests.volumes;
     tests.planes += result.planes_tested;
     tests.skipped += std::popcount(reached & ~planes);
@@ -193,7 +196,7 @@ Field::Field(std::vector<Box> all) : boxes(std::move(all)), lanes(boxes) {
 
 FieldCost cull_field(const Field& field, const Frustum<double, 3>& frustum, FieldWay way, std::span<std::int8_t> last,
                      std::span<Culling> verdicts, FieldRecord* record) {
-  if (record != nullptr) *record = {}, record->answers.resize(field.boxes.size());
+  if (record != nullptr) *record = {.answers = std::vector<FieldAnswer>(field.boxes.size())};
   if (way == FieldWay::kTree) return down_the_tree(field, frustum, verdicts, record);
   if (way == FieldWay::kAtOnce) return all_at_once(field, frustum, verdicts);
   OneByOne test{field, frustum, verdicts, record};

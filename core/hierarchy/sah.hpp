@@ -33,7 +33,10 @@ struct Bin {
   Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   Index count = 0;
 
-  void take(const Bin& other) { box = united(box, other.box), count += other.count; }
+  void take(const Bin& other) {
+    box = united(box, other.box);
+    count += other.count;
+  }
 };
 using Bins = std::array<Bin, kBins>;
 

@@ -24,7 +24,8 @@ Shape shape_of(const std::vector<std::array<Index, 2>>& pairs, Index bodies, Ind
     const auto left = static_cast<Index>(shape.nodes.size());
     node.first = left;
     const auto& [first, second] = pairs[place.group - bodies];
-    open.push_back({second, left + 1}), open.push_back({first, left});
+    open.push_back({second, left + 1});
+    open.push_back({first, left});
     shape.nodes.resize(shape.nodes.size() + 2);
   }
   return shape;

@@ -74,7 +74,8 @@ Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<con
       }
     }
     if (!node.is_leaf()) {
-      open.push_back({node.first + 1, now.state}), open.push_back({node.first, now.state});
+      open.push_back({node.first + 1, now.state});
+      open.push_back({node.first, now.state});
       continue;
     }
     for (const Index body : tree.bodies_below(now.node)) {
@@ -89,8 +90,7 @@ Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<con
   return counts;
 }
 
-// -- A ray
-// ----------------------------------------------------------------------------------------------------------------------
+// ---- a ray
 
 inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
     "open ← root; best ← none",

@@ -12,7 +12,7 @@ constexpr std::string_view kKeywords[] = {
     "end",    "con",    "g",    "s",      "mg",     "o",    "bevel", "c_interp", "d_interp",   "lod",
     "usemtl", "mtllib", "call", "maplib", "usemap", "csh",  "ctech", "stech",    "shadow_obj", "trace_obj"};
 
-/// Statements whose rest is a name, which may end in a backslash: exporters write folders of Windows there.
+/// Statements of a keyword and a name. The name may end in a backslash, because exporters write Windows folders there.
 constexpr std::string_view kNamed[] = {"o", "g", "mtllib", "usemtl", "maplib", "usemap", "shadow_obj", "trace_obj"};
 
 /// Splits the text into statements. Lines joined by a backslash are one statement, with the first line's number. A
@@ -71,7 +71,9 @@ class ObjReader {
       line_ = statements.line();
       if (statements.loses_one())
         return at_line(line_, "the line ends in a backslash, and the next line is a statement of its own");
-      const std::string wrong = keyword == "v" ? add_vertex(rest) : keyword == "f" ? add_face(rest) : std::string();
+      std::string wrong;
+      if (keyword == "v") wrong = add_vertex(rest);
+      if (keyword == "f") wrong = add_face(rest);
       if (keyword == "f" && !wanted_.faces && !wrong.empty()) pass_over(file_, Passed::kDamaged);
       else if (!wrong.empty()) return at_line(line_, wrong);
       if (is_obj_keyword(keyword)) continue;
@@ -153,7 +155,7 @@ class ObjReader {
   std::int64_t line_ = 0;
   std::int64_t largest_ = 0;
   std::int64_t line_of_largest_ = 0;
-  std::vector<std::int64_t> ahead_;  // of each face that names vertices to come, the last one
+  std::vector<std::int64_t> ahead_;  // for each face that names vertices still to come, the last of them
   InputError unknown_;               // the first statement that is not OBJ's
 };
 

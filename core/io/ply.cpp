@@ -12,7 +12,9 @@ namespace {
 constexpr int kNoAxis = -1;
 
 int axis_of(const PlyProperty& property) {
-  return property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : kNoAxis;
+  for (int axis = 0; axis < 3; ++axis)
+    if (property.name == std::string_view("xyz").substr(axis, 1)) return axis;
+  return kNoAxis;
 }
 bool is_vertices(const PlyElement& element) { return element.name == "vertex"; }
 bool is_faces(const PlyElement& element) { return element.name == "face"; }
@@ -58,7 +60,7 @@ std::optional<InputError> unknown_type(const PlyHeader& header, const Wanted& wa
   return std::nullopt;
 }
 
-/// Whether bytes end here for the reader, for it does not know how many the element takes.
+/// Whether a reader of bytes must stop before the element, because its size is unknown.
 bool has_no_size(const PlyHeader& header, const PlyElement& element) {
   const auto& all = element.properties;
   return header.form != PlyForm::kAscii &&

@@ -41,8 +41,11 @@ bool Lines::next() {
   line_ = rest_.substr(0, end);
   rest_.remove_prefix(end);
   const std::string_view two = rest_.substr(0, 2);
-  if (ends_ == Ends::kUnknown && !two.empty())
-    ends_ = two == "\n\r" ? Ends::kLfCr : two[0] == '\r' && two != "\r\n" ? Ends::kCr : Ends::kUsual;
+  if (ends_ == Ends::kUnknown && !two.empty()) {
+    const bool lone_cr = two[0] == '\r' && two != "\r\n";
+    if (two == "\n\r") ends_ = Ends::kLfCr;
+    else ends_ = lone_cr ? Ends::kCr : Ends::kUsual;
+  }
   const bool pair = (two == "\r\n" && ends_ != Ends::kCr) || (two == "\n\r" && ends_ == Ends::kLfCr);
   rest_.remove_prefix(pair ? 2 : std::min<std::size_t>(1, rest_.size()));
   ++number_;

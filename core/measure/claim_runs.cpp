@@ -162,7 +162,8 @@ void tighter(const ClaimContext& context, ClaimRow& row) {
   int tighter = 0, clouds = 0;
   std::string kinds;
   for (const CensusRow& counted : census()) {
-    tighter += counted.tighter(), clouds += static_cast<int>(counted.ratios.size());
+    tighter += counted.tighter();
+    clouds += static_cast<int>(counted.ratios.size());
     kinds += said("%s%s %d of %d", kinds.empty() ? "" : ", ", std::string(counted.kind).c_str(), counted.tighter(),
                   static_cast<int>(counted.ratios.size()));
   }

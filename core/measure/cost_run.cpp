@@ -164,7 +164,10 @@ bool CostRun::compare_with_hull() {
 
 bool CostRun::compare_with_smallest() {
   const int lengths = lengths_of_size(row_.volume, dim_);
-  if (algorithm().exact) return row_.tightness = rounding_.ratio(row_.size, row_.size, lengths), true;
+  if (algorithm().exact) {
+    row_.tightness = rounding_.ratio(row_.size, row_.size, lengths);
+    return true;
+  }
   const fit::Algorithm* const exact = fit::exact_algorithm(algorithm().volume);
   if (exact == nullptr) return true;
   Ladder& ladder = ladder_of(*exact);
@@ -181,7 +184,10 @@ bool CostRun::time_copies(Copies where, Timing CostRow::*timing) {
   if (started_) return go_on();
   const OverlapWork work = overlap_work(volume_, dim_, single_, where, options_.fit.seed);
   if (work.pairs == 0) return true;
-  if (where == Copies::kNear) row_.overlap_pairs = work.pairs, row_.overlapping = work.run();
+  if (where == Copies::kNear) {
+    row_.overlap_pairs = work.pairs;
+    row_.overlapping = work.run();
+  }
   start(
       timing, [run = work.run] { (void)run(); }, work.pairs);
   return false;

@@ -35,9 +35,9 @@ void advance(Run& run, const Clock& clock, double budget) {
 }
 
 /// Times the catalogue's own fit, with the observer that ignores, and counts operations in a second run. An algorithm
-/// that would take too long on all points (Limits) is measured on fewer, and its row says so: the same ones for equal
-/// numbers. Each row's tightness is relative to the smallest volume around the row's own points. A row is ready when
-/// each of its times is measured once; then all times are measured in rounds (Rounds), and the rows follow.
+/// that would take too long on all points (Limits) is measured on fewer, and its row says so; equal numbers are the
+/// same points. Each row's tightness is relative to the smallest volume around the row's own points. A row is ready
+/// when each of its times is measured once; then all times are measured in rounds (Rounds), and the rows follow.
 class CostRun {
  public:
   /// points: must outlive the run. algorithms: they must take points of this dimension.
@@ -53,7 +53,10 @@ class CostRun {
   /// From 0 to 1; not proportional to time.
   [[nodiscard]] double progress() const;
   /// Ends the run; the finished rows stay.
-  void stop() { at_ = algorithms_.size(), stopped_ = true; }
+  void stop() {
+    at_ = algorithms_.size();
+    stopped_ = true;
+  }
   [[nodiscard]] const std::vector<CostRow>& rows() const { return rows_; }
   /// Goes up whenever there is a new row, or a round of times is complete.
   [[nodiscard]] int revision() const { return static_cast<int>(rows_.size()) + rounds_.round(); }

@@ -80,7 +80,7 @@ bool CriteriaRun::measure_costs() {
   return costs_.done();
 }
 
-/// Around as many points as its costs were measured on.
+/// Fits the next volume to as many points as its costs were measured on.
 bool CriteriaRun::fit_volume() {
   const std::size_t i = volumes_.size();
   const Index n = costs_.rows()[i].points;
@@ -94,14 +94,18 @@ bool CriteriaRun::take_update() {
   const CostRow& row = costs_.rows()[i];
   if (!watch_) {
     auto turn = fit::dim_of(points_) == 2 ? turn_of<2>(volumes_[i]) : turn_of<3>(volumes_[i]);
-    if (row.update || !turn) return updates_.push_back(row.updated), updates_.size() == algorithms_.size();
-    watch_.emplace(std::move(turn), options_.timing);
-    return false;
+    if (!row.update && turn) {
+      watch_.emplace(std::move(turn), options_.timing);
+      return false;
+    }
+    updates_.push_back(row.updated);
+    return updates_.size() == algorithms_.size();
   }
   watch_->step(clock_);
   if (!watch_->done()) return false;
   Timing timing = watch_->timing();
-  timing.median /= kTurnPoses, timing.min /= kTurnPoses;
+  timing.median /= kTurnPoses;
+  timing.min /= kTurnPoses;
   updates_.push_back(timing);
   watch_.reset();
   return updates_.size() == algorithms_.size();
@@ -128,10 +132,12 @@ std::vector<CriteriaRow> counted_criteria(const AnyPointSet& points,
     const fit::Watched watched = algorithm->watch(points, options, {});
     const fit::Volume3& volume = volumes.emplace_back(watched.result.volume);
     CostRow& row = rows.emplace_back().costs;
-    row.volume = algorithm->volume, row.algorithm = algorithm->name;
+    row.volume = algorithm->volume;
+    row.algorithm = algorithm->name;
     row.points = row.of = fit::count_of(points);
     row.time.median = total(watched.counts);
-    row.size = fit::size_of(volume, dim), row.measure = fit::measure_of(volume, dim);
+    row.size = fit::size_of(volume, dim);
+    row.measure = fit::measure_of(volume, dim);
     row.noise = rounding.noise(dim);
     row.over_hull = rounding.ratio(row.measure, hull, dim);
     row.bytes = bytes_of(volume, dim, false);

@@ -51,7 +51,10 @@ class FollowedBody {
     const fit::Volume3 hull = fit::find_algorithm("hull", "quickhull")->fit(points, {}).volume;
     hull_ = converted<double, Dim>(*std::get_if<ConvexHull<double, 3>>(&hull));
     Vector<double, Dim> least = hull_.vertices.front(), most = least;
-    for (const auto& vertex : hull_.vertices) least = least.cwiseMin(vertex), most = most.cwiseMax(vertex);
+    for (const auto& vertex : hull_.vertices) {
+      least = least.cwiseMin(vertex);
+      most = most.cwiseMax(vertex);
+    }
     center_ = (least + most) / 2;
     for (const auto& vertex : hull_.vertices) radius_ = std::max(radius_, (vertex - center_).norm());
     for (std::size_t i = 0; i < volumes.size(); ++i) follow_.push_back(follower(*algorithms[i], volumes[i]));
@@ -69,8 +72,10 @@ class FollowedBody {
     const bool apart = !query::overlaps(posed(hull_, a), posed(hull_, b));
     for (std::size_t i = 0; i < follow_.size(); ++i) {
       const auto result = query::test_overlap<double, Dim>(follow_[i](a), follow_[i](b));
-      rows[i].pairs += 1, rows[i].tests += result.tests;
-      if (apart) rows[i].apart += 1, rows[i].passed += result.overlap ? 1 : 0;
+      ++rows[i].pairs;
+      rows[i].tests += result.tests;
+      rows[i].apart += apart ? 1 : 0;
+      rows[i].passed += apart && result.overlap ? 1 : 0;
     }
   }
 

@@ -92,13 +92,16 @@ std::optional<double> power_of(std::span<const SizedTime> times) {
   double x = 0, y = 0;
   for (const SizedTime& at : times) {
     if (!(at.time > 0)) return std::nullopt;
-    x += std::log(at.points), y += std::log(at.time);
+    x += std::log(at.points);
+    y += std::log(at.time);
   }
-  x /= static_cast<double>(times.size()), y /= static_cast<double>(times.size());
+  x /= static_cast<double>(times.size());
+  y /= static_cast<double>(times.size());
   double xx = 0, xy = 0;
   for (const SizedTime& at : times) {
     const double dx = std::log(at.points) - x;
-    xx += dx * dx, xy += dx * (std::log(at.time) - y);
+    xx += dx * dx;
+    xy += dx * (std::log(at.time) - y);
   }
   if (!(xx > 0)) return std::nullopt;
   return xy / xx;

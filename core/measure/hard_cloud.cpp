@@ -55,7 +55,9 @@ Excess excess_of(const fit::Algorithm& algorithm, std::uint64_t seed) {
     auto& point = cloud[random.below(kHardPoints)];
     for (int axis = 0; axis < 3; ++axis) point[axis] = std::clamp(point[axis] + random.between(-move, move), -1.0, 1.0);
     const double here = excess_on(algorithm, set_of(cloud), seed);
-    if (here >= excess.found) excess.found = here, hardest = std::move(cloud);
+    if (!(here >= excess.found)) continue;
+    excess.found = here;
+    hardest = std::move(cloud);
   }
   return excess;
 }

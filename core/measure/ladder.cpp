@@ -8,13 +8,14 @@ namespace snug::cost {
 namespace {
 
 constexpr Index kFirst = 8;
-/// How far the prediction from one run may exceed the limit: it assumes the steepest growth, but part is constant.
+/// How far the prediction from one run may exceed the limit: it assumes the steepest growth, although part of the time
+/// is constant.
 constexpr double kBold = 4;
 constexpr int kTriesBeforeStop = 2;
 constexpr double kLeastPower = 1, kMostPower = 4;
-/// The first run of a kind, with cold caches and in a browser uncompiled code, can take ten times as long: it counts
-/// only from kLong on. Otherwise runs for kShort count, because a browser's clock has steps of 0.1 ms; below kTwice,
-/// the shorter of two such measurements. In ns.
+/// In ns. The first run of a kind counts only if it takes kLong or more: with cold caches, and in a browser with code
+/// that is not compiled yet, it can take ten times as long as the next. A shorter one is measured again over runs of
+/// kShort in all, because a browser's clock has steps of 0.1 ms; below kTwice, twice, and the shorter counts.
 constexpr double kLong = 1e7, kShort = 5e5, kTwice = 2e6;
 constexpr int kMostAgain = 1000;
 
@@ -78,9 +79,11 @@ void Ladder::step(const Clock& clock, const PointsOfSize& points, const fit::Opt
   }
   timed_ = false;
   if (next_ == reached_) {
-    last_.time = std::min(last_.time, now_.time), last_.watched = std::min(last_.watched, now_.watched);
+    last_.time = std::min(last_.time, now_.time);
+    last_.watched = std::min(last_.watched, now_.watched);
   } else {
-    before_ = last_, last_ = now_;
+    before_ = last_;
+    last_ = now_;
     reached_ = next_;
   }
   done_ = reached_ == most_;

@@ -23,17 +23,32 @@ std::vector<WhichRow> which_rows(std::span<const CriteriaRow> rows, const Load& 
   std::vector<WhichRow> table;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& [costs, update, passes] = rows[i];
-    WhichRow& row = table.emplace_back();
-    row.volume = costs.volume, row.algorithm = costs.algorithm, row.points = costs.points, row.of = costs.of;
-    row.test = costs.overlap, row.build = costs.time, row.whole_ns = costs.whole_ns, row.update = update;
-    row.over_hull = costs.over_hull, row.bytes = costs.bytes;
-    row.pairs_apart = passes.apart, row.passed = passes.passed, row.false_positives = passes.rate();
-    row.bodies = load.bodies, row.frames = load.frames, row.updates = load.updates, row.pairs = load.pairs;
-    row.hit_rate = load.hit_rate, row.deforms = load.deforms;
+    WhichRow& row = table.emplace_back(WhichRow{.volume = costs.volume,
+                                                .algorithm = costs.algorithm,
+                                                .points = costs.points,
+                                                .of = costs.of,
+                                                .test = costs.overlap,
+                                                .build = costs.time,
+                                                .whole_ns = costs.whole_ns,
+                                                .update = update,
+                                                .over_hull = costs.over_hull,
+                                                .bytes = costs.bytes,
+                                                .pairs_apart = passes.apart,
+                                                .passed = passes.passed,
+                                                .false_positives = passes.rate(),
+                                                .bodies = load.bodies,
+                                                .frames = load.frames,
+                                                .updates = load.updates,
+                                                .pairs = load.pairs,
+                                                .hit_rate = load.hit_rate,
+                                                .deforms = load.deforms});
     const auto total = total_of(rows, i, load);
     if (!total) continue;
-    row.total_build = total->build, row.total_updates = total->updates, row.total_tests = total->tests;
-    row.total_false_positives = total->false_positives, row.total = total->sum();
+    row.total_build = total->build;
+    row.total_updates = total->updates;
+    row.total_tests = total->tests;
+    row.total_false_positives = total->false_positives;
+    row.total = total->sum();
   }
   return table;
 }

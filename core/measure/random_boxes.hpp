@@ -11,7 +11,10 @@ namespace snug::cost {
 template <class Scalar, int Dim>
 [[nodiscard]] Obb<Scalar, Dim> random_box(Random& random) {
   Quaternion turn{random.between(-1, 1), 0, 0, random.between(-1, 1)};
-  if constexpr (Dim == 3) turn.x = random.between(-1, 1), turn.y = random.between(-1, 1);
+  if constexpr (Dim == 3) {
+    turn.x = random.between(-1, 1);
+    turn.y = random.between(-1, 1);
+  }
   Obb<Scalar, Dim> box;
   box.axes =
       orthonormal<Scalar, Dim>(matrix_of(normalized(turn)).template topLeftCorner<Dim, Dim>().template cast<Scalar>());

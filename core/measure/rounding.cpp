@@ -22,7 +22,10 @@ Rounding rounding_of(const AnyPointSet& points) {
   return std::visit(
       []<class Scalar, int Dim>(const PointSet<Scalar, Dim>& set) -> Rounding {
         Vector<Scalar, Dim> min = set[0], max = set[0];
-        for (const auto& point : set.span()) min = min.cwiseMin(point), max = max.cwiseMax(point);
+        for (const auto& point : set.span()) {
+          min = min.cwiseMin(point);
+          max = max.cwiseMax(point);
+        }
         const double size = (max.template cast<double>() - min.template cast<double>()).norm();
         const double farthest = std::max<double>(min.cwiseAbs().maxCoeff(), max.cwiseAbs().maxCoeff());
         return {tolerance::kVolumeLength<Scalar> * (farthest + size), size};

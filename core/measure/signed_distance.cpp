@@ -53,7 +53,10 @@ class ExpandingPolytope {
       if (!(height < best.depth - tolerance::kTouching<double>)) break;
       const Point beyond = farthest(normal);
       const double depth = beyond.dot(normal);
-      if (depth < best.depth) best.depth = depth, best.direction = normal;
+      if (depth < best.depth) {
+        best.depth = depth;
+        best.direction = normal;
+      }
       if (depth > height + tolerance::kTouching<double> && add(beyond)) make_hull();
       else settled.insert(facet);
     }
@@ -209,7 +212,7 @@ std::optional<SignedDistance<Dim>> signed_distance(const Volume<Scalar, Dim>& a,
   const auto in_scene = [&, origin = middle](const Vector<double, Dim>& p) {
     return Vector<double, Dim>(origin.template cast<double>() + p * unit);
   };
-  // The points prove how near they are at most, the plane how deep: of each case that is the better known.
+  // For cores that are apart the distance of the points is the better known, for others the depth of the plane.
   const double depth = parting.surely < 0 ? parting.surely : parting.depth;
   return SignedDistance<Dim>{-(depth + first.radius + second.radius) * unit, parting.direction,
                              in_scene(parting.on_a + first.radius * parting.direction),

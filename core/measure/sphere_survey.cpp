@@ -17,8 +17,10 @@ std::optional<SphereSurvey<Dim>> SphereSurvey<Dim>::make(const Frustum<double, D
   hull.vertices.assign(corners->begin(), corners->end());
   SphereSurvey survey(frustum, Volume<double, Dim>(hull), radius, seed);
   survey.low_ = survey.high_ = hull.vertices.front();
-  for (const Vector<double, Dim>& vertex : hull.vertices)
-    survey.low_ = survey.low_.cwiseMin(vertex), survey.high_ = survey.high_.cwiseMax(vertex);
+  for (const Vector<double, Dim>& vertex : hull.vertices) {
+    survey.low_ = survey.low_.cwiseMin(vertex);
+    survey.high_ = survey.high_.cwiseMax(vertex);
+  }
   survey.low_.array() -= radius;
   survey.high_.array() += radius;
   return survey;

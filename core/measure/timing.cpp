@@ -70,7 +70,8 @@ void Stopwatch::step(const Clock& clock) {
   }
   if (time < options_.batch * kFarTooShort && batch_ < kLargestBatch) {
     // The batch only seemed long enough: the first one was delayed by something else.
-    warm_ = false, spent_ = 0;
+    warm_ = false;
+    spent_ = 0;
     times_.clear();
     batch_ = longer(batch_, time, options_.batch);
     return;
@@ -112,12 +113,15 @@ void Rounds::step() {
   while (at_ < watches_.size() && !is_next(watches_[at_])) ++at_;
   if (at_ < watches_.size()) return watches_[at_].step(clock_);
   done_ = std::none_of(watches_.begin(), watches_.end(), wants_more);
-  if (!done_) ++round_, at_ = 0;
+  if (done_) return;
+  ++round_;
+  at_ = 0;
 }
 
 Timing Rounds::timing(std::size_t run, int parts) const {
   Timing timing = watches_[run].timing();
-  timing.median /= parts, timing.min /= parts;
+  timing.median /= parts;
+  timing.min /= parts;
   return timing;
 }
 

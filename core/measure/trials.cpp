@@ -75,7 +75,9 @@ void TrialRun::step() {
   if (done()) return;
   const Claim& claim = *claims_[at_];
   rows_.push_back(trial_of(claim, kTrialKinds[cloud_ / kTrialSeeds], claim.points, 1 + cloud_ % kTrialSeeds));
-  if (++cloud_ == kTrialClouds) cloud_ = 0, ++at_;
+  if (++cloud_ < kTrialClouds) return;
+  cloud_ = 0;
+  ++at_;
 }
 
 double TrialRun::progress() const {

@@ -11,7 +11,8 @@ std::optional<SlackRange> slack_range(std::span<const TurnRow> rows) {
   for (const TurnRow& row : rows) {
     if (!row.slack) continue;
     if (!range) range = {*row.slack, 0, *row.slack};
-    range->least = std::min(range->least, *row.slack), range->most = std::max(range->most, *row.slack);
+    range->least = std::min(range->least, *row.slack);
+    range->most = std::max(range->most, *row.slack);
     range->mean += (*row.slack - range->mean) / ++known;
   }
   return range;

@@ -30,7 +30,10 @@ class TurnRun {
   void step();
   [[nodiscard]] bool done() const { return at_ == strategies_.size() && (stopped_ || rounds_.done()); }
   [[nodiscard]] double progress() const;
-  void stop() { at_ = strategies_.size(), stopped_ = true; }
+  void stop() {
+    at_ = strategies_.size();
+    stopped_ = true;
+  }
   [[nodiscard]] const std::vector<TurnRow>& rows() const { return rows_; }
 
  private:

@@ -19,7 +19,7 @@
 namespace snug::cost {
 namespace {
 
-/// More than a processor remembers: it would foresee the verdicts of a few pairs that come again and again.
+/// More than a branch predictor remembers: it would learn the verdicts of a few pairs that come again and again.
 constexpr int kPairs = 512;
 /// Hulls get fewer pairs, because they have many points, and a test goes over them several times.
 constexpr int kHullPairs = 16;
@@ -56,12 +56,13 @@ Vector<Scalar, Dim> random_direction(Random& random) {
   }
 }
 
-/// True for half of them, in an order that no processor foresees.
+/// True for half of them, in an order that no branch predictor learns.
 std::vector<bool> some_half(int count, Random& random) {
   std::vector<bool> chosen(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const std::size_t j = random.below(static_cast<std::uint32_t>(i + 1));
-    chosen[i] = chosen[j], chosen[j] = i % 2 == 0;
+    chosen[i] = chosen[j];
+    chosen[j] = i % 2 == 0;
   }
   return chosen;
 }

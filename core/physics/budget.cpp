@@ -98,8 +98,8 @@ void Budgets::bounce_less() {
   const std::vector<double> parts = parts_of_bounce(with, bouncing);
   for (std::size_t i = 0; i < system_.size(); ++i) {
     const double part = parts[islands_.of(i)];
-    bodies[i].velocity += part * bouncing[i].velocity,
-        bodies[i].angular_velocity += part * bouncing[i].angular_velocity;
+    bodies[i].velocity += part * bouncing[i].velocity;
+    bodies[i].angular_velocity += part * bouncing[i].angular_velocity;
   }
   for (std::size_t k = 0; k < impulses.size(); ++k) {
     Impulse& impulse = system_.impulses[k];

@@ -67,7 +67,10 @@ const EffectKind* find_effect(std::span<const EffectKind> kinds, std::string_vie
 
 const Setting* Settings::find(std::string_view key) {
   for (const Setting& setting : call_.settings)
-    if (setting.key == key) return known_.push_back(&setting), &setting;
+    if (setting.key == key) {
+      known_.push_back(&setting);
+      return &setting;
+    }
   return nullptr;
 }
 
@@ -94,26 +97,36 @@ void Settings::refuse(std::string what) {
 double Settings::number(std::string_view key, double otherwise, double least, double most) {
   const Setting* setting = find(key);
   if (setting == nullptr) return otherwise;
-  if (setting->numbers.size() != 1) return wrong(key, "must be a number"), otherwise;
+  if (setting->numbers.size() != 1) {
+    wrong(key, "must be a number");
+    return otherwise;
+  }
   const double value = setting->numbers.front();
-  if (!(value >= least && value <= most)) return wrong(key, "is out of range"), otherwise;
-  return value;
+  if (value >= least && value <= most) return value;
+  wrong(key, "is out of range");
+  return otherwise;
 }
 
 V3 Settings::vector(std::string_view key, const V3& otherwise) {
   const Setting* setting = find(key);
   if (setting == nullptr) return otherwise;
-  if (setting->numbers.size() != 3) return wrong(key, "must be three numbers"), otherwise;
+  if (setting->numbers.size() != 3) {
+    wrong(key, "must be three numbers");
+    return otherwise;
+  }
   const V3 v(setting->numbers[0], setting->numbers[1], setting->numbers[2]);
-  if (!(v.cwiseAbs().maxCoeff() <= 1e12)) return wrong(key, "is not finite, or too large"), otherwise;
-  return v;
+  if (v.cwiseAbs().maxCoeff() <= 1e12) return v;
+  wrong(key, "is not finite, or too large");
+  return otherwise;
 }
 
 std::vector<V3> Settings::places(std::string_view key) {
   std::vector<V3> all;
   const Setting* setting = find(key);
-  if (setting == nullptr || setting->numbers.size() % 3 != 0 || setting->numbers.empty())
-    return wrong(key, "must be a list of places"), all;
+  if (setting == nullptr || setting->numbers.size() % 3 != 0 || setting->numbers.empty()) {
+    wrong(key, "must be a list of places");
+    return all;
+  }
   for (std::size_t i = 0; i < setting->numbers.size(); i += 3) {
     all.emplace_back(setting->numbers[i], setting->numbers[i + 1], setting->numbers[i + 2]);
     if (!(all.back().cwiseAbs().maxCoeff() <= 1e12)) wrong(key, "is not finite, or too large");
@@ -142,7 +155,10 @@ std::vector<std::size_t> Settings::bodies() {
 }
 
 std::size_t Settings::body() {
-  if (call_.body.empty()) return refuse_body("needs a \"body\""), 0;
+  if (call_.body.empty()) {
+    refuse_body("needs a \"body\"");
+    return 0;
+  }
   const auto named = bodies();
   return named.empty() ? 0 : named.front();
 }

@@ -141,7 +141,10 @@ void Scene::run_rounds() {
 
 void Scene::take_snapshot() {
   Snapshot snapshot{world_.moving(), world_.state, {}, {}, resting_, set_, bytes_of(world_.moving(), world_.state)};
-  for (const Runner& runner : runners_) snapshot.seen.push_back(runner.seen), snapshot.ran.push_back(runner.ran);
+  for (const Runner& runner : runners_) {
+    snapshot.seen.push_back(runner.seen);
+    snapshot.ran.push_back(runner.ran);
+  }
   snapshots_.push_back(std::move(snapshot));
 }
 

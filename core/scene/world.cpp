@@ -20,7 +20,10 @@ Quaternion quaternion_of(const Matrix<double, 3>& m) {
 struct Hash : Fnv1a {
   void add(std::uint64_t bits) { add_bits(bits); }
   void add(double number) { add_bits(bits_of(number)); }
-  void add(const V3& v) { add(v[0]), add(v[1]), add(v[2]); }
+  void add(const V3& v) {
+    for (int axis = 0; axis < 3; ++axis) add(v[axis]);
+  }
+  void add_all(const auto&... all) { (add(all), ...); }
 };
 
 }  // namespace
@@ -29,23 +32,22 @@ std::uint64_t World::hash() const {
   Hash hash;
   hash.add(static_cast<std::uint64_t>(state.frame));
   for (const Motion& body : bodies) {
-    hash.add(body.position), hash.add(body.velocity), hash.add(body.angular_velocity);
     const Quaternion& q = body.orientation;
-    hash.add(q.w), hash.add(q.x), hash.add(q.y), hash.add(q.z);
-    hash.add(body.drifted), hash.add(body.drifted_angular);
+    hash.add_all(body.position, body.velocity, body.angular_velocity, q.w, q.x, q.y, q.z);
+    hash.add_all(body.drifted, body.drifted_angular);
     hash.add(static_cast<std::uint64_t>(body.still) * 2 + (body.asleep ? 1 : 0));
   }
   for (const physics::Impulse& impulse : impulses) {
-    hash.add(impulse.on_a), hash.add(impulse.on_b);
-    hash.add(impulse.normal), hash.add(impulse.first), hash.add(impulse.second), hash.add(impulse.approach),
-        hash.add(impulse.owed);
+    hash.add_all(impulse.on_a, impulse.on_b, impulse.normal, impulse.first, impulse.second, impulse.approach,
+                 impulse.owed);
   }
   return hash.value();
 }
 
 World world_of(const Declaration& declaration) {
   World world;
-  world.step = declaration.step, world.seed = declaration.seed;
+  world.step = declaration.step;
+  world.seed = declaration.seed;
   for (const Body& body : declaration.bodies) {
     Centered own = centered(body.shape);
     const Quaternion declared = normalized(body.orientation);
@@ -61,7 +63,8 @@ World world_of(const Declaration& declaration) {
   }
   world.state.funnel.all = static_cast<std::int64_t>(world.size()) * (static_cast<std::int64_t>(world.size()) - 1) / 2;
   world.state.volumes.resize(world.size());
-  world.state.changed(Slot::kPoses), world.state.changed(Slot::kVelocities);
+  world.state.changed(Slot::kPoses);
+  world.state.changed(Slot::kVelocities);
   return world;
 }
 

@@ -25,7 +25,8 @@ template <class VolumeType>
       }
     };
   };
-  fields_of(a, list(of_a)), fields_of(b, list(of_b));
+  fields_of(a, list(of_a));
+  fields_of(b, list(of_b));
   if (of_a < of_b) return -1;
   return of_b < of_a ? 1 : 0;
 }

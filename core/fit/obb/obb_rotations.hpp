@@ -62,7 +62,8 @@ class FixedRotations<3> {
   Matrix<double, 3> next() {
     const double share = (at_++ + 0.5) / kRotations<3>;
     const Vector<double, 2> a = std::sqrt(share) * inner_.at(), b = std::sqrt(1 - share) * outer_.at();
-    inner_.go_on(), outer_.go_on();
+    inner_.go_on();
+    outer_.go_on();
     return Eigen::Quaterniond(b[0], a[1], a[0], b[1]).toRotationMatrix();
   }
 

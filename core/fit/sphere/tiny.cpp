@@ -13,15 +13,17 @@
 namespace snug::fit {
 namespace {
 
-/// No coordinate of tiny points is this large. Down to it, the squares of their least differences are normal numbers.
+/// All coordinates of tiny points are below this. From here on, the squares of the least differences of coordinates are
+/// normal numbers.
 template <class Scalar>
 constexpr Scalar kTiny = sizeof(Scalar) == 8 ? static_cast<Scalar>(0x1p-300) : static_cast<Scalar>(0x1p-30);
 
-/// Takes the smallest subnormal number to where its square is a normal one, and no tiny coordinate beyond kLargest.
+/// The factor for tiny points: the square of the smallest subnormal number becomes a normal one, and no tiny coordinate
+/// exceeds kLargest.
 template <class Scalar>
 constexpr Scalar kEnlarged = sizeof(Scalar) == 8 ? static_cast<Scalar>(0x1p800) : static_cast<Scalar>(0x1p90);
 
-/// The points so many times as large if they are tiny, none if they are not: mostly the first coordinate tells.
+/// The points, enlarged, if they are tiny; none otherwise, which mostly the first coordinate tells.
 template <class Scalar, int Dim>
 std::optional<PointSet<Scalar, Dim>> enlarged(PointSpan<Scalar, Dim> points) {
   bool all_zero = true;
@@ -55,7 +57,10 @@ Sphere<Scalar, Dim> reduced(const Sphere<Scalar, Dim>& ball, PointSpan<Scalar, D
 
 void reduce(double& length, double unit) { length *= unit; }
 void reduce(Vector<double, 3>& v, double unit) { v *= unit; }
-void reduce(Sphere3& ball, double unit) { ball.center *= unit, ball.radius *= unit; }
+void reduce(Sphere3& ball, double unit) {
+  ball.center *= unit;
+  ball.radius *= unit;
+}
 void reduce(CovarianceFound<double, 3>& fact, double unit) {
   fact.mean *= unit;
   fact.covariance *= unit;

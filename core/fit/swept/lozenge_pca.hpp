@@ -64,8 +64,12 @@ class LozengeMaker {
     } else {
       radius_ = std::min(high_[0] - low_[0], high_[1] - low_[1]) / 2;
       found.least = ends_along(edge_axes_[1]).first;  // sets the radius if no corner does
-      for (Index i = 0; i < size(); ++i)
-        if (const Scalar most = corner_radius(i); most < radius_) radius_ = most, found.least = i;
+      for (Index i = 0; i < size(); ++i) {
+        const Scalar most = corner_radius(i);
+        if (!(most < radius_)) continue;
+        radius_ = most;
+        found.least = i;
+      }
     }
     found.radius = static_cast<double>(radius_) / static_cast<double>(frame_.scale);
     return found;

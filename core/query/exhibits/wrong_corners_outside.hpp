@@ -37,7 +37,8 @@ CullResult corners_outside(const Frustum<Scalar, Dim>& frustum, const Box& box, 
     }
   }
   result.planes_tested = kFrustumPlanes<Dim>;
-  result.verdict = inside == 0 ? Culling::kOutside : inside == 1 << Dim ? Culling::kInside : Culling::kIntersecting;
+  if (inside == 0) result.verdict = Culling::kOutside;
+  else result.verdict = inside == 1 << Dim ? Culling::kInside : Culling::kIntersecting;
   observe(Step{inside == 0 ? 3 : 2, Classified{result}});
   return result;
 }

@@ -98,8 +98,13 @@ template <class Scalar, int Dim>
   Scalar s = part_of_edge(ub - share * vb, uu - share * uv);
   const Scalar along_v = uv * s - vb;
   Scalar t = along_v * inverse;
-  if (along_v <= 0) t = 0, s = part_of_edge(ub, uu);
-  else if (along_v >= vv) t = 1, s = part_of_edge(uv + ub, uu);
+  if (along_v <= 0) {
+    t = 0;
+    s = part_of_edge(ub, uu);
+  } else if (along_v >= vv) {
+    t = 1;
+    s = part_of_edge(uv + ub, uu);
+  }
   const Vector<Scalar, Dim> way = between + t * v - s * u;
   const Scalar square = way.squaredNorm();
   return {square, square + uu + vv};
@@ -266,7 +271,10 @@ template <class A, class B>
 
 /// As for spheres and boxes (query/overlap/overlaps_spheres.hpp), a before b in the table's order.
 template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim>
-requires requires(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) { swept_core(a), swept_core(b); }
+requires requires(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+  swept_core(a);
+  swept_core(b);
+}
 [[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   const Scalar radii = a.radius + b.radius;
   if constexpr (requires { core_distance(a, b); }) {

@@ -45,7 +45,8 @@ class Refit final : public Effect {
       const fit::UpdatedFrame frame = updates_[i](pose, {});
       state.volumes[i] = std::visit([](const auto& volume) { return bounds_of(volume); }, frame.volume);
       if (measure == 0) state.refitted.first = frame.volume;
-      measure += frame.measure, tightest += frame.tightest;
+      measure += frame.measure;
+      tightest += frame.tightest;
       state.refitted.cost += static_cast<double>(frame.counts[static_cast<std::size_t>(Operation::kPointsTouched)]);
     }
     state.refitted.slack = fit::slack(measure, tightest);
