@@ -32,7 +32,7 @@ endif()
 add_library(snug_options INTERFACE)
 target_compile_options(snug_options INTERFACE
   -ffp-contract=off # a fused multiply-add rounds once where wasm rounds twice: other bits
-  # GCC 12 vectorises (double)(float)x to x, two at a time: a rounding that never happens. Held by
+  # GCC 12 vectorises (double)(float)x to x, two at a time: a rounding that never happens. Tested by
   # "a double rounded to float stays rounded".
   -fno-tree-slp-vectorize
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion

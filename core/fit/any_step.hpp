@@ -39,7 +39,7 @@ struct Union {
 template <class First, class... Facts, class... Others>
 struct Union<First, std::variant<Facts...>, Others...> : Union<typename AddFacts<First, Facts...>::Type, Others...> {};
 
-/// The same alternatives with one of them moved to the end, which was not the first.
+/// The same alternatives, with one of them (not the first) moved to the end.
 template <class Facts, class Last>
 struct MovedToEnd;
 template <class First, class... Facts, class Last>

@@ -44,7 +44,7 @@ struct Algorithm {
   bool loses_points;        // naive, and rounding may leave points outside its result
   bool plane, space;        // whether it takes 2-D points, 3-D points
   Index max_points;         // more are refused
-  Index most_finished;  // on more a limit of its own stops the run, which then has no time (max_points: there is none)
+  Index most_finished;  // with more, a limit of its own stops the run, which then has no time (max_points: no limit)
   std::string_view source;                             // author, title, year
   Theory theory;                                       // of its time
   std::span<const std::string_view> pseudocode;        // steps name its lines, counted from 0

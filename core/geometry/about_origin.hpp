@@ -160,7 +160,8 @@ requires requires(Kind<Scalar, Dim>& swept, const Scalar& by) { swept.radius += 
   swept.radius += by;
   return swept;
 }
-/// The axes are not unit: along one of two terms the bounds move by sqrt(2) times as much, of three by sqrt(3).
+/// The axes are not unit: along an axis with two nonzero coordinates the bounds move by sqrt(2) times the margin, with
+/// three by sqrt(3) times.
 template <class Scalar, int Dim>
 [[nodiscard]] Kdop<Scalar, Dim> grown(Kdop<Scalar, Dim> kdop, std::type_identity_t<Scalar> by) {
   const auto axes = kdop_axes<Dim>(kdop.k);

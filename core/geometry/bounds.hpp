@@ -1,4 +1,4 @@
-// The axis-aligned box around a volume of each kind, in double and rounded: where boxes only have to be near.
+// The axis-aligned box around a volume of each kind, in double and rounded, for callers that need no exact box.
 // query/distance/support_function.hpp has box_around for any kind.
 #pragma once
 

@@ -23,7 +23,8 @@ template <class Scalar, int Dim>
   return cylinder.a;
 }
 
-/// A point of a rim. Across the axis twice: where the direction is nearly along it, once leaves mostly rounding.
+/// A point of a rim. The direction is projected across the axis twice: if it is nearly along the axis, one projection
+/// leaves mostly rounding error.
 template <class Scalar, int Dim>
 [[nodiscard]] Vector<double, Dim> core_support(const Cylinder<Scalar, Dim>& cylinder, const Vector<Scalar, Dim>& origin,
                                                const Vector<double, Dim>& direction) {

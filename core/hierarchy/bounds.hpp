@@ -24,8 +24,8 @@ struct Box {
   std::array<double, 3> low{}, high{};
 };
 
-/// Half of the surface, and the edges' lengths summed; in the plane the area is 0. Where there is no area, the length
-/// decides.
+/// Half of the surface area, which is left at 0 in the plane, and the sum of the edges' lengths, which decides between
+/// equal areas.
 struct Size {
   double area = 0, length = 0;
 
@@ -41,7 +41,7 @@ struct Size {
   const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
   return {x * y + y * z + z * x, x + y + z};
 }
-/// In the plane, the area is of no use, because a line's is 0.
+/// In the plane perimeters are compared, because segments have no area.
 [[nodiscard]] inline Size surface_of(const Box& box, int dim) {
   const Size size = surface_of(box);
   return dim == 2 ? Size{0, size.length} : size;
@@ -56,7 +56,7 @@ struct Size {
   return box;
 }
 
-/// The bodies' boxes, all within [0, 2] from the corner of the scene: so no area over- or underflows.
+/// The bodies' boxes, moved and scaled into [0, 2], so that no area over- or underflows.
 struct Layout {
   std::vector<Box> boxes;
   std::array<double, 3> origin{};

@@ -56,8 +56,8 @@ struct LevelTests {
   std::int64_t planes = 0;    // planes tested
   std::int64_t skipped = 0;   // planes skipped, since the parent is inside of them
   std::int64_t rejected = 0;  // of the volumes
-  std::int64_t left_out = 0;  // boxes that these contain, or are
-  std::int64_t taken = 0;     // boxes that lie in nodes inside of all planes, or do so themselves
+  std::int64_t left_out = 0;  // boxes found outside: rejected, alone or with their node
+  std::int64_t taken = 0;     // boxes found inside of all planes, alone or with their node
 };
 
 /// What a lesson shows of a culled field, besides the answers.

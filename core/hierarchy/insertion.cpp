@@ -54,8 +54,9 @@ class Insertion {
     }
   }
 
-  /// Descends from the root as long as the child's growth plus the pair made below it, which is at least as large as
-  /// the body, is less than a pair made here. growth: that of the groups above, and of that pair.
+  /// Descends from the root until a pair made here costs less than going down: than the growth of this group and of a
+  /// child, plus the least that a pair below it can add, the body's own size. growth: of the groups above, and of the
+  /// pair.
   Index best_place(Index body, Size& growth) {
     const Box& box = at(body).box;
     Index group = root_;

@@ -58,9 +58,9 @@ struct NodesMerged {
   SNUG_FIELDS(merged, left, right, area);
 };
 
-/// A body was inserted beside a group, and both are now children of the new group made (kNoIndex and kNoIndex: it is
-/// the first body). Groups are numbered as above. growth: the sum of the half surface areas' growth along the path, the
-/// new group's included, in scene units squared (in the plane: units).
+/// A body was inserted beside a group, and both are now children of the new group `made`. For the first body both are
+/// kNoIndex. Groups are numbered as above. growth: the sum of the half surface areas' growth along the path, the new
+/// group's included, in scene units squared (in the plane: units).
 struct BodyInserted {
   static constexpr std::string_view kName = "body_inserted";
   Index body = 0;

@@ -19,8 +19,8 @@ inline constexpr std::size_t kMostPoints = std::numeric_limits<Index>::max();
 inline constexpr std::string_view kTooManyPoints = "there are more than 2147483647 points";
 
 /// Two or three numbers a line, and perhaps more columns, which are passed over; '#' and "//" start a comment, and the
-/// first line may be a header. csv: a tab separates fields
-/// as a comma or a semicolon does, so that an empty field is noticed.
+/// first line may be a header. csv: a tab separates fields, as a comma or a semicolon does, so that an empty field is
+/// noticed.
 [[nodiscard]] Read<PointFile> read_rows(std::string_view text, bool csv, const Wanted& wanted);
 
 /// Object File Format as text: vertices, then polygons. Source: Geomview manual, "OFF Files".

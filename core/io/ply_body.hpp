@@ -19,7 +19,7 @@ class PlyText {
 
   bool begin(const PlyElement& element, std::int64_t instance);
   bool number(PlyType type, double& value);
-  /// None if there is a value, and it is not an integer; false only at the end of the data.
+  /// Reads a number: value is none if it is not an integer. Returns false only at the end of the data.
   bool whole(PlyType type, std::optional<std::int64_t>& value);
   [[nodiscard]] std::string not_integer() const;
   bool skip(PlyType type, std::int64_t n);
@@ -49,7 +49,7 @@ class PlyBytes {
 
   bool begin(const PlyElement& element, std::int64_t instance);
   bool number(PlyType type, double& value);
-  /// None if there is a value, and it is not an integer; false only at the end of the data.
+  /// Reads a number: value is none if it is not an integer. Returns false only at the end of the data.
   bool whole(PlyType type, std::optional<std::int64_t>& value);
   [[nodiscard]] std::string not_integer() const;
   bool skip(PlyType type, std::int64_t n);

@@ -58,8 +58,8 @@ bool is_text(std::string_view bytes, bool zeros) {
                       [&](char c) { return c >= 0 && c < ' ' && (c < '\t' || c > '\r') && (c != '\0' || !zeros); });
 }
 
-/// Text into which zero bytes have come: up to the first there is nothing but text, and not as a binary STL's header,
-/// whose text says nothing of facets; and of a format that is text alone, wherever they are.
+/// Whether the bytes are text with stray zero bytes. In formats that are always text these may be anywhere; in others
+/// everything before the first must be text, and more than the header of a binary STL, which names no facet.
 bool is_text_with_zeros(std::string_view bytes, std::string_view extension) {
   const bool always_text = is_point_extension(extension) && extension != "stl" && extension != "ply";
   if (always_text && is_text(bytes.substr(0, 4096), true)) return true;
@@ -69,7 +69,7 @@ bool is_text_with_zeros(std::string_view bytes, std::string_view extension) {
                                                    : start.find_first_of("\r\n") != std::string_view::npos;
 }
 
-/// Formats that have points, and that are not read; empty if the text is none of them.
+/// The name of a format that has points but is not read; empty if the text is in none of these.
 std::string_view not_read(std::string_view text, std::string_view extension) {
   const std::string_view line = first_content(text.substr(0, 4096));
   std::string_view rest = line;
@@ -107,7 +107,7 @@ Read<PointFile> read_as(Format format, std::string_view bytes, const Wanted& wan
   return read_stl_binary(bytes, wanted);
 }
 
-/// Text whose bytes are every second one zero.
+/// Whether every second byte is zero.
 bool is_utf16(std::string_view bytes) {
   const std::string_view start = bytes.substr(0, 8);
   if (start.size() < 8) return false;

@@ -25,7 +25,7 @@ std::uint64_t size_claimed(std::string_view bytes) {
 
 namespace {
 
-/// Whether what follows the claimed triangles could be more of them: then some would be lost. Padding is none.
+/// Whether the bytes after the claimed triangles could be more triangles, which would be lost. Padding could not.
 bool has_more_triangles(std::string_view bytes, std::uint64_t claimed) {
   if (bytes.size() < claimed + kTriangle) return false;
   const std::string_view rest = bytes.substr(static_cast<std::size_t>(claimed));

@@ -30,7 +30,7 @@ class StlTextReader {
   }
 
  private:
-  /// Whether a word after a solid begins a line that has nothing of a solid.
+  /// Whether a word after a solid begins a line that is no part of a solid.
   [[nodiscard]] bool is_note(std::string_view word) const {
     constexpr std::string_view kStatements[] = {"solid",  "facet",   "normal",   "outer",    "loop",
                                                 "vertex", "endloop", "endfacet", "endsolid", "end"};

@@ -21,8 +21,8 @@ using Read = tl::expected<T, InputError>;
   return tl::unexpected(InputError{std::move(what), {}, InputError::Unit::kByte, byte});
 }
 
-/// A text's lines with their numbers. A line ends with LF, CRLF, CR or LFCR; blank ones count. The first line end tells
-/// whether a CR stands alone, so that a byte LF after a CR belongs to the data.
+/// A text's lines with their numbers. A line ends with LF, CRLF, CR or LFCR; blank ones count. The first line end
+/// decides whether a CR alone ends a line: if so, an LF byte after a CR belongs to the data.
 class Lines {
  public:
   explicit Lines(std::string_view text, std::int64_t first = 1) : rest_(text), number_(first - 1) {}
@@ -52,7 +52,7 @@ class Lines {
 /// A line without its comment: '#' begins one at the line's start or after a blank, and not in a word such as "1.#IND".
 [[nodiscard]] std::string_view without_comment(std::string_view line);
 
-/// Takes what may follow a text off its end: zero bytes, and the mark with which DOS ends one. Returns how many.
+/// Removes padding from a text's end: zero bytes and DOS's end-of-file mark. Returns how many bytes.
 std::int64_t take_padding(std::string_view& text);
 
 /// Takes the next word, between blanks and tabs, off the front of rest; returns an empty one if there is none.

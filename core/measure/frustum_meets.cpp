@@ -100,7 +100,7 @@ std::optional<query::GrownCore> core_around(const ExactCorners<Dim>& corners, co
   return core;
 }
 
-/// Where both bounds on the distance tell the same.
+/// The answer if both bounds on the distance agree on it; none otherwise.
 template <class Scalar, int Dim, class Shape>
 std::optional<bool> meets_by_bounds(const ExactCorners<Dim>& corners, const Shape& shape) {
   constexpr double kDoubt = 64 * tolerance::kTouching<double>;

@@ -29,8 +29,8 @@ struct TotalCost {
   [[nodiscard]] double sum() const { return build + updates + tests + false_positives; }
 };
 
-/// T = bodies C_b + frames (updates C_u + pairs C_v + pairs (1 - hit rate) f C_x): of one of the rows, where the
-/// hull's, which has to be among them, has the exact test's cost. None without that, or without the row.
+/// T = bodies C_b + frames (updates C_u + pairs C_v + pairs (1 - hit rate) f C_x): for one of the rows. C_x, the cost
+/// of the exact test, is the test of the hull's row. None if there is no such row, or none for a hull.
 [[nodiscard]] std::optional<TotalCost> total_of(std::span<const CriteriaRow> rows, std::size_t row, const Load& load);
 
 /// The rows as a table, with the load and where its cost goes.

@@ -12,25 +12,27 @@ namespace snug::proximity {
 
 /// Volumes that overlap have a negative distance: minus their depth, the length of the shortest move that parts them.
 /// Scene units, within some roundings of the volumes' extents about a common point; the direction and the points within
-/// 1e-7 of these, for a distance that is right to its last digits leaves them so much room.
+/// 1e-7 of these, because a distance that is right to its last digits leaves them that uncertain.
 template <int Dim>
 struct SignedDistance {
   double distance = 0;
-  /// Unit, from a to b. Of volumes apart: along it lies the gap. Of others: b, moved by the depth along it, touches a.
+  /// Unit, from a to b. If the volumes are apart, the gap lies along it; otherwise b, moved along it by the depth,
+  /// touches a.
   Vector<double, Dim> direction = Vector<double, Dim>::Zero();
-  /// Points of a and of b: the nearest, or the ends of the depth, which that move brings together.
+  /// Points of a and of b: the nearest ones, or those that this move brings together.
   Vector<double, Dim> on_a = Vector<double, Dim>::Zero();
   Vector<double, Dim> on_b = Vector<double, Dim>::Zero();
 };
 
-/// None if one is empty. GJK where the cores are apart, which leaves the radii to subtract; else the polytope within
-/// the cores' difference grows, where it is nearest to the origin, until a facet of it is one of the difference.
+/// None if one is empty. Where the cores are apart, GJK finds their distance, less the radii. Otherwise a polytope
+/// within the cores' difference grows where it is nearest to the origin, until its nearest facet is one of the
+/// difference.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<SignedDistance<Dim>> signed_distance(const Volume<Scalar, Dim>& a,
                                                                  const Volume<Scalar, Dim>& b);
 
-/// Between what the signed distance of two cores lies, which are at most 1 in every coordinate (query::scale_to_unit):
-/// a plane proves the lower bound and points of both the upper one, but for a few roundings. In the plane z = 0.
+/// Bounds on the signed distance of two cores, which are at most 1 in every coordinate (query::scale_to_unit) and have
+/// z = 0 in the plane. Within a few roundings, a plane proves the lower bound, and a point of each core the upper one.
 struct DistanceBounds {
   double least = 0, most = 0;
 };

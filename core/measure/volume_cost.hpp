@@ -1,5 +1,5 @@
-// What a volume costs, whichever algorithm fitted it: its bytes, and its overlap test against copies of itself, in a
-// loop of nothing else that is compiled for its kind: what is timed is the verdict of the test, and no dispatch.
+// What a volume costs, whichever algorithm fitted it: its bytes, and its overlap test against copies of itself. The
+// verdicts are timed in a loop that is compiled for its kind, so that no dispatch is timed.
 #pragma once
 
 #include <cstdint>

@@ -9,9 +9,8 @@
 
 namespace snug {
 
-/// The power e of two with 2^e <= length < 2^(e + 1), and 0 for 0: a length times 2^-e is near 1. It is clamped so that
-/// 2^e and 2^-e are both normal numbers; a length beyond that (a subnormal one) is scaled by as much as there is.
-/// length: >= 0.
+/// The exponent e with 2^e <= length < 2^(e + 1), and 0 for 0: length times 2^-e is in [1, 2). It is clamped so that
+/// 2^e and 2^-e are both normal numbers; a subnormal length may then stay below 1. length: >= 0.
 template <class Scalar>
 [[nodiscard]] int exponent_of(Scalar length) {
   constexpr int kMost = std::numeric_limits<Scalar>::max_exponent - 2;
@@ -24,9 +23,9 @@ template <class Scalar>
   return std::ldexp(Scalar(1), -exponent_of(length));
 }
 
-/// A power of two above a length (and at most twice it), whose inverse is a power of two as well, so that lengths
-/// divided by it keep their digits; without a call, for tests that are timed. length: >= 0, below a quarter of the
-/// largest number. For lengths near the subnormal numbers, it may be more than twice the length.
+/// A power of two above length and at most twice it; near the subnormal numbers it may be larger. Its inverse is a
+/// power of two as well, so lengths divided by it keep their digits. It calls no function, because tests that use it
+/// are timed. length: >= 0, below a quarter of the largest number.
 template <class Scalar>
 [[nodiscard]] Scalar power_of_two_above(Scalar length) {
   using Bits = std::conditional_t<sizeof(Scalar) == 8, std::uint64_t, std::uint32_t>;

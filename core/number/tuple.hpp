@@ -11,7 +11,7 @@ namespace snug {
 template <class Number, std::size_t Dim>
 using Tuple = std::array<Number, Dim>;
 
-/// The coordinates of a vector, as a kind of number that loses none of their digits.
+/// A vector's coordinates as Numbers, which must keep all of their digits.
 template <class Number, std::size_t Dim>
 [[nodiscard]] constexpr Tuple<Number, Dim> tuple_of(const auto& v) {
   Tuple<Number, Dim> result;

@@ -1,4 +1,4 @@
-// A sum with what its rounding left out: double_double.hpp and outward.hpp are made of it.
+// A rounded sum and its rounding error, for double_double.hpp and outward.hpp.
 #pragma once
 
 namespace snug {

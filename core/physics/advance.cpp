@@ -60,7 +60,7 @@ double free_part(const System& system, std::size_t i) {
     const double along = way.squaredNorm() > 0 ? std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
     if (j == i || (to - along * way).norm() > shape.reach + other.reach) continue;
     const auto separation = [&](double at) { return separation_of(shape, pose_at(at), other, pose_of(met)); };
-    // A body that already touches is held back by its contacts: it may go in by this much, or stay where it is.
+    // Contacts hold back a body that already touches: it may go in this deep, or stay as deep as it is.
     const double start = separation(0),
                  slop = system.slop({static_cast<Index>(std::min(i, j)), static_cast<Index>(std::max(i, j))});
     const double deepest = start > slop ? 0 : std::min(-limits::kDeepest * shape.thinnest, start - slop / 8);

@@ -114,7 +114,7 @@ Polygon clipped(const Polygon& polygon, const V3& normal, double offset) {
   return result;
 }
 
-/// The face of a box that looks most against a direction.
+/// The face of a box whose normal points most against a direction.
 Polygon face_against(const Shape& box, const PoseAt& at, const V3& way) {
   const V3 local = turned_back<double, 3>(at.rotation, way);
   int axis = 0;
@@ -132,7 +132,7 @@ Polygon face_against(const Shape& box, const PoseAt& at, const V3& way) {
   return face;
 }
 
-/// normal: of the reference box's face, which is across its axis, towards the other.
+/// axis: that of the reference box across which the faces meet; normal: along it, towards the other box.
 Manifold of_faces(const Shape& reference, const PoseAt& at, int axis, const V3& normal, const Shape& other,
                   const PoseAt& at_other, double margin) {
   Polygon face = face_against(other, at_other, normal);

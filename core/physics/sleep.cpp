@@ -7,8 +7,7 @@
 namespace snug::physics {
 namespace {
 
-/// Counts the rounds in which a body hardly moved. Those in which it moved little by little, to one side, do not
-/// count.
+/// Counts the rounds in a row in which a body hardly moved. Rounds in which it creeps in one direction do not count.
 void watch(const System& system, std::size_t i, Motion& motion) {
   const double reach = system.members[i].shape.reach;
   motion.drifted += motion.velocity;
@@ -31,7 +30,7 @@ void wake(System& system, Islands& islands) {
   std::vector<bool> awake(system.size(), false);
   for (std::size_t i = 0; i < system.size(); ++i)
     if (system.awake(i)) awake[islands.of(i)] = true;
-  // A driven body wakes a sleeper that it touches, where it moved since that fell asleep.
+  // A driven body wakes a sleeper that it touches, if it has moved since the sleeper fell asleep.
   for (const Contact& contact : system.contacts)
     for (const Index i : {contact.pair.a, contact.pair.b}) {
       const auto one = static_cast<std::size_t>(i),

@@ -112,7 +112,7 @@ PosePart driven_by(const EffectCall& call) {
   return kind != nullptr ? kind->drives : 0;
 }
 
-/// The body that both calls are about; none if there need be none. A call without a body is about all unfixed ones.
+/// The body that both calls act on, if any. A call without a body acts on all unfixed ones.
 std::optional<std::string> common_body(const EffectCall& a, const EffectCall& b) {
   if (a.body.empty() && b.body.empty()) return "every body";
   if (a.body.empty() || b.body.empty() || a.body == b.body) return a.body.empty() ? b.body : a.body;

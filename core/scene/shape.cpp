@@ -43,7 +43,7 @@ struct Center {
     if (corners.empty()) corners = {anchor(volume)};
     return core(std::move(corners), query::radius_of(volume));
   }
-  /// What is smooth is refused before (scene/declaration.cpp).
+  /// Smooth volumes were refused earlier (scene/declaration.cpp).
   template <class Kind>
   Centered operator()(const Kind& volume) const {
     return core({anchor(volume)}, 0);

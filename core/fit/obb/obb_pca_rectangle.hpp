@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 10> kObbPcaRectanglePseudocode{
 
 /// After so many rectangles a box is shrunk no further, whatever they would gain. Where the k-th gains a part of about
 /// 3 / k^2 (tolerance::kSameBox), those after these have less than 3 / 512 to gain together; where points are flat but
-/// for their rounding, each of thousands may gain some. Held by "however many rectangles would shrink a box, no more
+/// for their rounding, each of thousands may gain some. Tested by "however many rectangles would shrink a box, no more
 /// than stated are tried".
 inline constexpr int kMostRectangles = 512;
 

@@ -27,7 +27,7 @@ struct SeeNoProducts {
   void operator()(Index, const auto&, const auto&) const {}
 };
 
-/// The lower half of a symmetric matrix, above as well.
+/// The symmetric matrix with this lower half.
 template <class Scalar, int Dim>
 [[nodiscard]] Matrix<Scalar, Dim> mirrored(Matrix<Scalar, Dim> lower) {
   for (int row = 0; row < Dim; ++row)

@@ -86,7 +86,7 @@ class BruteForce {
     tell(4, {support, candidate, Verdict::kKept, kNoIndex});
   }
 
-  /// Where rounding leaves every candidate without some point: around any of them, the last check finds the radius.
+  /// If rounding leaves a point outside every candidate, starts from any of them: the last check finds the radius.
   void start_anywhere() {
     best_.center = points_[0];
     support_ = {0};
@@ -100,7 +100,7 @@ class BruteForce {
     const double reach = static_cast<double>(ball.radius);
     // The centre is rounded to the scalar; for points far from the origin, that is much more than the distance's own
     // rounding error. A third of what the certificate allows covers both, and what it lets in is no more than 3 ulps
-    // larger than the smallest. Held by "every family keeps its promises".
+    // larger than the smallest. Tested by "every family keeps its promises".
     const double size = reach + center.cwiseAbs().maxCoeff();
     const double limit = reach + tolerance::kOptimalityRoundoffs / 3 * tolerance::roundoff<Scalar>(size);
     for (Index i = 0; i < points_.size(); ++i) {

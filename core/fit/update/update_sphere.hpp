@@ -39,8 +39,8 @@ template <class Scalar, int Dim>
 
 /// Moves the ball with its centre: no rotation makes it looser. The radius is widened by as much as rounding may move a
 /// placed point away from the placed centre, a few u of the farthest coordinate.
-/// ball: contains the points in the local frame. local: its local_error. Its few operations are one piece of code: a
-/// call for each would cost more than they do.
+/// ball: contains the points in the local frame. local: its local_error. Its few operations are inlined: a call for
+/// each would cost more than they do.
 template <class Scalar, int Dim, StepObserver<UpdateStep<Sphere<Scalar, Dim>>> Observer = Ignore>
 [[gnu::flatten]] Updated<Sphere<Scalar, Dim>> update_sphere(const Sphere<Scalar, Dim>& ball, Scalar local,
                                                             const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {

@@ -53,8 +53,7 @@ int side_of_bound(const Vector<double, Dim>& point, const std::array<int, Dim>& 
   return sum.sign();
 }
 
-// -- Points within a distance of a parallelogram or a segment
-// -----------------------------------------------------------
+// -- Points within a distance of a parallelogram or a segment ---------------------------------------------------------
 
 /// The point from a corner of the parallelogram, its two edges (a segment's second is zero) and the radius. Scaled by a
 /// power of two so that the largest number is between 1 and 2: no square of it over- or underflows to any effect.

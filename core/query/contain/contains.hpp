@@ -30,7 +30,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard]] bool contains(const Kdop<Scalar, Dim>&, const std::type_identity_t<Vector<Scalar, Dim>>& point);
 
-/// What is left of an excess that only exact arithmetic saw: the last digit of the size that it was compared with.
+/// An excess that only exact arithmetic sees counts as at least the last digit of the size that it was compared with.
 [[nodiscard]] inline double at_least_a_digit(double excess, double size) {
   return std::max({excess, std::nextafter(size, std::numeric_limits<double>::infinity()) - size,
                    std::numeric_limits<double>::denorm_min()});
@@ -38,8 +38,8 @@ template <class Scalar, int Dim>
 
 /// How far outside the volume the point lies, scene units, within a few roundings of the coordinates: 0 just where the
 /// volume contains it, and positive elsewhere even if only exact arithmetic tells. For any kind of volume by GJK; the
-/// kinds below have their own. A k-DOP's is how far the point lies outside that slab which it is farthest out of, which
-/// is no more than the distance.
+/// kinds below have their own. For a k-DOP it is how far the point lies outside the slab that it is farthest out of: a
+/// lower bound on the distance.
 template <template <class, int> class Kind, class Scalar, int Dim>
 [[nodiscard]] double outside_by(const Kind<Scalar, Dim>& volume,
                                 const std::type_identity_t<Vector<Scalar, Dim>>& point) {

@@ -73,8 +73,8 @@ struct CullResult {
   Culling verdict = Culling::kInside;
   int planes_tested = 0;  // without those skipped
   int rejected_by = -1;   // the first plane found that the volume is outside of; -1 for none
-  PlaneSet crossing = 0;  // the planes that the volume crosses: all that its children need be tested against. Whole
-                          // only where the volume is not outside
+  PlaneSet crossing = 0;  // the planes that the volume crosses, against which its children must be tested; complete
+                          // only if the volume is not outside
 };
 
 /// The end.

@@ -11,8 +11,8 @@
 
 namespace snug::query {
 
-/// A frustum prepared for many verdicts, each of them that of classify: planes decide as far as rounding cannot change
-/// the answer, and classify decides what is left. The frustum must outlive it.
+/// A frustum prepared for many verdicts, each of them that of classify: the planes decide where rounding cannot change
+/// the answer, and classify decides the rest. The frustum must outlive it.
 template <class Scalar, int Dim>
 class Culler {
  public:

@@ -54,7 +54,7 @@ template <class Shape, class Scalar, int Dim>
 
 /// The size that a span's rounding is relative to: at least every coordinate that enters the span, times the sum of
 /// their weights. If only a support mapping is known, four times the largest coordinate: the mapping is off by as much
-/// as the sum may be, the anchor is added, and the box around the volume is rounded itself. Held by "culling by a
+/// as the sum may be, the anchor is added, and the box around the volume is rounded itself. Tested by "culling by a
 /// support mapping alone is never wrong".
 template <class Shape>
 [[nodiscard]] auto span_size(const Shape& volume) {

@@ -97,11 +97,12 @@ struct SupportMapping {
 /// That of the convex hull of corners, of which there is at least one.
 [[nodiscard]] SupportMapping support_mapping(const Corners<3>& corners);
 
-/// One run between two convex cores, known by their support mappings alone, at most 1 in every coordinate; those of the
-/// plane at z = 0. Each turn proves two bounds: the nearest point of the simplex is one of a - b, and no point of a - b
-/// lies below the plane across v through the supporting points. v comes strictly nearer. Polytopes have finitely many
-/// simplices, so that this ends; with smooth cores it ends where the bounds meet. Where rounding keeps v from coming
-/// nearer before that, it goes on from there with twice the digits.
+/// One run between two convex cores that are known by their support mappings alone. No coordinate is above 1, and
+/// planar cores lie at z = 0. v is the point of the simplex nearest to the origin. Each turn proves two bounds: |v| is
+/// an upper one, because v is a point of a - b, and the plane across v through the supporting points gives a lower one.
+/// v comes strictly nearer: between polytopes, which have finitely many simplices, the run therefore ends; with smooth
+/// cores it ends when the bounds meet. If rounding keeps v from coming nearer before that, the run goes on with twice
+/// the digits.
 template <class Observer>
 class Gjk {
  public:

@@ -27,8 +27,8 @@
 namespace snug::query {
 
 /// Whether two boxes are apart, by the 15 axes in the order of the lecture's table; none where rounding may decide. On
-/// each axis the distance of the centres stands against the sum of the projected radii.
-/// off: how far the bounds of both boxes together are from those that are meant, at most, along any direction.
+/// each axis the distance of the centres stands against the sum of the projected radii. off: how far both boxes' bounds
+/// together may be from the intended ones, along any direction.
 template <class Scalar, int Dim>
 [[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                                                                   std::type_identity_t<Scalar> off = 0) {

@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 7> kPairTestNames{
   return kPairTestNames[static_cast<std::size_t>(test)];
 }
 
-/// Who says that a program tests such a pair in this way.
+/// The source of each test.
 inline constexpr std::array<std::string_view, 7> kPairTestSources{
     "C. Ericson, Real-Time Collision Detection, 2005",
     "J. Arvo, A simple method for box-sphere intersection testing, 1990",

@@ -37,8 +37,8 @@ template <class Scalar>
   return std::nullopt;
 }
 
-// ---- Whether a pair is apart, where rounded numbers cannot be wrong; none otherwise. Each is one piece of code, also
-// where a compiler looks for the smallest: a call for each coordinate would cost more than the test.
+// ---- Whether a pair is apart; none where rounding could change the answer. All of it is inlined, even where the
+// compiler optimizes for size: a call for each coordinate would cost more than the test.
 
 template <class Scalar, int Dim>
 [[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& a,
@@ -78,7 +78,7 @@ template <class Scalar, int Dim>
   return if_certain(square - radius_square, tolerance::kGlance<Scalar> * sizes);
 }
 
-// ---- The verdicts, all of them.
+// ---- The verdicts.
 
 /// Exact.
 template <class Scalar, int Dim>

@@ -1,6 +1,6 @@
 // Where a ray enters an axis-aligned box, slab by slab.
 // Source: T. L. Kay, J. T. Kajiya, "Ray tracing complex scenes", 1986; T. Ize, "Robust BVH ray traversal", 2013, for
-// the last slab that the ray leaves being held open a little.
+// moving the exit out by the rounding error.
 #pragma once
 
 #include <algorithm>

@@ -7,9 +7,9 @@
 
 namespace snug::query {
 
-/// Whether two volumes share points, and yet some move, however short, parts them. Exact on the numbers as they are;
-/// none for pairs that only rounded arithmetic knows: all but those of spheres, AABBs and OBBs, a sphere with an OBB,
-/// and an AABB whose centre rounds with an OBB.
+/// Whether two volumes share points, but an arbitrarily short move can part them. Exact on the numbers as they are.
+/// None for pairs that only rounded arithmetic decides: those with a volume other than a sphere, an AABB or an OBB; a
+/// sphere with an OBB; an OBB with an AABB whose centre rounds.
 template <class Scalar, int Dim>
 [[nodiscard]] std::optional<bool> touch(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b);
 
