@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/app.hpp"
+#include "trace/fields.hpp"
 
 namespace snug::app {
 
@@ -31,6 +32,7 @@ struct CoverButton {
   std::string words;
   bool chosen = false;
   bool enabled = true;
+  SNUG_FIELDS(command, words, chosen, enabled);
 };
 
 /// What the cover shows, in words, for people who cannot see it. If it can be sorted, everyone sees it.
@@ -44,6 +46,7 @@ struct WordTable {
   std::vector<std::string> picks = {};       // of each row, the command that chooses it
   int picked = -1;                           // the row that is chosen
   std::vector<std::vector<bool>> best = {};  // of each row and column, whether nothing in its column is better
+  SNUG_FIELDS(head, rows, title, sorts, sorted, picks, picked, best);
 };
 
 class Cover {

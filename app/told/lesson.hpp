@@ -1,0 +1,84 @@
+// What stays while a lesson is open.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/told/prose.hpp"
+#include "app/told/stage.hpp"
+
+namespace snug::app::told {
+
+struct PointSet {
+  std::string generate;
+  int count = 0;
+  std::string mesh;
+  Scalar scalar;
+  SNUG_FIELDS(generate, count, mesh, scalar);
+};
+
+struct Section {
+  std::string title, situation;
+  std::vector<Block> blocks;
+  SNUG_FIELDS(title, situation, blocks);
+};
+
+struct LessonAlgorithm {
+  std::string_view name;
+  std::string title;
+  std::string_view source;
+  Index max_points = 0;
+  SNUG_FIELDS(name, title, source, max_points);
+};
+
+struct Tools {
+  std::string_view word, title;
+  bool points = false;
+  SNUG_FIELDS(word, title, points);
+};
+
+struct Situation : PointSet {
+  using Base = PointSet;
+  std::string_view name;
+  std::string title;
+  SNUG_FIELDS(name, title);
+};
+
+struct LessonTask {
+  std::string heading;
+  Paragraph prompt, hint;
+  std::string algorithm;
+  int points = 0;
+  std::string start;
+  SNUG_FIELDS(heading, prompt, hint, algorithm, points, start);
+};
+
+/// situations: none where the lesson has only its own.
+struct Lesson : PointSet {
+  using Base = PointSet;
+  std::string id;
+  int minutes = 0;
+  std::string title, summary;
+  std::vector<Section> sections;
+  std::vector<LessonAlgorithm> algorithms;
+  Word<"step", "frame"> step_word;
+  bool asks_of_steps = false;
+  Tools tools;
+  std::string_view stage_says;
+  std::array<std::string_view, 2> handle_words;
+  std::vector<Situation> situations;
+  int dim = 2;
+  std::uint64_t seed = 0;
+  std::vector<std::string> meshes, generators;
+  std::string compare;
+  std::vector<LessonTask> tasks;
+  SNUG_FIELDS(id, minutes, title, summary, sections, algorithms, step_word, asks_of_steps, tools, stage_says,
+              handle_words, situations, dim, seed, meshes, generators, compare, tasks);
+};
+
+[[nodiscard]] Lesson lesson_of(const lesson::Session& session);
+
+}  // namespace snug::app::told

@@ -1,0 +1,131 @@
+// What is told of an open lesson, and when.
+#include "app/told/view.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <concepts>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "../bench.hpp"
+#include "../course_lessons.hpp"
+#include "app/told/lesson.hpp"
+
+namespace snug::app::told {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The numbers that are not finite, of which JSON knows nothing, and the words that are none of those that are named.
+int faults(const auto& value);
+
+template <Literal... kWords>
+int faults_of(const Word<kWords...>& one) {
+  return ((one.word == kWords.view()) || ...) ? 0 : 1;
+}
+template <class Value>
+int faults_of(const std::optional<Value>& value) {
+  return value ? faults(*value) : 0;
+}
+template <class Value>
+int faults_of(const IfAny<Value>& value) {
+  return value.any ? faults(value.value) : 0;
+}
+template <class Value>
+int faults_of(const std::pair<std::string, Value>& value) {
+  return faults(value.second);
+}
+int faults_of(const auto& value) {
+  using Value = std::remove_cvref_t<decltype(value)>;
+  if constexpr (Listed<Value>) {
+    int all = 0;
+    if constexpr (requires { typename Value::Base; }) all += faults(static_cast<const typename Value::Base&>(value));
+    see_fields(value, [&](std::string_view, const auto& field) { all += faults(field); });
+    return all;
+  } else if constexpr (std::floating_point<Value>) {
+    return std::isfinite(value) ? 0 : 1;
+  } else if constexpr (std::integral<Value> || std::convertible_to<Value, std::string_view>) {
+    return 0;
+  } else {
+    int all = 0;
+    for (const auto& one : value) all += faults(one);
+    return all;
+  }
+}
+int faults(const auto& value) { return faults_of(value); }
+
+TEST_CASE("of every lesson what is told is words that the page knows and numbers that JSON has, at begin and end") {
+  for (lesson::Lesson& lesson : all_lessons()) {
+    const std::string id = lesson.id;
+    auto mesh = mesh_of(lesson.points.mesh);
+    Bench bench(std::move(lesson), {.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}}, std::move(mesh));
+    CHECK_MESSAGE(faults(lesson_of(bench.session())) == 0, id);
+    for (const bool at_end : {false, true}) {
+      if (at_end) bench.session().jump(bench.session().player().steps());
+      see_parts(bench.app, [&](const auto& part) { CHECK_MESSAGE(faults(part) == 0, id); });
+      CHECK_MESSAGE(Json::parse(view_text(bench.app), nullptr, false).is_object(), id);
+    }
+  }
+}
+
+TEST_CASE("no two parts tell a key of the same name") {
+  Bench bench(course_lesson("sphere-ritter"));
+  std::set<std::string> keys;
+  see_parts(bench.app, [&](const auto& part) {
+    const Json told = Json::parse(json_of(part));
+    for (const auto& [key, value] : told.items()) CHECK_MESSAGE(keys.insert(key).second, key);
+  });
+}
+
+TEST_CASE("only parts that have changed are told, and put together they are all that there is to tell") {
+  Bench bench(course_lesson("sphere-ritter"));
+  Changes changes;
+  Json view = Json::parse(changes.tell(bench.app));
+  CHECK(view == Json::parse(view_text(bench.app)));
+  CHECK(changes.tell(bench.app) == "{}");
+  const auto tell = [&] {
+    const Json changed = Json::parse(changes.tell(bench.app));
+    view.update(changed);
+    CHECK(view == Json::parse(view_text(bench.app)));
+    return changed;
+  };
+
+  bench.frames(1);
+  CHECK(tell() == Json{{"framesDrawn", bench.app.frames_drawn()}});
+
+  bench.app.command("step");
+  bench.frames(1);
+  const Json stepped = tell();
+  CHECK(stepped.at("step") == 1);
+  CHECK_FALSE(stepped.contains("numbers"));  // of the points nothing has changed
+
+  bench.session().jump(2);
+  bench.frames(1);
+  const Json asked = tell();
+  CHECK(asked.at("asked").at("picked") == nullptr);
+  CHECK_FALSE(asked.contains("numbers"));
+
+  REQUIRE(bench.session().conversation().pick("P0"));
+  const Json picked = tell();
+  CHECK(picked.at("asked").at("picked") == Json{{"choices", Json::array()}, {"handle", "P0"}});
+  CHECK_FALSE(picked.contains("outcomes"));
+
+  REQUIRE(bench.session().stage().move(0, {0.25, -0.0, 0}).has_value());
+  bench.frames(1);
+  const Json moved = tell();
+  CHECK(moved.at("edited") == true);
+  bench.app.select(0);
+  const Json selected = tell();
+  CHECK(selected.at("coordinates") == Json{0.25, 0.0});
+  CHECK(std::signbit(selected.at("coordinates").at(1).get<double>()));
+}
+
+TEST_CASE("a seed of the address is told to its last digit") {
+  Bench bench(course_lesson("sphere-ritter"));
+  bench.session().stage().scatter(9007199254740991);
+  CHECK(Json::parse(view_text(bench.app)).at("seed") == 9007199254740991);
+}
+
+}  // namespace
+}  // namespace snug::app::told
