@@ -1,4 +1,4 @@
-// A cover of the stage, for the page: its controls, its table in words, its files.
+// Files and pictures of what is shown, for the page.
 #pragma once
 
 #include <emscripten/val.h>
@@ -12,19 +12,9 @@ namespace snug::web {
 /// The provenance of this program; the page provides the processor, as far as a browser tells.
 [[nodiscard]] cost::Provenance web_provenance(const std::string& processor);
 
-/// {command, words, chosen, enabled}
-[[nodiscard]] emscripten::val button_object(const app::CoverButton& button);
-/// {head, rows, title, sorts, sorted, picks, picked, best}: see app::WordTable
-[[nodiscard]] emscripten::val table_object(const app::WordTable& table);
-
-/// {choices: [{command, words, chosen, enabled}], work: [begin, end], button, shown, running, progress, decided, says,
-/// table: {head, rows}, formats, any}: see app::Cover. any: whether there is something to save. Null if the lesson
-/// has no cover.
-[[nodiscard]] emscripten::val cover_object(app::App& app);
-
-/// A file of what it shows: {name, text}. The page makes a PNG of what draw_cover draws; its text is empty. address:
-/// for a picture.
-[[nodiscard]] emscripten::val cover_file_object(app::App& app, const std::string& format, const std::string& address);
+/// A file of what the cover shows (app/told/door.hpp). The page makes a PNG of what draw_cover draws. address: for a
+/// picture.
+[[nodiscard]] emscripten::val cover_file(const std::string& format, const std::string& address);
 
 /// Draws the cover's chart alone onto the whole canvas, whose size the page has set: page pixels, and device pixels for
 /// each. Returns false if nothing can be drawn.

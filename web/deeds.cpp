@@ -1,21 +1,23 @@
 #include "web/deeds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/cover.hpp"
+#include "app/told/door.hpp"
+#include "app/told/exercise.hpp"
+#include "app/told/player.hpp"
 #include "io/point_file.hpp"
 #include "lesson/demo.hpp"
 #include "lesson/kept_answers.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/playground.hpp"
 #include "number/fnv.hpp"
-#include "web/cover.hpp"
 #include "web/door.hpp"
-#include "web/numbers.hpp"
 #include "web/values.hpp"
-#include "web/view.hpp"
 
 namespace snug::web {
 namespace {
@@ -34,14 +36,7 @@ static void remember() {
   if (!door().remembers_later) door().stages.remember(*session());
 }
 
-val preparing() {
-  const lesson::Preparation* now = session() ? session()->stage().preparing() : nullptr;
-  if (now == nullptr) return val::null();
-  val object = val::object();
-  object.set("says", now->says());
-  object.set("share", now->share());
-  return object;
-}
+val preparing() { return session() ? value_of(app::told::preparing_of(*session())) : val::null(); }
 std::string go_on(double milliseconds) {
   if (!session()) return "";
   const auto gone_on = session()->stage().go_on(milliseconds * 1e6);
@@ -65,17 +60,17 @@ std::string command_of_key(const std::string& key, bool shift, bool control) {
 }
 
 val key_rows() {
-  return array_of(app::key_rows(), [](const app::KeyRow& row) {
-    return array_of(std::array{row.keys, row.words}, text);
-  });
+  std::vector<std::array<std::string_view, 2>> rows;
+  for (const app::KeyRow& row : app::key_rows()) rows.push_back({row.keys, row.words});
+  return value_of(rows);
 }
 
 void pick_choice(int choice) {
   if (door().app) door().app->pick_choice(choice);
 }
 bool pick_name(const std::string& name) { return session() && session()->conversation().pick(std::string_view(name)); }
-val targets() { return session() ? target_names(*session()) : val::array(); }
-val trace() { return session() ? text(hex_of(session()->player().trace_hash())) : val::null(); }
+val targets() { return session() ? value_of(session()->conversation().target_names()) : val::array(); }
+val trace() { return session() ? val(hex_of(session()->player().trace_hash())) : val::null(); }
 
 bool figures_fill() { return door().app && door().app->figures_fill(); }
 double figures_height() { return door().app ? static_cast<double>(door().app->figures_height()) : 0; }
@@ -166,9 +161,6 @@ std::string put_down_points(const std::string& name) {
   if (loaded) remember();
   return sentence(loaded);
 }
-val cover_file(const std::string& format, const std::string& address) {
-  return cover_file_object(*door().app, format, address);
-}
 
 std::string read_exercise(const std::string& toml, const std::string& name) {
   lesson::ExerciseDraft draft = lesson::read_exercise(toml, name);
@@ -198,7 +190,7 @@ std::string take_up_attempt(const val& decisions) {
   return sentence(sitting->take_up(*session(), attempt));
 }
 
-val attempt() { return attempt_object(*door().app); }
+val attempt() { return value_of(app::told::attempt_of(*door().app)); }
 double seed_of_name(const std::string& name) { return static_cast<double>(lesson::seed_of(name)); }
 
 void light(const std::string& mark) {
@@ -223,7 +215,8 @@ std::string solve_again(int task) {
 }
 
 std::string set_numbers(int group, int row, const val& values) {
-  return session() ? take_numbers(*session(), group, row, values) : "";
+  if (!session()) return "";
+  return sentence(session()->stage().set_numbers(group, row, emscripten::vecFromJSArray<double>(values)));
 }
 
 std::string set_file(const std::string& text) { return session() ? sentence(session()->stage().set_file(text)) : ""; }
@@ -241,10 +234,7 @@ val place(bool bare) {
   if (!session()) return val::null();
   lesson::Place now = place_now();
   if (bare) now.rows.clear(), now.moved.clear(), now.file.clear(), now.draft.clear();
-  val object = val::object();
-  object.set("address", lesson::address_of(now));
-  object.set("whole", lesson::fits_address(now));
-  return object;
+  return value_of(app::told::PlaceNow{lesson::address_of(now), lesson::fits_address(now)});
 }
 
 std::string demo_state() {
@@ -259,13 +249,10 @@ val read_place(const std::string& address) {
     return tl::unexpected(InputError{.what = "its mesh could not be loaded"});
   };
   door().lent.reset();
-  val object = val::object();
-  object.set("mistakes", array_of(read.problems, text));
-  object.set("bare", read.place.is_bare());
-  object.set("step", read.place.step ? val(*read.place.step) : val::null());
+  app::told::PlaceRead told{std::move(read.problems), read.place.is_bare(), read.place.step, {}};
   door().way.emplace(std::move(read.place), lent);
-  object.set("mesh", session() ? door().way->mesh_needed(session()->lesson()) : std::string());
-  return object;
+  if (session()) told.mesh = door().way->mesh_needed(session()->lesson());
+  return value_of(told);
 }
 
 std::string lend_mesh(const std::string& bytes) {
@@ -276,17 +263,15 @@ std::string lend_mesh(const std::string& bytes) {
 }
 
 val go_along() {
-  val object = val::object();
-  const bool done = !session() || !door().way || door().way->done();
-  object.set("done", done);
-  if (!done) {
+  app::told::WayGone told{.done = !session() || !door().way || door().way->done(), .refused = {}};
+  if (!told.done) {
     const auto gone = door().way->go_on(*session());
     if (gone && (*gone == "situation" || *gone == "seed" || *gone == "from")) remember();
-    object.set("refused", gone ? std::string() : gone.error().error.message());
+    if (!gone) told.refused = gone.error().error.message();
   } else if (session() && door().way && !door().way->place().camera.empty()) {
     door().app->look_from(door().way->place().camera);
   }
-  return object;
+  return value_of(told);
 }
 
 }  // namespace snug::web

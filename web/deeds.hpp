@@ -1,4 +1,5 @@
-// What the user does on the page, as functions that page/door.js calls. They return an error as a sentence, or "".
+// What the user does on the page, as functions that page/door.js calls. They return an error as a sentence, or ""; or
+// what app/told has a type for.
 #pragma once
 
 #include <emscripten/val.h>
@@ -44,7 +45,7 @@ std::string hold_slider(bool held);
 std::string slide(int slider, int place);
 /// Scatters the same things again, from a seed.
 void scatter(double seed);
-/// An edit that takes long: {says, share}, from 0 to 1; null for none. go_on: goes on with it, and returns why it is
+/// An edit that takes long; null for none. go_on: goes on with it, and returns why it is
 /// refused; the stage changes when it is done. give_up: the stage stays as it is.
 [[nodiscard]] emscripten::val preparing();
 std::string go_on(double milliseconds);
@@ -65,7 +66,6 @@ double measured();
 std::string playground_says();
 void carry_points();
 std::string put_down_points(const std::string& name);
-val cover_file(const std::string& format, const std::string& address);
 /// Lights a mark that the prose links to, until another, or "" for none.
 /// Reads an exercise's file for open_exercise. Returns its first mistake, "" for none.
 std::string read_exercise(const std::string& toml, const std::string& name);
@@ -73,7 +73,6 @@ std::string read_exercise(const std::string& toml, const std::string& name);
 std::string open_exercise(double seed, int level, bool practises);
 /// Makes the decisions that an attempt has, on what was just opened. Returns an error, "" for none.
 std::string take_up_attempt(const emscripten::val& decisions);
-/// The attempt as a result file has it: {exercise, hash, seed, decisions, hints, mark, of, seconds}.
 emscripten::val attempt();
 /// The seed of a student's name.
 double seed_of_name(const std::string& name);
@@ -88,17 +87,15 @@ std::string set_numbers(int group, int row, const val& values);
 /// Makes the stage from what was typed in its file; and says that the typing is over, for undo.
 std::string set_file(const std::string& text);
 void end_typing();
-/// Where one stands: {address, whole}; whole: whether the address has room for all of it. bare: without what was
-/// edited.
+/// Where one stands. bare: without what was edited.
 val place(bool bare);
 /// The same as a [[state]] of a demo's file.
 std::string demo_state();
-/// Reads an address, on the way to whose place go_along then goes: {mistakes, bare, step, mesh}. bare: whether it names
-/// no place; step: null for none; mesh: that is needed on the way, "" for none.
+/// Reads an address, on the way to whose place go_along then goes.
 val read_place(const std::string& address);
 /// Lends the mesh that is needed.
 std::string lend_mesh(const std::string& bytes);
-/// Goes the next part of the way: {done, refused}. A part may have to be prepared first (preparing).
+/// Goes the next part of the way. A part may have to be prepared first (preparing).
 val go_along();
 
 }  // namespace snug::web

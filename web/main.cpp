@@ -13,8 +13,13 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/app.hpp"
+#include "app/told/door.hpp"
+#include "app/told/lesson.hpp"
+#include "app/told/shared_words.hpp"
+#include "app/told/view.hpp"
 #include "io/point_file.hpp"
 #include "lesson/reopening.hpp"
 #include "snug_gl.h"
@@ -22,12 +27,13 @@
 #include "web/cover.hpp"
 #include "web/deeds.hpp"
 #include "web/door.hpp"
-#include "web/view.hpp"
+#include "web/values.hpp"
 
 namespace {
 
 using emscripten::val;
 using namespace snug;
+namespace told = app::told;
 using web::door;
 using web::Door;
 using web::session;
@@ -132,16 +138,14 @@ bool menu_open() {
 
 // ---- lessons --------------------------------------------------------------------------------------------------
 
-/// Reads a lesson's file for open_lesson: {draws, mesh, error}. Its algorithms are not run: whoever serves a lesson has
-/// checked it. mesh: the one that the page must load for it, "" for none. error: the first mistake, "" for none.
+/// Reads a lesson's file for open_lesson. Its algorithms are not run: whoever serves a lesson has checked it.
 val read_lesson(const std::string& toml, const std::string& name) {
   lesson::Draft& draft = door().draft;
   draft = lesson::read_draft(toml, name);
-  val answer = val::object();
-  answer.set("draws", draft.lesson.has_value());
-  answer.set("mesh", draft.lesson ? draft.lesson->points.mesh : std::string());
-  answer.set("error", draft.mistakes.empty() ? std::string() : draft.mistakes.front().error().message());
-  return answer;
+  return web::value_of(
+      told::LessonRead{.draws = draft.lesson.has_value(),
+                       .mesh = draft.lesson ? draft.lesson->points.mesh : std::string(),
+                       .error = draft.mistakes.empty() ? std::string() : draft.mistakes.front().error().message()});
 }
 
 /// Opens the lesson that was read. mesh: a PLY file's bytes, "" for none. anew: at the place where it stands now.
@@ -164,30 +168,35 @@ std::string open_lesson(const std::string& mesh, bool anew) {
   return "";
 }
 
-val opened_lesson() { return session() ? web::lesson_object(*session()) : val::null(); }
-val view_now() { return session() ? web::view_object(*door().app, *session()) : val::null(); }
+val opened_lesson() { return session() ? web::value_of(told::lesson_of(*session())) : val::null(); }
 
-val handles() {
-  val array = val::array();
-  if (!door().app) return array;
-  for (const app::Handle& handle : door().app->handles()) {
-    val object = val::object();
-    object.set("id", handle.id);
-    object.set("x", handle.x);
-    object.set("y", handle.y);
-    array.call<void>("push", object);
-  }
-  return array;
+/// What has changed is put into what was told before. The page must not change it.
+val view_now() {
+  if (!session()) return val::null();
+  static told::Changes changes;
+  static val view = val::object();
+  const val changed = web::parsed(changes.tell(*door().app));
+  view = val::global("Object").call<val>("assign", val::object(), view, changed);
+  return view;
 }
 
-/// Where a handle of that name is on the canvas, {x, y}; null if it is not in view.
+val handles() {
+  std::vector<told::Handle> all;
+  if (door().app)
+    for (const app::Handle& handle : door().app->handles()) all.push_back({handle.id, handle.x, handle.y});
+  return web::value_of(all);
+}
+
+/// Where a handle of that name is on the canvas; null if it is not in view.
 val place_named(const std::string& name) {
   const auto at = door().app ? door().app->place_named(name) : std::nullopt;
-  if (!at) return val::null();
-  val object = val::object();
-  object.set("x", at->x);
-  object.set("y", at->y);
-  return object;
+  return at ? web::value_of(told::Point{at->x, at->y}) : val::null();
+}
+
+val shared_words() {
+  told::ByName<std::string_view> words;
+  for (const auto& [name, word] : told::kSharedWords) words.emplace_back(name, word);
+  return web::value_of(words);
 }
 
 }  // namespace
@@ -226,7 +235,7 @@ EMSCRIPTEN_BINDINGS(snug) {
   function("pick_name", &web::pick_name);
   function("targets", &web::targets);
   function("trace", &web::trace);
-  function("words", &web::words_object);
+  function("words", &shared_words);
   function("go", &web::go);
   function("jump", &web::jump);
   function("kept_answers", &web::kept_answers);

@@ -1,23 +1,19 @@
-// Makes JavaScript values.
+// What the page is told (app/told), as JavaScript values.
 #pragma once
 
 #include <emscripten/val.h>
 
 #include <string>
-#include <string_view>
+
+#include "app/told/json.hpp"
 
 namespace snug::web {
 
-[[nodiscard]] inline emscripten::val text(std::string_view words) { return emscripten::val(std::string(words)); }
-[[nodiscard]] inline emscripten::val number(double value) { return emscripten::val(value); }
+[[nodiscard]] emscripten::val parsed(const std::string& json);
 
-/// An array of make(item) for each item.
-template <class Items, class Make>
-[[nodiscard]] emscripten::val array_of(const Items& items, Make make) {
-  emscripten::val array = emscripten::val::array();
-  int i = 0;
-  for (const auto& item : items) array.set(i++, make(item));
-  return array;
+template <class Told>
+[[nodiscard]] emscripten::val value_of(const Told& told) {
+  return parsed(app::told::json_of(told));
 }
 
 }  // namespace snug::web

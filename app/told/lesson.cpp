@@ -30,7 +30,7 @@ Lesson lesson_of(const lesson::Session& session) {
     for (const lesson::Block& block : section.blocks) one.blocks.push_back(block_of(block));
   }
   for (const std::string_view name : own.algorithms) told.algorithms.push_back(algorithm_of(own, name));
-  told.step_word = own.subject->step_word, told.asks_of_steps = own.subject->asks_of_steps;
+  told.step_word = own.subject->step_word, told.measures = own.subject->experiment != nullptr;
   told.tools = {tools.word, tools.title, tools.points};
   told.stage_says = subject.stage_says(), told.handle_words = subject.handle_words();
   if (!own.situations.empty())

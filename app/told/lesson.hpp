@@ -65,7 +65,7 @@ struct Lesson : PointSet {
   std::vector<Section> sections;
   std::vector<LessonAlgorithm> algorithms;
   Word<"step", "frame"> step_word;
-  bool asks_of_steps = false;
+  bool measures = false;
   Tools tools;
   std::string_view stage_says;
   std::array<std::string_view, 2> handle_words;
@@ -75,7 +75,7 @@ struct Lesson : PointSet {
   std::vector<std::string> meshes, generators;
   std::string compare;
   std::vector<LessonTask> tasks;
-  SNUG_FIELDS(id, minutes, title, summary, sections, algorithms, step_word, asks_of_steps, tools, stage_says,
+  SNUG_FIELDS(id, minutes, title, summary, sections, algorithms, step_word, measures, tools, stage_says,
               handle_words, situations, dim, seed, meshes, generators, compare, tasks);
 };
 

@@ -1,4 +1,4 @@
-// What the program gives, against the types that tsc takes it to be of (web/page/program.d.ts, page.d.ts).
+// What the program gives, against the types that tsc takes it to be of (told.d.ts, program.d.ts and page.d.ts there).
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 const path_of = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
 const kOptions = { noEmit: true, strict: true, target: "esnext", module: "esnext", types: [], pretty: false };
-const kTypes = ["../../web/page/program.d.ts", "../../web/page/page.d.ts"].map(path_of);
+const kTypes = ["told", "program", "page"].map((name) => path_of(`../../web/page/${name}.d.ts`));
 
 /** What tsc says of values that are written as they are where their type is wanted: then a key too many is a fault as
  *  well. Empty if all fit.

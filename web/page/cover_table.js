@@ -8,7 +8,7 @@ export class CoverTable {
   #node = element("table", { class: "cover-table", hidden: true }, element("thead", {}, this.#head), this.#body);
   #heads = /** @type {HTMLElement[]} */ ([]); // the buttons
   #rows = /** @type {{ row: HTMLElement, name: HTMLElement, cells: HTMLElement[] }[]} */ ([]);
-  #now = /** @type {CoverTableNow | null} */ (null);
+  #now = /** @type {WordTable | null} */ (null);
 
   constructor(/** @type {(command: string) => void} */ command) {
     this.#command = command;
@@ -27,7 +27,7 @@ export class CoverTable {
     this.#body.replaceChildren(...this.#rows.map(({ row }) => row));
   });
 
-  #show = when_changed((/** @type {CoverTableNow} */ table) => {
+  #show = when_changed((/** @type {WordTable} */ table) => {
     this.#now = table;
     this.#lay_out(table.head, table.rows.length);
     this.#node.setAttribute("aria-label", table.title);
@@ -40,7 +40,7 @@ export class CoverTable {
     for (const i of this.#rows.keys()) this.#show_row(table, i);
   });
 
-  #show_row(/** @type {CoverTableNow} */ { rows, best, picked }, /** @type {number} */ i) {
+  #show_row(/** @type {WordTable} */ { rows, best, picked }, /** @type {number} */ i) {
     const { row, name, cells } = this.#rows[i];
     row.classList.toggle("picked", i === picked);
     name.setAttribute("aria-pressed", i === picked);
@@ -52,7 +52,7 @@ export class CoverTable {
   }
 
   /** table: undefined where nothing can stand in the stage's place. */
-  update(/** @type {CoverTableNow | undefined} */ table) {
+  update(/** @type {WordTable | undefined} */ table) {
     set_hidden(this.#node, !table?.sorts.length);
     if (table?.sorts.length) this.#show(table);
   }

@@ -655,7 +655,7 @@ export class Page {
     const asked = view.asked && { ...view.asked, targets: this.#door.targets() };
     const says = this.#preview?.says ?? [];
     const mistakes = says.flatMap(({ heading, lines }) => [heading, ...lines.map(({ text }) => text)]);
-    return { ...view, asked, trace: this.#door.trace(), mistakes };
+    return structuredClone({ ...view, asked, trace: this.#door.trace(), mistakes }); // the script's own
   }
 
   /** Null while a lesson is open.

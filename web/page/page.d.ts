@@ -76,7 +76,6 @@ interface ExerciseState {
   told: boolean;
 }
 
-type Point = { x: number; y: number };
 type FrameTime = { at: number; cost: number };
 /** Does what the user asks for, then shows the result. */
 type Act = (what: () => void) => Refusal | Promise<Refusal>;
