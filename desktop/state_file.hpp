@@ -1,5 +1,6 @@
 // The window's state as a file, for tests and lab scripts: if SNUG_STATE names a file, it is rewritten with each frame
-// that shows something new. It is the same object as the page's window.snug.state(), plus its handles.
+// that shows something new. It is the same object as the page's window.snug.state(), and beside that what only a
+// window has. Where both have a section, it is the one that the window drew.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ close_window
 
 open_window exercise play aabb-overlap --seed 3
 for i in $(seq 10); do # two or three decisions, whatever they earn
-    [[ $(state 's.exercise.finished && s.exercise.run === 0') == true ]] && break
+    [[ $(state 's.exercise.finished && s.exercise.run === ""') == true ]] && break
     xdotool key 1 sleep 0.3 key Return sleep 0.3 key Return sleep 0.3
 done
 tab_to "Hand in"

@@ -20,7 +20,7 @@ until_state 's.demo.vote.includes(" 12, ") && s.demo.vote.endsWith(" 31") && !/[
 xdotool key Return v 4 Return 3 9 Return Return
 until_state 's.demo.vote.includes("Second vote") && s.demo.shown.startsWith("Second vote") && !/ [0-9]/.test(s.demo.shown)'
 xdotool key Right # the answer, and with it the votes
-until_state 's.asked === null && s.outcome === "first-axis" && s.step > 0 && s.demo.shown === s.demo.vote && / 39$/.test(s.demo.shown)'
+until_state 's.asked === null && s.outcome?.question === "first-axis" && s.step > 0 && s.demo.shown === s.demo.vote && / 39$/.test(s.demo.shown)'
 xdotool key Prior # as it was: asked again
 until_state 's.asked.id === "first-axis"'
 xdotool key Prior # the state before, with all that it reveals
@@ -31,12 +31,12 @@ until_state 's.asked === null'
 whole=$(state s.height)
 xdotool windowsize --sync "$window" 900 600
 until_state 's.height === 600'
-read -r x y < <(state 'Math.round(s.stored[0].x) + " " + Math.round(s.stored[0].y)')
+read -r x y < <(state 'Math.round(s.storedRows[0].x) + " " + Math.round(s.storedRows[0].y)')
 xdotool mousemove --window "$window" "$x" "$y" sleep 0.3
 for i in 1 2 3 4 5 6; do xdotool click 5 sleep 0.1; done
-until_state "s.stored[0].y < $y - 5"
+until_state "s.storedRows[0].y < $y - 5"
 xdotool key Home
-until_state "Math.round(s.stored[0].y) === $y"
+until_state "Math.round(s.storedRows[0].y) === $y"
 xdotool windowsize --sync "$window" $(xdotool getdisplaygeometry)
 until_state "s.height === $whole"
 read -r x y < <(handle A)
@@ -80,9 +80,9 @@ at 2 0
 xdotool key Tab Tab sleep 0.3 key Home # a clicker's key for links moves the focus, and nothing else
 at 2 0
 xdotool key q # the state as a code: without the class's page there is none, but its letters
-until_state 's.code.length === 4'
+until_state 's.scanned.length === 4'
 xdotool key q
-until_state 's.code === ""'
+until_state 's.scanned === ""'
 
 xdotool key b # black; the next key brings the picture back, and does nothing else
 until_state 's.hall.black'
@@ -136,7 +136,7 @@ sleep 1
 xdotool key q # its code has the view as well, and is of the same address as the page's
 until_state '/^https:..example.org.snug.[?]lesson=obb-axes&step=3&seed=[0-9]+&camera=[-0-9.,e]+&mark=[A-Z]{4}$/.test(s.codeAddress)'
 xdotool key q
-until_state 's.code === ""'
+until_state 's.scanned === ""'
 xdotool key D
 until_state 's.notice.includes("with this state")'
 xdotool key Escape Right

@@ -41,7 +41,7 @@ until_state "s.readout.radius !== $after"
 xdotool key Escape # the summary goes first
 until_state '!s.summary'
 xdotool key Escape
-until_state 's.selected === -1'
+until_state 's.selected === null'
 xdotool key Home
 until_state 's.step === 0'
 xdotool key Right

@@ -23,22 +23,22 @@ close_window
 open_window exercise play be-quickhull --seed 11 # as it was left
 [[ $(state 's.exercise.decision') == 1 ]] || fail "it goes on with $(state 's.exercise.decision')"
 for i in $(seq 30); do # whatever is wrong is told, and the run goes on
-    [[ $(state 's.exercise.finished && s.exercise.run === 0') == true ]] && break
+    [[ $(state 's.exercise.finished && s.exercise.run === ""') == true ]] && break
     xdotool key bracketright Return
     sleep 0.3
     xdotool key Return
     sleep 0.3
 done
-until_state 's.exercise.finished && s.exercise.run === 0'
+until_state 's.exercise.finished && s.exercise.run === ""'
 xdotool key r # the student's run, beside the right one
-until_state 's.exercise.run === 1'
+until_state 's.exercise.run === "own"'
 decision=$(state 's.exercise.decision') step=$(state 's.step')
 xdotool key Left
 until_state "s.exercise.decision < $decision || $decision === 0"
 xdotool key r # the right run, from there
-until_state "s.exercise.run === 2 && s.step <= $step"
+until_state "s.exercise.run === 'right' && s.step <= $step"
 xdotool key End
-until_state 's.exercise.run === 0 && s.step === s.steps'
+until_state 's.exercise.run === "" && s.step === s.steps'
 tab_to "Hand in"
 xdotool key Return
 until_state 's.notice.startsWith("Saved as")'

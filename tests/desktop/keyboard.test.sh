@@ -14,7 +14,7 @@ for i in 1 2 3 4 5 6 7 8; do xdotool key End s; done
 until_state 's.step === s.steps'
 xdotool key Escape # the summary
 tab_to "support set"
-until_state 's.lit === "support"'
+until_state 's.lit.mark === "support"'
 xdotool key Down
 until_state 's.focus !== "support set" && s.focus !== ""'
 xdotool key Up
@@ -26,7 +26,7 @@ before=$(state 's.scrolled')
 for i in $(seq 20); do xdotool key Down; sleep 0.1; done # beyond the last link it scrolls
 until_state "s.scrolled > $before"
 xdotool key Escape
-until_state 's.focus === "" && s.lit === ""'
+until_state 's.focus === "" && s.lit.mark === ""'
 
 # A menu has the keyboard alone. A key that comes between two slow frames may be lost: it is pressed again.
 title="Welzl's algorithm and the support set" next="Welzl's recursion, as printed"

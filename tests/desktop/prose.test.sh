@@ -16,13 +16,13 @@ for i in $(seq 30); do xdotool click 4; done
 last=
 until [[ $(link support) == "$last" ]]; do last=$(link support) && sleep 0.3; done
 point_at $last
-until_state 's.lit === "support"'
+until_state 's.lit.mark === "support"'
 
 # On the stage one of its points is hovered, and the words are lit.
 last=
 until [[ $(handle P1) == "$last" ]]; do last=$(handle P1) && sleep 0.3; done
 point_at $last
-until_state 's.lit === "" && s.marks.includes("support")'
+until_state 's.lit.mark === "" && s.lit.words.includes("support")'
 
 # A section is the step's.
 xdotool key Escape Home
@@ -63,13 +63,13 @@ kill "$pid" && wait "$pid" 2>/dev/null || true
 open_window --lesson sphere-ritter
 xdotool mousemove --window "$window" 150 400
 for i in $(seq 40); do xdotool click 5; done
-until_state 's.figures.length === 7 && s.figures.every((text) => /^[+]?[0-9.]+/.test(text))'
-before=$(state 's.figures.join()')
+until_state 's.figuresDrawn.length === 7 && s.figuresDrawn.every((text) => /^[+]?[0-9.]+/.test(text))'
+before=$(state 's.figuresDrawn.join()')
 last=
 until [[ $(handle P3) == "$last" ]]; do last=$(handle P3) && sleep 0.3; done
 read -r x y <<<"$last"
 xdotool mousemove --window "$window" "$x" "$y" sleep 0.3 mousedown 1 sleep 0.2 mousemove --window "$window" $((x + 40)) $((y - 90)) sleep 0.3 mousemove --window "$window" $((x + 60)) $((y - 150)) sleep 0.3 mouseup 1
-until_state "s.figures.join() !== '$before'"
-until_state 's.figures[4].startsWith(s.readout.radius.toFixed(3))'
+until_state "s.figuresDrawn.join() !== '$before'"
+until_state 's.figuresDrawn[4].startsWith(s.readout.radius.toFixed(3))'
 xdotool key Home Page_Down
-until_state 's.asked && s.figures.every((text) => text === "…")'
+until_state 's.asked && s.figuresDrawn.every((text) => text === "…")'

@@ -19,12 +19,12 @@ xdotool mousemove --window "$window" 705 305 sleep 0.5 mousemove --window "$wind
 card moved
 differing=$(compare -metric AE "$work/waiting.png" "$work/moved.png" null: 2>&1 || true)
 [[ $differing == 0 ]] || fail "the question was not drawn until the mouse moved: $differing pixels of its card differ"
-before=$(state 's.outcomes')
+before=$(state 's.outcomes.length')
 xdotool key 1 sleep 0.3
-[[ $(state 's.outcomes') == "$before" ]] || fail "one key gave the answer"
+[[ $(state 's.outcomes.length') == "$before" ]] || fail "one key gave the answer"
 [[ $(state 's.asked.says') == *"chosen. Choose it again or press Enter to answer." ]] || fail "it says: $(state 's.asked.says')"
 xdotool key 1
-until_state "s.outcomes === $before + 1 || s.asked.says.startsWith('Not that one. Try once more.')"
+until_state "s.outcomes.length === $before + 1 || s.asked.says.startsWith('Not that one. Try once more.')"
 kill "$pid"; wait "$pid" 2>/dev/null || true
 rm -f "$SNUG_STATE"
 
@@ -38,9 +38,9 @@ until_state 's.asked.says === ""'
 # A tap on the centre of the box: no vertex, so nothing is answered; two on a vertex answer.
 tap() { read -r x y <<<"$(handle "$1")"; xdotool mousemove --window "$window" "$x" "$y" sleep 0.3 click 1 sleep 0.6; }
 tap Box
-[[ $(state 's.outcomes') == 0 ]] || fail "the centre answered"
+[[ $(state 's.outcomes.length') == 0 ]] || fail "the centre answered"
 name=$(state 's.asked.targets[0]')
 tap "$name"
 [[ $(state 's.asked.says') == "$name chosen. Tap it again or press Enter to answer." ]] || fail "a tap says: $(state 's.asked.says')"
 tap "$name"
-until_state "s.outcomes === 1 || s.asked.says.startsWith('Not that one. Try once more.')"
+until_state "s.outcomes.length === 1 || s.asked.says.startsWith('Not that one. Try once more.')"

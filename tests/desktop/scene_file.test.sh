@@ -16,7 +16,7 @@ xdotool type --delay 60 x
 until_state 's.file.mistakes.length === 1 && s.steps === 265'
 typed=$(state 's.file.typed.slice(0, 24)')
 close_window
-opened='s.file !== undefined' open_window --lesson scene-effects
+opened='Boolean(s.file)' open_window --lesson scene-effects
 until_state 's.steps === 265 && s.file.mistakes.length === 1'
 [[ $(state 's.file.typed.slice(0, 24)') == "$typed" ]] || fail "what was typed is lost: $(state 's.file.typed.slice(0, 24)')"
 close_window
