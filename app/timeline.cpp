@@ -22,7 +22,7 @@ std::string_view step_word(const lesson::Session& session) {
 }
 
 using Kind = lesson::Mark::Kind;
-using lesson::Standing;
+using lesson::AnswerState;
 
 constexpr float kMarksApart = 13, kFlagWidth = 15;
 
@@ -31,7 +31,7 @@ constexpr float kMarksApart = 13, kFlagWidth = 15;
 struct Flag {
   float x = 0;
   bool open = false;
-  Standing standing = Standing::kOpen;
+  AnswerState standing = AnswerState::kOpen;
   bool first = false;
 };
 
@@ -42,8 +42,8 @@ void draw_flag(ImDrawList* list, const Look& look, const Flag& flag, float y) {
   list->AddRectFilled(low, high, flag.first ? p.wrong : flag.open ? p.current : p.panel, 4);
   list->AddRect(low, high, flag.first ? p.wrong : p.current, 4, 0, 1.5f);
   const ImVec2 middle{flag.x, low.y + kHeight / 2};
-  if (flag.standing == Standing::kRight) tick(list, middle, 4, p.optimum, 2);
-  else if (flag.standing == Standing::kWrong) cross(list, middle, 3.5f, flag.first ? p.panel : p.wrong, 2);
+  if (flag.standing == AnswerState::kRight) tick(list, middle, 4, p.optimum, 2);
+  else if (flag.standing == AnswerState::kWrong) cross(list, middle, 3.5f, flag.first ? p.panel : p.wrong, 2);
   else {
     Look mark = look;  // it does not grow with the text, nor in a lecture: its flag does not
     mark.text_scale = 1, mark.least = 0, mark.drawn = nullptr;
@@ -80,9 +80,9 @@ bool is_over(const lesson::Session& session) { return session.stage().conduct().
 
 /// In an exercise a flag says whether the decision was right, once that is told: so the student's run and the right one
 /// stand on one timeline.
-Standing marked_as(const lesson::Session& session, const lesson::Asked& asked, bool over) {
-  if (!session.stage().conduct().decides || !(session.stage().conduct().told || over)) return Standing::kOpen;
-  return standing_of(session.conversation().outcome_of(asked));
+AnswerState marked_as(const lesson::Session& session, const lesson::Asked& asked, bool over) {
+  if (!session.stage().conduct().decides || !(session.stage().conduct().told || over)) return AnswerState::kOpen;
+  return answer_state_of(session.conversation().outcome_of(asked));
 }
 
 /// Where both runs of an exercise first differ, once it is over; null for nowhere.
@@ -131,7 +131,7 @@ void draw_legend(ImDrawList* list, const Look& look, const lesson::Session& sess
     const float width = measure(look, Face::kRegular, kSize, kFirst).x + 22;
     if ((room -= width + 16) < 0) return;
     text_right(list, look, Face::kRegular, kSize, {right, middle_of(y, look.px(kSize))}, look->muted, kFirst);
-    draw_flag(list, look, {right - width + 8, false, Standing::kWrong, true}, y + 15);
+    draw_flag(list, look, {right - width + 8, false, AnswerState::kWrong, true}, y + 15);
     right -= width + 16;
   }
   const std::array<std::pair<Kind, std::string_view>, 4> kinds{{{Kind::kGrew, meanings.grew},

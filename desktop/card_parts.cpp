@@ -12,7 +12,7 @@ namespace snug::desktop {
 
 using app::ButtonKind;
 using app::Face;
-using lesson::Standing;
+using lesson::AnswerState;
 
 namespace {
 
@@ -57,13 +57,13 @@ int draw_row(Column& column, std::string_view says, app::Color color, std::span<
   return clicked;
 }
 
-void draw_kicker(Column& column, std::string_view words, std::string_view place, Standing standing) {
+void draw_kicker(Column& column, std::string_view words, std::string_view place, AnswerState standing) {
   const app::Look& look = column.look();
-  const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
-  const app::Color color = right                            ? look->optimum_text
-                           : wrong                          ? look->wrong_text
-                           : standing == Standing::kSkipped ? look->muted
-                                                            : look->current_text;
+  const bool right = standing == AnswerState::kRight, wrong = standing == AnswerState::kWrong;
+  const app::Color color = right                               ? look->optimum_text
+                           : wrong                             ? look->wrong_text
+                           : standing == AnswerState::kSkipped ? look->muted
+                                                               : look->current_text;
   const float middle = column.y() + look.px(10), inset = right || wrong ? 22 : 0;
   if (right) app::tick(column.list(), {column.x() + 6, middle}, 6, look->optimum, 2.25f);
   if (wrong) app::cross(column.list(), {column.x() + 6, middle}, 5, look->wrong, 2.25f);
@@ -93,15 +93,15 @@ std::string draw_lines(Shell& shell, Column& column, const std::vector<lesson::M
       column.list()->AddRectFilled({column.x() - 6, column.y() + 1},
                                    {column.x() + column.width() + 6, column.y() + height - 1}, look->raised, 6);
     if (touch.clicked) command = "review:" + asked.question->id;
-    const Standing standing = lesson::standing_of(outcome);
-    const bool right = standing == Standing::kRight, wrong = standing == Standing::kWrong;
+    const AnswerState standing = lesson::answer_state_of(outcome);
+    const bool right = standing == AnswerState::kRight, wrong = standing == AnswerState::kWrong;
     const ImVec2 mark{column.x() + 6, middle};
     if (right) app::tick(column.list(), mark, 5, look->optimum, 2);
     else if (wrong) app::cross(column.list(), mark, 4, look->wrong, 2);
     else column.list()->AddLine({mark.x - 4, mark.y}, {mark.x + 4, mark.y}, look->muted, 2);
     const std::string line =
         (marked.empty() ? std::string() : std::to_string(number) + ". ") + std::string(lesson::short_prompt(prompt));
-    const std::string stands = marked.empty() ? std::string(lesson::standing_text(outcome))
+    const std::string stands = marked.empty() ? std::string(lesson::answer_state_text(outcome))
                                               : mark_words(marked[number - 1], shell.app().sitting()->practises());
     const float width = app::measure(look, Face::kSemiBold, 13, stands).x;
     app::text_right(column.list(), look, Face::kSemiBold, 13,

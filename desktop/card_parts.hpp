@@ -24,7 +24,7 @@ struct RowButton {
 int draw_row(Column& column, std::string_view says, app::Color color, std::span<const RowButton> buttons);
 
 /// "Your prediction · 2 of 4", after the mark of its outcome.
-void draw_kicker(Column& column, std::string_view words, std::string_view place, lesson::Standing standing);
+void draw_kicker(Column& column, std::string_view words, std::string_view place, lesson::AnswerState standing);
 
 /// Each question in a line that leads back to its reason, in an exercise with its mark. Returns the command of the line
 /// that was clicked.

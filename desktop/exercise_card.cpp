@@ -11,7 +11,7 @@ namespace snug::desktop {
 
 using app::ButtonKind;
 using app::Face;
-using lesson::Standing;
+using lesson::AnswerState;
 
 namespace {
 
@@ -96,7 +96,7 @@ std::string mark_words(const lesson::Marked& marked, bool practises) {
 std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitting) {
   const lesson::Session& session = shell.session();
   const bool practises = sitting.practises();
-  draw_kicker(column, practises ? lesson::kPracticeWord : lesson::kYourMarkWord, {}, Standing::kOpen);
+  draw_kicker(column, practises ? lesson::kPracticeWord : lesson::kYourMarkWord, {}, AnswerState::kOpen);
   if (!practises)
     column.words(lesson::plain_number(sitting.mark(session)) + " of " + std::to_string(sitting.of()), Face::kSemiBold,
                  24);
@@ -122,7 +122,7 @@ std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitti
 }
 
 std::string draw_right_run(Column& column, const lesson::Sitting& sitting, const lesson::Session& session) {
-  draw_kicker(column, lesson::kRightRunWord, {}, Standing::kOpen);
+  draw_kicker(column, lesson::kRightRunWord, {}, AnswerState::kOpen);
   column.words(sitting.compared(session));
   column.gap(8);
   const std::array<RowButton, 2> row{
@@ -138,7 +138,7 @@ std::string draw_build(Shell& shell, Column& column, const lesson::Sitting& sitt
       "mark " + lesson::plain_number(sitting.mark(session)) + " of " + std::to_string(sitting.of());
   const bool breaks = !exercise.build->claim.empty();
   draw_kicker(column, breaks ? lesson::kBreakWord : lesson::kBuildWord,
-              sitting.practises() ? std::string(lesson::kPracticeSays) : mark, Standing::kOpen);
+              sitting.practises() ? std::string(lesson::kPracticeSays) : mark, AnswerState::kOpen);
   lesson::ProseFigures figures(session.conversation());
   if (breaks) draw_prompt(column, "“" + exercise.build->claim + "”", figures, kClaimWriting), column.gap(6);
   draw_prompt(column, exercise.stage.tasks.front().prompt, figures, kPromptWriting);

@@ -20,7 +20,7 @@ namespace {
 
 using app::ButtonKind;
 using app::Face;
-using lesson::Standing;
+using lesson::AnswerState;
 
 constexpr Writing kPromptWriting{16, 23};
 constexpr float kPad = 20, kBeside = 24, kBelow = 12, kWheel = 48;
@@ -155,7 +155,7 @@ void draw_question(Shell& shell, Column& column, const lesson::Asked& asked, boo
                                   : std::pair(std::string(lesson::kPredictionWord),
                                               lesson::place_text(asked, session.conversation().questions()));
   low = low && sitting == nullptr;
-  if (!shell.demo && !low) draw_kicker(column, words, place, Standing::kOpen);
+  if (!shell.demo && !low) draw_kicker(column, words, place, AnswerState::kOpen);
   if (sitting != nullptr) draw_before(column, *sitting, session);
   draw_prompt(column, asked.prompt, figures, kPromptWriting);
   if (sitting != nullptr) draw_hints(column, *sitting, session);
@@ -225,7 +225,7 @@ std::string place_of(Shell& shell, const lesson::Asked* asked) {
 void draw_deciding(Shell& shell, Column& column, const lesson::Outcome& outcome) {
   const lesson::Session& session = shell.session();
   const lesson::Asked* asked = session.conversation().question_of(outcome);
-  if (!shell.demo) draw_kicker(column, lesson::kPredictionWord, place_of(shell, asked), Standing::kOpen);
+  if (!shell.demo) draw_kicker(column, lesson::kPredictionWord, place_of(shell, asked), AnswerState::kOpen);
   lesson::ProseFigures figures(session.conversation());
   if (asked != nullptr) draw_prompt(column, asked->prompt, figures, kPromptWriting), column.gap(6);
   draw_said(column, session, outcome);
@@ -239,7 +239,7 @@ void draw_outcome(Shell& shell, Column& column, const lesson::Outcome& outcome) 
   const lesson::Asked* asked = session.conversation().question_of(outcome);
   const lesson::Sitting* const sitting = shell.app().sitting();
   if (!shell.demo)
-    draw_kicker(column, lesson::verdict_text(outcome), place_of(shell, asked), lesson::standing_of(&outcome));
+    draw_kicker(column, lesson::verdict_text(outcome), place_of(shell, asked), lesson::answer_state_of(&outcome));
   lesson::ProseFigures figures(session.conversation());
   if (asked != nullptr)
     draw_prompt(column, asked->prompt, figures, {14, 21, Face::kRegular, look->muted}), column.gap(6);
@@ -297,7 +297,7 @@ std::vector<Waiting> waiting_in(const lesson::Session& session) {
 std::string draw_summary(Shell& shell, Column& column) {
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  draw_kicker(column, lesson::kSummaryWord, {}, Standing::kOpen);
+  draw_kicker(column, lesson::kSummaryWord, {}, AnswerState::kOpen);
   column.words(session.conversation().score(), Face::kRegular, 16);
   column.gap(8);
   std::string command = draw_lines(shell, column, {});

@@ -129,7 +129,7 @@ struct Tasks {
   SNUG_FIELDS(grade, tasks, task, tasks_done);
 };
 
-[[nodiscard]] std::string_view kind_of(lesson::Standing standing);
+[[nodiscard]] std::string_view kind_of(lesson::AnswerState standing);
 [[nodiscard]] Conversation conversation_of(const lesson::Session& session);
 [[nodiscard]] Log log_of(const lesson::Session& session);
 [[nodiscard]] Tasks tasks_of(const lesson::Session& session);

@@ -75,8 +75,8 @@ struct Lesson : PointSet {
   std::vector<std::string> meshes, generators;
   std::string compare;
   std::vector<LessonTask> tasks;
-  SNUG_FIELDS(id, minutes, title, summary, sections, algorithms, step_word, measures, tools, stage_says,
-              handle_words, situations, dim, seed, meshes, generators, compare, tasks);
+  SNUG_FIELDS(id, minutes, title, summary, sections, algorithms, step_word, measures, tools, stage_says, handle_words,
+              situations, dim, seed, meshes, generators, compare, tasks);
 };
 
 [[nodiscard]] Lesson lesson_of(const lesson::Session& session);

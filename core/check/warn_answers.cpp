@@ -64,12 +64,12 @@ std::optional<Told> told_by_methods(const Asked& asked, const Run& run) {
   if (!asked.lesson->subject->compares) return std::nullopt;
   const bool tight = speaks_of_any(asked, kTight);
   if (tight == speaks_of_any(asked, kCheap)) return std::nullopt;
-  const Asking& asking = *general_asking(tight ? "tightest" : "cheapest", *asked.lesson->subject);
+  const QuestionKind& kind = *general_question_kind(tight ? "tightest" : "cheapest", *asked.lesson->subject);
   Asked worked = asked;
   worked.choices.clear();
-  if (asking.offer(worked, run) != nullptr) return std::nullopt;
-  const Truth truth = asking.truth(worked, run);
-  Told told{{}, truth.happened, std::string(asking.name)};
+  if (kind.offer(worked, run) != nullptr) return std::nullopt;
+  const Truth truth = kind.truth(worked, run);
+  Told told{{}, truth.happened, std::string(kind.name)};
   for (std::size_t i = 0; i < asked.choices.size(); ++i) {
     const Method* meant = nullptr;
     for (const std::string& name : asked.lesson->algorithms)
@@ -93,9 +93,9 @@ std::vector<std::string> in_alphabet(std::vector<std::string> words) {
 
 /// Whether a prompt asks what the step is asked by that name: "separates" in "Does this axis separate them?", and not
 /// in "Does any axis separate them?", which is about more than the step.
-bool asks_the_same(const Asked& asked, std::string_view asking) {
+bool asks_the_same(const Asked& asked, std::string_view kind) {
   constexpr std::array<std::string_view, 7> kOther{" any", " some", "not ", "n't", "always", "ever ", " would"};
-  const std::string_view stem = asking.substr(0, asking.size() - (asking.ends_with('s') ? 1 : 0));
+  const std::string_view stem = kind.substr(0, kind.size() - (kind.ends_with('s') ? 1 : 0));
   return speaks_of(asked, stem) && !speaks_of_any(asked, kOther);
 }
 
@@ -105,13 +105,13 @@ std::optional<Told> told_by_step(const Asked& asked, const Run& run) {
   if (speaks_of_any(asked, kBeyond)) return std::nullopt;  // a wrong test's own verdict is not what is asked
   const std::vector<std::string> own = in_alphabet(asked.choices);
   const bool yes_no = own == std::vector<std::string>{"no", "yes"};
-  for (const Asking& asking : run.askings(asked.fact)) {
-    if (asking.read != nullptr || (yes_no && !asks_the_same(asked, asking.name))) continue;
+  for (const QuestionKind& kind : run.question_kinds(asked.fact)) {
+    if (kind.read != nullptr || (yes_no && !asks_the_same(asked, kind.name))) continue;
     Asked worked = asked;
     worked.choices.clear(), worked.choice_handles.clear();
-    if (asking.offer(worked, run) != nullptr || worked.many || in_alphabet(worked.choices) != own) continue;
-    const Truth truth = asking.truth(worked, run);
-    Told told{{}, truth.happened, std::string(asking.name)};
+    if (kind.offer(worked, run) != nullptr || worked.many || in_alphabet(worked.choices) != own) continue;
+    const Truth truth = kind.truth(worked, run);
+    Told told{{}, truth.happened, std::string(kind.name)};
     for (const int right : truth.choices)
       for (std::size_t i = 0; i < asked.choices.size(); ++i)
         if (io::lower_case(asked.choices[i]) == io::lower_case(worked.choices[right]))
@@ -202,7 +202,7 @@ constexpr std::size_t kMostTold = 8, kLeastTold = 2;
 /// Where handles answer, a choice is another name of one or of several.
 std::vector<Wrong> wrong_answers(Asked asked, const Run& run) {
   asked.own_run = true;
-  const Truth truth = asked.asking->truth(asked, run);
+  const Truth truth = asked.kind->truth(asked, run);
   std::vector<Wrong> wrong;
   const auto see = [&](const auto& right, int one, std::string says, const Answer& answer) {
     if (std::find(right.begin(), right.end(), one) == right.end())

@@ -41,10 +41,10 @@ int place_after(const Run& run, const Gate& gate, int before) {
 }
 
 /// What the step's own fact can be asked comes first.
-const Asking* find_asking(std::string_view name, const SubjectRow& row, const Run& run, int fact) {
-  for (const Asking& asking : run.askings(fact))
-    if (asking.name == name) return &asking;
-  return general_asking(name, row);
+const QuestionKind* find_question_kind(std::string_view name, const SubjectRow& row, const Run& run, int fact) {
+  for (const QuestionKind& kind : run.question_kinds(fact))
+    if (kind.name == name) return &kind;
+  return general_question_kind(name, row);
 }
 
 /// What a tapped handle says, in the words of a choice that names several: "the y pair (P9)". A handle that belongs to
@@ -132,11 +132,11 @@ Asked asked_anytime(const Question& question, const Lesson& lesson, const Subjec
   asked.subject = &subject;
   asked.dim = subject.dim();
   asked.step = asked.until = Asked::kAnytime;
-  asked.asking = general_asking("choice", *lesson.subject);
-  for (const auto& [fact, asking] : lesson.subject->askings())
-    if (asking->name == question.asks) asked.asking = asking;
+  asked.kind = general_question_kind("choice", *lesson.subject);
+  for (const auto& [fact, kind] : lesson.subject->question_kinds())
+    if (kind->name == question.asks) asked.kind = kind;
   put_words(asked, true);  // it is about the lesson's own points
-  asked.asking->offer(asked, run);
+  asked.kind->offer(asked, run);
   return asked;
 }
 
@@ -157,7 +157,7 @@ std::string Asked::names(std::span<const Index> handles) const {
 }
 
 std::string_view Asked::hidden_figure() const {
-  return question->figure.empty() ? asking->figure : std::string_view(question->figure);
+  return question->figure.empty() ? kind->figure : std::string_view(question->figure);
 }
 
 bool comes_before(const Run& run, const Gate& gate) {
@@ -190,17 +190,17 @@ std::optional<Asked> resolve(const Question& question, const Lesson& lesson, con
     why = "on these points, step " + gate.fact + " happens only by rounding";
     return std::nullopt;
   }
-  asked.asking = find_asking(question.asks, row, run, asked.fact);
-  if (asked.asking == nullptr) {
+  asked.kind = find_question_kind(question.asks, row, run, asked.fact);
+  if (asked.kind == nullptr) {
     std::vector<std::string_view> facts;
-    for (const auto& [fact, asking] : row.askings())
-      if (asking->name == question.asks) facts.push_back(fact);
+    for (const auto& [fact, kind] : row.question_kinds())
+      if (kind->name == question.asks) facts.push_back(fact);
     why = "\"" + question.asks + "\" can only be asked of " + one_of(facts) + ", not of " + gate.fact;
     return std::nullopt;
   }
   asked.step = gate.after.empty() ? asked.fact : place_after(run, gate, asked.fact);
-  asked.until = asked.asking->decided != nullptr ? asked.asking->decided(run, asked.fact) : asked.fact + 1;
-  if (const char* refused = asked.asking->offer(asked, run)) {
+  asked.until = asked.kind->decided != nullptr ? asked.kind->decided(run, asked.fact) : asked.fact + 1;
+  if (const char* refused = asked.kind->offer(asked, run)) {
     why = refused == kNoFigureAfter ? no_figure_after(asked, run) : refused;
     return std::nullopt;
   }
@@ -321,7 +321,7 @@ static std::string way_to(const Asked& asked, const Answer& answer, const Truth&
     return typed->number < truth.number ? "That is too little." : "That is too much.";
   const auto* one = std::get_if<OneChoice>(&answer);
   if (one == nullptr || truth.choices.empty()) return {};
-  return std::string(one->choice < truth.choices.front() ? asked.asking->before : asked.asking->after);
+  return std::string(one->choice < truth.choices.front() ? asked.kind->before : asked.kind->after);
 }
 
 std::string meaning_of(const Asked& asked, const Answer& answer, const Truth& truth) {
@@ -383,25 +383,25 @@ bool has_second_try(const Asked& asked) {
   return (asked.stage_points.empty() ? asked.subject->size() : static_cast<Index>(asked.stage_points.size())) > 2;
 }
 
-Standing standing_of(const Outcome* outcome) {
-  if (outcome == nullptr || outcome->passed || outcome->pending) return Standing::kOpen;
-  if (outcome->skipped) return Standing::kSkipped;
-  return outcome->right ? Standing::kRight : Standing::kWrong;
+AnswerState answer_state_of(const Outcome* outcome) {
+  if (outcome == nullptr || outcome->passed || outcome->pending) return AnswerState::kOpen;
+  if (outcome->skipped) return AnswerState::kSkipped;
+  return outcome->right ? AnswerState::kRight : AnswerState::kWrong;
 }
 
 void add_to(Tally& tally, const Outcome* outcome) {
-  switch (standing_of(outcome)) {
-    case Standing::kOpen: ++tally.open; break;
-    case Standing::kRight: ++tally.right, tally.second += outcome->tries > 1; break;
-    case Standing::kWrong: ++tally.wrong; break;
-    case Standing::kSkipped: ++tally.skipped; break;
+  switch (answer_state_of(outcome)) {
+    case AnswerState::kOpen: ++tally.open; break;
+    case AnswerState::kRight: ++tally.right, tally.second += outcome->tries > 1; break;
+    case AnswerState::kWrong: ++tally.wrong; break;
+    case AnswerState::kSkipped: ++tally.skipped; break;
   }
 }
 
 Outcome judge(const Asked& asked, const Answer& given, const Run& run) {
   const Answer answer = as_asked(asked, given);
   const WithDecimals wished(asked.lesson->view.decimals);
-  Truth truth = asked.asking->truth(asked, run);
+  Truth truth = asked.kind->truth(asked, run);
   Outcome outcome;
   outcome.question = asked.question->id;
   outcome.given = answer;
@@ -421,14 +421,14 @@ Outcome judge(const Asked& asked, const Answer& given, const Run& run) {
 }
 
 bool has_tie(const Asked& asked, const Run& run) {
-  const Truth truth = asked.asking->truth(asked, run);
+  const Truth truth = asked.kind->truth(asked, run);
   if (asked.many) return !truth.tied.empty();
   if (!truth.choices.empty()) return truth.choices.size() > 1 && truth.choices.size() < asked.choices.size();
   return truth.points.size() > 1 && truth.points.size() != asked.stage_points.size();
 }
 
 Answer model_answer(const Asked& asked, const Run& run) {
-  const Truth truth = asked.asking->truth(asked, run);
+  const Truth truth = asked.kind->truth(asked, run);
   if (asked.many && asked.on_stage) {
     std::vector<Index> all = truth.points;
     std::sort(all.begin(), all.end());

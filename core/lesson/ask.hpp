@@ -22,7 +22,7 @@ struct Asked {
   const Lesson* lesson = nullptr;
   const Question* question = nullptr;
   const Subject* subject = nullptr;
-  const Asking* asking = nullptr;
+  const QuestionKind* kind = nullptr;
   std::string prompt;  // in words for the points' dimension: a circle in space is a sphere
   std::string because;
   std::string of;        // what it is about, which takes the place of {of} in both: "P7", "x + y"
@@ -77,7 +77,7 @@ struct WrongRule {
 inline constexpr std::string_view kMore = "It is more than that.", kLess = "It is less than that.";
 
 /// Something that can be asked of a step.
-struct Asking {
+struct QuestionKind {
   std::string_view name;  // as lesson files say: "leaves"
   /// Adds the possible answers. Returns why this cannot be asked of the step, or null.
   const char* (*offer)(Asked& asked, const Run& run);
@@ -98,9 +98,9 @@ struct Asking {
 };
 
 /// Something that can be asked of a fact; the fact is empty if the question is not about a step.
-struct AskingOf {
+struct FactQuestionKind {
   std::string_view fact;
-  const Asking* asking;
+  const QuestionKind* kind;
 };
 
 /// What happened, and what was predicted.
@@ -122,9 +122,9 @@ struct Outcome {
 };
 
 /// The state of a question.
-enum class Standing { kOpen, kRight, kWrong, kSkipped };
+enum class AnswerState { kOpen, kRight, kWrong, kSkipped };
 /// outcome: null for none. A question is open if a jump passed it, or if it is not decided yet.
-[[nodiscard]] Standing standing_of(const Outcome* outcome);
+[[nodiscard]] AnswerState answer_state_of(const Outcome* outcome);
 
 /// How many questions are in each state.
 struct Tally {
@@ -159,9 +159,9 @@ inline constexpr std::string_view kNoFigureAfter = "\"figure\" names none that t
 [[nodiscard]] bool comes_before(const Run& run, const Gate& gate);
 
 /// What any step can be asked, by the names that lesson files use.
-[[nodiscard]] std::vector<std::string_view> general_askings(const SubjectRow& subject);
+[[nodiscard]] std::vector<std::string_view> general_question_kinds(const SubjectRow& subject);
 /// One of these by name; null if it is none of them.
-[[nodiscard]] const Asking* general_asking(std::string_view name, const SubjectRow& subject);
+[[nodiscard]] const QuestionKind* general_question_kind(std::string_view name, const SubjectRow& subject);
 
 /// Reads the increasing "bounds" of a question about a figure.
 void read_bounds(TomlTable& table, Question& question);

@@ -265,7 +265,7 @@ constexpr std::array kCostRules{WrongRule{"reversed", &reversed<cost_order_truth
                                 WrongRule{"tightest", &tightest_first}};
 
 constexpr std::string_view kSmaller = "Another one is smaller.";
-constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points", &offer_all_points, &point_truth},
+constexpr QuestionKind kPoint{"point", &offer_points, &point_truth}, kPoints{"points", &offer_all_points, &point_truth},
     kChoice{.name = "choice", .offer = &offer_choices, .truth = &choice_truth, .read = &read_choices},
     kSequence{.name = "sequence",
               .offer = &offer_sequence,
@@ -298,8 +298,8 @@ constexpr Asking kPoint{"point", &offer_points, &point_truth}, kPoints{"points",
                    .margin = &cost_margin,
                    .rules = kCostRules};
 
-constexpr std::array<const Asking*, 6> kOfAnyStep{&kPoint, &kPoints, &kChoice, &kSequence, &kFigure, &kNumber};
-constexpr std::array<const Asking*, 4> kOfMethods{&kTightest, &kTightestOrder, &kCheapest, &kCheapestOrder};
+constexpr std::array<const QuestionKind*, 6> kOfAnyStep{&kPoint, &kPoints, &kChoice, &kSequence, &kFigure, &kNumber};
+constexpr std::array<const QuestionKind*, 4> kOfMethods{&kTightest, &kTightestOrder, &kCheapest, &kCheapestOrder};
 
 }  // namespace
 
@@ -317,21 +317,21 @@ std::string no_figure_after(const Asked& asked, const Run& run) {
   return after + (keys.empty() ? "is not there: there are none" : none_of_text(asked.question->figure, keys));
 }
 
-std::vector<std::string_view> general_askings(const SubjectRow& subject) {
+std::vector<std::string_view> general_question_kinds(const SubjectRow& subject) {
   if (subject.experiment != nullptr) return {kChoice.name};
   std::vector<std::string_view> names;
-  for (const Asking* asking : kOfAnyStep) names.push_back(asking->name);
+  for (const QuestionKind* kind : kOfAnyStep) names.push_back(kind->name);
   if (subject.compares)
-    for (const Asking* asking : kOfMethods) names.push_back(asking->name);
+    for (const QuestionKind* kind : kOfMethods) names.push_back(kind->name);
   return names;
 }
 
-const Asking* general_asking(std::string_view name, const SubjectRow& subject) {
-  if (!is_among(general_askings(subject), name)) return nullptr;
-  for (const Asking* asking : kOfAnyStep)
-    if (asking->name == name) return asking;
-  for (const Asking* asking : kOfMethods)
-    if (asking->name == name) return asking;
+const QuestionKind* general_question_kind(std::string_view name, const SubjectRow& subject) {
+  if (!is_among(general_question_kinds(subject), name)) return nullptr;
+  for (const QuestionKind* kind : kOfAnyStep)
+    if (kind->name == name) return kind;
+  for (const QuestionKind* kind : kOfMethods)
+    if (kind->name == name) return kind;
   return nullptr;
 }
 

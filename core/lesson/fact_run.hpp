@@ -52,8 +52,8 @@ std::optional<Mark::Kind> FactRun<Own, Step>::mark(int i) const {
       i, [&]<class Fact>(const Fact& fact) -> std::optional<Mark::Kind> { return Entry<Fact>::mark(fact, where(i)); });
 }
 template <class Own, class Step>
-std::span<const Asking> FactRun<Own, Step>::askings(int i) const {
-  return visit(i, []<class Fact>(const Fact&) { return std::span<const Asking>(Entry<Fact>::kAskings); });
+std::span<const QuestionKind> FactRun<Own, Step>::question_kinds(int i) const {
+  return visit(i, []<class Fact>(const Fact&) { return std::span<const QuestionKind>(Entry<Fact>::kQuestionKinds); });
 }
 template <class Own, class Step>
 bool FactRun<Own, Step>::counts(int i) const {

@@ -22,7 +22,7 @@ struct EntryDefaults {
   static std::string predicate(const auto&, const auto&, bool plural) { return plural ? "are named" : "is named"; }
   static std::optional<Mark::Kind> mark(const auto&, const auto&) { return std::nullopt; }
   static bool counts(const auto&) { return true; }
-  static constexpr std::array<Asking, 0> kAskings{};
+  static constexpr std::array<QuestionKind, 0> kQuestionKinds{};
 };
 
 /// A run whose steps are facts of a variant. Own: the run itself, with
@@ -40,7 +40,7 @@ class FactRun : public Run {
   [[nodiscard]] std::vector<Index> handles(int i) const final;
   [[nodiscard]] std::string predicate(int i, bool plural) const final;
   [[nodiscard]] std::optional<Mark::Kind> mark(int i) const override;
-  [[nodiscard]] std::span<const Asking> askings(int i) const override;
+  [[nodiscard]] std::span<const QuestionKind> question_kinds(int i) const override;
   [[nodiscard]] bool counts(int i) const override;
   [[nodiscard]] std::uint64_t hash() const final;
   [[nodiscard]] const fit::Volume3* volume(int steps) const final;
@@ -60,12 +60,12 @@ struct FactList<std::variant<Facts...>> {
   /// The names of all facts, in order.
   static std::vector<std::string_view> names() { return {Facts::kName...}; }
   /// What can be asked of any of these facts.
-  static std::vector<AskingOf> askings() {
-    std::vector<AskingOf> all;
+  static std::vector<FactQuestionKind> question_kinds() {
+    std::vector<FactQuestionKind> all;
     const auto add = [&](std::string_view fact, const auto& some) {
-      for (const Asking& asking : some) all.push_back({fact, &asking});
+      for (const QuestionKind& kind : some) all.push_back({fact, &kind});
     };
-    (add(Facts::kName, Entry<Facts>::kAskings), ...);
+    (add(Facts::kName, Entry<Facts>::kQuestionKinds), ...);
     return all;
   }
 };

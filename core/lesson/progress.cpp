@@ -8,8 +8,8 @@ Progress progress_of(const Session& session) {
   const Lesson& lesson = session.lesson();
   const auto answered = [&](const Question& question) {
     return std::any_of(session.log().outcomes().begin(), session.log().outcomes().end(), [&](const Outcome& outcome) {
-      const Standing stands = standing_of(&outcome);
-      return outcome.question == question.id && (stands == Standing::kRight || stands == Standing::kWrong);
+      const AnswerState stands = answer_state_of(&outcome);
+      return outcome.question == question.id && (stands == AnswerState::kRight || stands == AnswerState::kWrong);
     });
   };
   Progress progress;

@@ -172,20 +172,20 @@ Gate read_gate(TomlTable& table, const Lesson& lesson) {
 /// Reads what is asked, with the keys for that kind of question.
 void read_asking(TomlTable& table, const Lesson& lesson, Question& question) {
   question.asks = table.text("asks");
-  std::vector<std::string_view> names = general_askings(*lesson.subject);
-  const Asking* const general = general_asking(question.asks, *lesson.subject);
-  const Asking* asking = general;
+  std::vector<std::string_view> names = general_question_kinds(*lesson.subject);
+  const QuestionKind* const general = general_question_kind(question.asks, *lesson.subject);
+  const QuestionKind* kind = general;
   const bool known = is_among(lesson.subject->facts(), question.gate.fact);
-  for (const auto& [fact, one] : lesson.subject->askings()) {
-    if (one->name == question.asks) asking = one;
+  for (const auto& [fact, one] : lesson.subject->question_kinds()) {
+    if (one->name == question.asks) kind = one;
     const bool fits = !known || fact.empty() || fact == question.gate.fact;
     if (fits && !is_among(names, one->name)) names.push_back(one->name);
   }
-  if (asking != nullptr) names.push_back(asking->name);  // of another fact: what it asks of is told on the run
+  if (kind != nullptr) names.push_back(kind->name);  // of another fact: what it asks of is told on the run
   check_name(table, "asks", question.asks, names);
-  if (asking != nullptr && asking->read != nullptr) return asking->read(table, question);
+  if (kind != nullptr && kind->read != nullptr) return kind->read(table, question);
   if (general != nullptr && general->read != nullptr) return general->read(table, question);  // decided in another way
-  if (asking != nullptr) return;
+  if (kind != nullptr) return;
   for (const std::string_view key : {"choices", "answer", "figure", "bounds", "tolerance"}) table.allow(key);
 }
 

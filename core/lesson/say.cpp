@@ -131,12 +131,12 @@ std::string score_text(const Tally& tally) {
   return text + ".";
 }
 
-std::string_view standing_text(const Outcome* outcome) {
-  switch (standing_of(outcome)) {
-    case Standing::kRight: return outcome->tries > 1 ? "right on the second try" : "right";
-    case Standing::kWrong: return "wrong";
-    case Standing::kSkipped: return "skipped";
-    case Standing::kOpen: break;
+std::string_view answer_state_text(const Outcome* outcome) {
+  switch (answer_state_of(outcome)) {
+    case AnswerState::kRight: return outcome->tries > 1 ? "right on the second try" : "right";
+    case AnswerState::kWrong: return "wrong";
+    case AnswerState::kSkipped: return "skipped";
+    case AnswerState::kOpen: break;
   }
   return "open";
 }

@@ -80,7 +80,7 @@ inline constexpr std::string_view kTaskWaits = "The task is checked once the que
 /// "2 of 4 predictions correct (1 on the second try), 1 wrong, 1 skipped."; empty if none was answered or skipped.
 [[nodiscard]] std::string score_text(const Tally& tally);
 /// The state of a question in the summary: "right", "right on the second try", "wrong", "skipped", "open".
-[[nodiscard]] std::string_view standing_text(const Outcome* outcome);
+[[nodiscard]] std::string_view answer_state_text(const Outcome* outcome);
 /// A prompt as a line of the summary: the sentence that asks, if the prompt is long.
 [[nodiscard]] std::string_view short_prompt(std::string_view prompt);
 /// "3 of 5": the question's number among those of this run.

@@ -43,7 +43,7 @@ void Session::go(int step) {
   if (player_->previewing() && step == player_->steps()) return;
   if (step != player_->step()) talk.acknowledge();
   if (talk.deciding_) {  // a step on the way there; any other step ends it
-    if (step > player_->step()) return talk.stand(std::min(step, talk.shown_at_));
+    if (step > player_->step()) return talk.set_step(std::min(step, talk.shown_at_));
     talk.deciding_ = false;
   }
   const bool begin = player_->previewing() && step > player_->steps();
@@ -52,7 +52,7 @@ void Session::go(int step) {
   for (const Asked& asked : talk.questions())
     if (asked.step != Asked::kAnytime && asked.step >= from && asked.step < to && talk.is_open(*asked.question))
       to = asked.step;
-  talk.stand(to);
+  talk.set_step(to);
 }
 
 void Session::forward() {
@@ -73,7 +73,7 @@ void Session::jump(int step) {
     outcome.passed = true;
     log_->add(std::move(outcome));
   }
-  talk.stand(to);
+  talk.set_step(to);
 }
 
 Grade Session::grade(std::size_t task) const {

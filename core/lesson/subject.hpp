@@ -20,7 +20,7 @@
 namespace snug::lesson {
 
 struct Asked;
-struct Asking;
+struct QuestionKind;
 struct SubjectRow;
 
 /// Nanoseconds since some moment; null for no clock.
@@ -118,7 +118,7 @@ class Run {
   [[nodiscard]] virtual std::string predicate(int i, bool plural) const = 0;
   [[nodiscard]] virtual std::optional<Mark::Kind> mark(int i) const = 0;
   /// What can be asked of it, besides "point" and "choice", which can be asked of any step.
-  [[nodiscard]] virtual std::span<const Asking> askings(int i) const = 0;
+  [[nodiscard]] virtual std::span<const QuestionKind> question_kinds(int i) const = 0;
   /// Whether gates count it: of a recursion, only the outermost calls count.
   [[nodiscard]] virtual bool counts(int i) const = 0;
   /// Whether it happened only by rounding, so that nothing sensible can be asked of it.

@@ -33,9 +33,9 @@ struct SubjectRow {
   std::vector<std::string_view> (*volumes)() = nullptr;
   const Experiment* experiment = nullptr;  // null: its questions are about steps
   std::span<const Method> (*methods)(std::string_view volume) = nullptr;
-  std::vector<std::string_view> (*facts)() = nullptr;  // what a question's gate may name
-  std::vector<AskingOf> (*askings)() = nullptr;        // besides those of any step (general_askings)
-  bool compares = false;                               // whether its methods' results are compared with a reference
+  std::vector<std::string_view> (*facts)() = nullptr;           // what a question's gate may name
+  std::vector<FactQuestionKind> (*question_kinds)() = nullptr;  // besides those of any step (general_question_kinds)
+  bool compares = false;  // whether its methods' results are compared with a reference
 
   /// Reads its own tables from the file.
   void (*read)(TomlTable& table, Lesson& lesson, Complaints& complaints) = nullptr;

@@ -228,7 +228,7 @@ void check_seed(const std::shared_ptr<const lesson::Exercise>& exercise, std::ui
   checked.hard.push_back(0);
   for (const lesson::Asked& asked : session->conversation().questions()) {
     if (exercise->ties && has_tie(asked, session->player().run(0))) continue;
-    const double margin = asked.asking->margin(asked, session->player().run(0));
+    const double margin = asked.kind->margin(asked, session->player().run(0));
     checked.nearest = std::min(checked.nearest, margin);
     checked.hard.back() += margin < 2 * exercise->apart;
   }

@@ -66,7 +66,7 @@ Block block_of(const lesson::Session& session, std::size_t question, double widt
   const bool is_new = question == 0 || before != reached_before(session, question - 1);
   if (!solved && is_new && !before.empty()) y = block.page.paragraph(0, y, width, before, kMuted);
   y = block.page.paragraph(0, y, width, std::to_string(question + 1) + ". " + words_of(asked, figures));
-  const lesson::Truth truth = asked.asking->truth(asked, session.player().run(0));
+  const lesson::Truth truth = asked.kind->truth(asked, session.player().run(0));
   const double room = width - kIndent;
   if (solved) y = block.page.paragraph(kIndent, y, room, truth.happened + ". " + truth.sentence, kItalic);
   else if (!asked.choices.empty() && !asked.on_stage) y = block.page.choices(kIndent, y, room, asked.choices);

@@ -31,8 +31,8 @@ Json figures_of(const lesson::Session& session) {
 Json asks_of(const lesson::Session& session, int step) {
   Json asks = Json::array();
   if (session.lesson().subject->experiment != nullptr) return asks;
-  for (const lesson::Asking& asking : session.player().run(0).askings(step)) asks.push_back(asking.name);
-  for (const std::string_view name : lesson::general_askings(*session.lesson().subject))
+  for (const lesson::QuestionKind& kind : session.player().run(0).question_kinds(step)) asks.push_back(kind.name);
+  for (const std::string_view name : lesson::general_question_kinds(*session.lesson().subject))
     if (!name.starts_with("point") || !session.player().run(0).handles(step).empty()) asks.push_back(name);
   return asks;
 }

@@ -27,8 +27,8 @@ std::string step_rows(const lesson::SubjectRow& row) {
   std::string text;
   for (const std::string_view fact : row.facts()) {
     std::vector<std::string_view> own;
-    for (const auto& [of, asking] : row.askings())
-      if (of == fact) own.push_back(asking->name);
+    for (const auto& [of, kind] : row.question_kinds())
+      if (of == fact) own.push_back(kind->name);
     text += "| `" + std::string(row.name) + "` | `" + std::string(fact) + "` | " + in_code(own) + " |\n";
   }
   return text;
@@ -125,9 +125,9 @@ CommandResult run_table(const TableOptions&) {
   Printed printed{"| subject | asked of every step | asked without a step | goals |\n|---|---|---|---|\n"};
   for (const lesson::SubjectRow* row : lesson::subjects()) {
     std::vector<std::string_view> alone;
-    for (const auto& [of, asking] : row->askings())
-      if (of.empty()) alone.push_back(asking->name);
-    printed.text += "| `" + std::string(row->name) + "` | " + in_code(lesson::general_askings(*row)) + " | " +
+    for (const auto& [of, kind] : row->question_kinds())
+      if (of.empty()) alone.push_back(kind->name);
+    printed.text += "| `" + std::string(row->name) + "` | " + in_code(lesson::general_question_kinds(*row)) + " | " +
                     in_code(alone) + " | " + in_code(row->goals) + " |\n";
   }
   printed.text += "\n| subject | of | figures that a task may require |\n|---|---|---|\n";

@@ -330,7 +330,7 @@ std::set<std::string> telling_numbers(const std::string& text) {
 /// What would tell the answer to a question: the figures of what happened that the question itself does not name, and
 /// the right choice's words, where they name no handle.
 std::set<std::string> secrets_of(const lesson::Asked& asked, const lesson::Session& session) {
-  const lesson::Truth truth = asked.asking->truth(asked, session.player().run(0));
+  const lesson::Truth truth = asked.kind->truth(asked, session.player().run(0));
   std::string told = asked.prompt;
   for (const std::string& choice : asked.choices) told += " " + choice;
   std::set<std::string> secrets = telling_numbers(truth.happened + " " + truth.sentence);

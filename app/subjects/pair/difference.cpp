@@ -150,7 +150,7 @@ struct DifferenceInset {
 /// Whether the open question is which vertex comes next.
 bool asks_for_vertex(const lesson::Session& session) {
   const lesson::Asked* asked = session.conversation().asked();
-  return asked != nullptr && asked->asking != nullptr && asked->asking->name == "next_vertex";
+  return asked != nullptr && asked->kind != nullptr && asked->kind->name == "next_vertex";
 }
 
 void draw_simplex(DifferenceInset& inset, const ShownSimplex& simplex, std::span<const Point3> kept, const Point3& v) {

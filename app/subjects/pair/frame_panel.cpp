@@ -65,7 +65,7 @@ struct FrameTable {
 /// Whether the open question is answered by entries of R.
 bool asks_for_entries(const lesson::Session& session) {
   const lesson::Asked* asked = session.conversation().asked();
-  return asked != nullptr && asked->asking != nullptr && asked->asking->name.starts_with("entries");
+  return asked != nullptr && asked->kind != nullptr && asked->kind->name.starts_with("entries");
 }
 
 /// The entries of R as buttons.

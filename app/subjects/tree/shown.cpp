@@ -49,7 +49,7 @@ void show_asked(TreeShown& shown, const lesson::Session& session) {
   shown.split = nullptr;
   if (asked->step != asked->fact) return;  // asked long before
   const auto& fact = shown.run->trace()[asked->fact].step.fact;
-  shown.asks_next = asked->asking->name == "next_node";
+  shown.asks_next = asked->kind->name == "next_node";
   if (shown.asks_next) return;
   shown.branch = shown.run->branch_of(asked->fact), shown.partner = partner_of(*shown.run, asked->fact);
   if (const auto* inserted = std::get_if<hierarchy::BodyInserted>(&fact)) shown.incoming = inserted->body;

@@ -57,7 +57,7 @@ struct Exercise {
   std::vector<Harder> harder;  // the levels above the first
   int level = 0;               // the one that this is
   bool told_at_once = true;    // or all at the end
-  double apart = 0;            // no decision is nearer to a tie than this share of the extent (Asking::margin)
+  double apart = 0;            // no decision is nearer to a tie than this share of the extent (QuestionKind::margin)
   bool ties = false;           // whether some decision is a tie, in which each of the right answers is accepted
   int least = 1, most = 100;   // how many decisions an instance has
   std::uint64_t hash = 0;      // of the file's text

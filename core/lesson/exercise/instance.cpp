@@ -47,8 +47,8 @@ std::vector<Question> questions_of(const Exercise& exercise, const Run& run) {
 
 /// Whether a decision is nearer to a tie than the exercise allows.
 bool too_near(const Exercise& exercise, const Asked& asked, const Run& run) {
-  if (asked.asking->margin == nullptr) return true;
-  return asked.asking->margin(asked, run) < exercise.apart && !(exercise.ties && has_tie(asked, run));
+  if (asked.kind->margin == nullptr) return true;
+  return asked.kind->margin(asked, run) < exercise.apart && !(exercise.ties && has_tie(asked, run));
 }
 
 /// Leaves to the program what is too near to a tie, and what is asked often enough, where the exercise says so.
@@ -80,7 +80,7 @@ bool varies(const std::vector<Asked>& asked, const Run& run, auto is_it) {
 /// Whether a first answer that is wrong leaves only right ones for the second.
 bool gives_away(const Asked& asked, const Run& run) {
   if (asked.many || asked.ordered || asked.number || !has_tie(asked, run)) return false;
-  const Truth truth = asked.asking->truth(asked, run);
+  const Truth truth = asked.kind->truth(asked, run);
   const std::size_t right = asked.choices.empty() ? truth.points.size() : truth.choices.size();
   return right + 1 == (asked.choices.empty() ? asked.stage_points.size() : asked.choices.size());
 }
@@ -134,7 +134,7 @@ std::size_t decision_of(const Exercise& exercise, const Question& question) {
 }
 
 const WrongRule* find_rule(const Asked& asked, std::string_view name) {
-  for (const WrongRule& rule : asked.asking->rules)
+  for (const WrongRule& rule : asked.kind->rules)
     if (rule.name == name) return &rule;
   return nullptr;
 }

@@ -123,19 +123,20 @@ Build read_build(toml::table& task, Complaints& complaints) {
 void check_decision(const Question& question, const Decision& decision, const SubjectRow& subject,
                     Complaints& complaints) {
   std::vector<std::string_view> decided;
-  const Asking* asking = nullptr;
-  for (const auto& [fact, one] : subject.askings()) {
+  const QuestionKind* kind = nullptr;
+  for (const auto& [fact, one] : subject.question_kinds()) {
     if (fact != question.gate.fact || one->margin == nullptr) continue;
     decided.push_back(one->name);
-    if (one->name == question.asks) asking = one;
+    if (one->name == question.asks) kind = one;
   }
-  if (const Asking* general = general_asking(question.asks, subject); general != nullptr && general->margin != nullptr)
-    asking = general;
-  if (asking == nullptr)
+  if (const QuestionKind* general = general_question_kind(question.asks, subject);
+      general != nullptr && general->margin != nullptr)
+    kind = general;
+  if (kind == nullptr)
     return complaints.add(question.place, "an exercise cannot ask " + question.asks + " of " + question.gate.fact +
                                               (decided.empty() ? "" : ", only " + one_of(decided)));
   std::vector<std::string_view> names;
-  for (const WrongRule& rule : asking->rules) names.push_back(rule.name);
+  for (const WrongRule& rule : kind->rules) names.push_back(rule.name);
   for (const RuleWords& rule : decision.rules)
     if (!is_among(names, rule.name)) complaints.add(rule.place, "\"rules\" " + none_of_text(rule.name, names));
 }

@@ -17,7 +17,7 @@ constexpr double kLeadsOn = 0.8;  // a share of the marks
 
 /// Half of what could be answered, the right answers among it, in words: "One of these is right: P3; P7; P9."
 std::string narrowed(const Asked& asked, const Run& run, std::uint64_t seed) {
-  const Truth truth = asked.asking->truth(asked, run);
+  const Truth truth = asked.kind->truth(asked, run);
   if (asked.number) return {};
   const bool handles = asked.choices.empty();
   std::vector<int> all(asked.choices.size());
@@ -42,7 +42,7 @@ std::string narrowed(const Asked& asked, const Run& run, std::uint64_t seed) {
 
 /// "The answer: P9."
 std::string told(const Asked& asked, const Run& run) {
-  const Truth truth = asked.asking->truth(asked, run);
+  const Truth truth = asked.kind->truth(asked, run);
   if (asked.ordered) {
     std::string order = "The order:";
     int number = 0;
@@ -130,7 +130,7 @@ std::size_t Sitting::at(const Session& session) const {
     if (const Asked* now = session.conversation().question_of(*told)) return static_cast<std::size_t>(now - all.data());
   // Wherever in the run one looks back.
   const auto is_open = [&](const Asked& one) {
-    return standing_of(session.conversation().outcome_of(one)) == Standing::kOpen;
+    return answer_state_of(session.conversation().outcome_of(one)) == AnswerState::kOpen;
   };
   return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_open) - all.begin());
 }
@@ -143,7 +143,8 @@ std::vector<Marked> Sitting::marked(const Session& session) const {
   if (exercise_->build) return all;
   for (std::size_t i = 0; i < session.conversation().questions().size(); ++i) {
     const Asked& asked = session.conversation().questions()[i];
-    Marked one{&asked, tells ? standing_of(session.conversation().outcome_of(asked)) : Standing::kOpen, hints_[i], 0};
+    Marked one{&asked, tells ? answer_state_of(session.conversation().outcome_of(asked)) : AnswerState::kOpen,
+               hints_[i], 0};
     const auto tries = given_to(session, *asked.question);
     if (!tries.empty() && tries.back()->right)
       one.mark = std::max((tries.size() == 1 ? 1 : 0.5) - (practises_ ? 0 : price_of(session, i, hints_[i])), 0.0);
@@ -244,7 +245,7 @@ const std::string* Sitting::rule_of(const Session& session, const Asked& asked, 
     int before = 0;  // how many wrong answers it explains
     for (const Given& given : session.log().given())
       for (const Asked& other : session.conversation().questions()) {
-        if (given.right || other.question->id != given.question || other.asking != asked.asking) continue;
+        if (given.right || other.question->id != given.question || other.kind != asked.kind) continue;
         const auto there = rule->decides(other, session.player().run(0));
         before += there && follows(other, *there, given.answer);
       }
@@ -438,7 +439,7 @@ tl::expected<Attempt, InputError> model_attempt(const Exercise& exercise, std::u
 bool all_decided(const Session& session) {
   const std::vector<Asked>& all = session.conversation().questions();
   return std::all_of(all.begin(), all.end(), [&](const Asked& one) {
-    return standing_of(session.conversation().outcome_of(one)) != Standing::kOpen;
+    return answer_state_of(session.conversation().outcome_of(one)) != AnswerState::kOpen;
   });
 }
 

@@ -17,7 +17,7 @@ namespace snug::lesson {
 /// What became of a decision, for the list of all of them.
 struct Marked {
   const Asked* asked = nullptr;
-  Standing standing = Standing::kOpen;  // open: not made yet, or not told before the end
+  AnswerState standing = AnswerState::kOpen;  // open: not made yet, or not told before the end
   int hints = 0;
   double mark = 0;  // 1 at the first try, a half at the second, less the price of hints
 };

@@ -45,8 +45,8 @@ std::vector<int> Conversation::places() const {
   return places;
 }
 
-void Conversation::stand(int step) {
-  if (!player_->stand(step)) return;
+void Conversation::set_step(int step) {
+  if (!player_->set_step(step)) return;
   if (step >= shown_at_) deciding_ = false;
   if (!deciding_ && step != shown_at_) shown_outcome_ = -1;
   if (stage_->conduct().decides) {  // the marks to come would tell what is right
@@ -91,7 +91,7 @@ bool Conversation::practise() {
     if (stage_->subject().origin().seed != next) break;
     if (!asked_.empty()) {
       summary_closed_ = false;
-      stand(0);
+      set_step(0);
       return true;
     }
     stage_->undo();
@@ -114,7 +114,7 @@ Outcome Conversation::judged(const Asked& asked, const Answer& answer) const {
 }
 
 const Asked* Conversation::asked() const {
-  const Asked* now = standing();
+  const Asked* now = question_here();
   const bool comes_later = now != nullptr && player_->fresh() && now->step != Asked::kAnytime;
   return comes_later || deciding_ || outcome() != nullptr ? nullptr : now;
 }
@@ -125,7 +125,7 @@ const Asked* Conversation::open_at(int step) const {
   return found == asked_.end() ? nullptr : &*found;
 }
 
-const Asked* Conversation::standing() const {
+const Asked* Conversation::question_here() const {
   if (const Asked* predicted = predicts_ ? to_predict() : nullptr) return predicted;
   return player_->previewing() ? nullptr : open_at(player_->step());
 }
@@ -286,7 +286,7 @@ std::vector<std::string> Conversation::target_names() const {
 }
 
 std::string Conversation::score() const {
-  if (standing() != nullptr || to_predict() != nullptr || deciding_) return {};
+  if (question_here() != nullptr || to_predict() != nullptr || deciding_) return {};
   const auto open = [](const Outcome& outcome) { return outcome.pending; };
   const auto& outcomes = log_->outcomes();
   const bool over =
@@ -332,7 +332,7 @@ bool Conversation::give(const Answer& given, bool for_good) {
   const bool second = tried() != nullptr, right = outcome.right;
   log_->add(question->question->id, answer, right);
   const bool again = !for_good && !second && conduct.told && has_second_try(*question);
-  if (standing_of(&outcome) == Standing::kWrong && again) return try_again(*question, answer);
+  if (answer_state_of(&outcome) == AnswerState::kWrong && again) return try_again(*question, answer);
   if (second && !outcome.skipped) outcome.tries = 2;
   tried_.reset();
   const std::size_t place = log_->add(std::move(outcome));
@@ -343,7 +343,7 @@ bool Conversation::give(const Answer& given, bool for_good) {
   shown_at_ = told_at(*question);
   answer_shown_ = false;
   deciding_ = shown_at_ - player_->step() > 1;
-  if (!deciding_) stand(shown_at_);
+  if (!deciding_) set_step(shown_at_);
   if (for_good || !play_answers_ || conduct.decides) decide();
   if (conduct.decides && (right || !conduct.told)) acknowledge();
   return true;
@@ -355,7 +355,7 @@ bool Conversation::try_again(const Asked& question, const Answer& answer) {
   unpick();
   answer_says_ = question.ordered ? kTryOrderAgain : question.many ? kTryThoseAgain : kTryAgain;
   ProseFigures figures(*this);
-  const Truth truth = question.asking->truth(question, player_->run(0));
+  const Truth truth = question.kind->truth(question, player_->run(0));
   if (const std::string meaning = meaning_of(question, answer, truth); !meaning.empty())
     answer_says_ += " " + plain_now(meaning, figures);
   return true;
@@ -366,7 +366,7 @@ void Conversation::go_to_next_decision() {
   int to = player_->steps();
   for (const Asked& asked : asked_)
     if (asked.step >= player_->step() && is_open(*asked.question)) to = std::min(to, asked.step);
-  stand(to);
+  set_step(to);
 }
 
 bool Conversation::take_back() {
@@ -377,7 +377,7 @@ bool Conversation::take_back() {
   log_->take_back();  // each has one try
   shown_outcome_ = -1;
   summary_closed_ = false;
-  stand(asked->step);
+  set_step(asked->step);
   return ++revision_, true;
 }
 
@@ -389,7 +389,7 @@ int Conversation::told_at(const Asked& own) const {
 }
 
 void Conversation::decide() {
-  if (deciding_) stand(shown_at_);
+  if (deciding_) set_step(shown_at_);
 }
 
 const Outcome* Conversation::outcome() const {
@@ -413,7 +413,7 @@ bool Conversation::can_watch_outcome() const {
 bool Conversation::watch_outcome() {
   if (!can_watch_outcome()) return false;
   deciding_ = true;
-  stand(log_->outcomes()[shown_outcome_].from_step);
+  set_step(log_->outcomes()[shown_outcome_].from_step);
   return true;
 }
 
@@ -421,9 +421,9 @@ bool Conversation::review(std::string_view question) {
   for (std::size_t i = 0; i < log_->outcomes().size(); ++i) {
     const Outcome& past = log_->outcomes()[i];
     const Asked* own = question_of(past);
-    if (past.question != question || standing_of(&past) == Standing::kOpen || own == nullptr) continue;
+    if (past.question != question || answer_state_of(&past) == AnswerState::kOpen || own == nullptr) continue;
     deciding_ = false;
-    stand(stage_->conduct().decides ? own->step : told_at(*own));  // in an exercise, what the student saw then
+    set_step(stage_->conduct().decides ? own->step : told_at(*own));  // in an exercise, what the student saw then
     shown_outcome_ = static_cast<int>(i);
     shown_at_ = player_->step();
     answer_shown_ = false;
@@ -445,7 +445,7 @@ const Outcome* Conversation::outcome_of(const Asked& asked) const {
 
 bool Conversation::can_show_answer() const {
   const Outcome* told = outcome();
-  if (told == nullptr || standing_of(told) != Standing::kWrong) return false;
+  if (told == nullptr || answer_state_of(told) != AnswerState::kWrong) return false;
   const Asked* question = question_of(*told);
   return question != nullptr && (question->on_stage || question->choices.size() > 2);
 }
@@ -460,7 +460,7 @@ bool Conversation::show_answer() {
 std::vector<int> Conversation::right_choices() const {
   const Outcome* told = outcome();
   const Asked* question = told != nullptr ? question_of(*told) : nullptr;
-  return question != nullptr ? question->asking->truth(*question, player_->run(0)).choices : std::vector<int>();
+  return question != nullptr ? question->kind->truth(*question, player_->run(0)).choices : std::vector<int>();
 }
 
 /// Of what was kept, only a question knows what it means.

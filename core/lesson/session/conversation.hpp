@@ -28,7 +28,7 @@ class Conversation final : public PlayerFollower {
   /// without one: what is seen first can be looked at, and the first step asks.
   [[nodiscard]] const Asked* asked() const;
   /// The question that stands open at this place, also while another's outcome is shown.
-  [[nodiscard]] const Asked* standing() const;
+  [[nodiscard]] const Asked* question_here() const;
   /// The first open question about what is measured, which belongs to no step; null for none.
   [[nodiscard]] const Asked* to_predict() const { return open_at(Asked::kAnytime); }
   /// Asks those of the situation on the stage, where they wait until measuring is wanted.
@@ -120,7 +120,7 @@ class Conversation final : public PlayerFollower {
   bool follow(bool entered) override;
   /// Decides predictions that were made before anything was known, again whenever more is known.
   void judge_again();
-  void stand(int step);
+  void set_step(int step);
   [[nodiscard]] std::vector<int> places() const;
   bool refuse(std::string why);
   void choose(Answer answer, const std::string& name = {});

@@ -165,7 +165,7 @@ int Player::step_of(int slot) const {
   return static_cast<int>(step_ * all / steps());
 }
 
-bool Player::stand(int step) {
+bool Player::set_step(int step) {
   if (step == step_ && !previewing_ && !fresh_) return false;
   step_ = step;
   previewing_ = fresh_ = false;

@@ -119,7 +119,7 @@ class Player final : public StageFollower {
   void run_again(int slot, Preparation* ready = nullptr);
   bool run_changed(bool at_end, bool entered = false);
   /// Stands at a step. Returns false if it stands there already.
-  bool stand(int step);
+  bool set_step(int step);
   /// Marks the run up to a step, and these places of questions.
   void mark(const std::vector<int>& questions, int last);
   void forget_grades() { grades_.assign(grades_.size(), std::nullopt); }

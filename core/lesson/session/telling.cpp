@@ -15,12 +15,12 @@ std::string Telling::caption() const {
 }
 
 std::string_view Telling::asked_figure() const {
-  const Asked* now = now_.standing();  // also while another question's outcome is shown
+  const Asked* now = now_.question_here();  // also while another question's outcome is shown
   return now == nullptr ? std::string_view() : std::string_view(now->hidden_figure());
 }
 
 bool Telling::predicting() const {
-  const Asked* question = player_.fresh() ? now_.standing() : now_.asked();
+  const Asked* question = player_.fresh() ? now_.question_here() : now_.asked();
   return question != nullptr && question->step != Asked::kAnytime;
 }
 
@@ -58,8 +58,8 @@ std::vector<Figure> Telling::figures(int slot) const {
 bool Telling::comparing() const {
   if (!stage_.is_own()) return false;
   return std::any_of(now_.lesson().questions.begin(), now_.lesson().questions.end(), [&](const Question& question) {
-    const Asking* asking = general_asking(question.asks, *now_.lesson().subject);
-    return asking != nullptr && asking->figure == kComparedFigure && question.situation == stage_.situation() &&
+    const QuestionKind* kind = general_question_kind(question.asks, *now_.lesson().subject);
+    return kind != nullptr && kind->figure == kComparedFigure && question.situation == stage_.situation() &&
            now_.is_open(question);
   });
 }

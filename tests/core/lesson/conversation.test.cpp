@@ -54,7 +54,8 @@ TEST_CASE("a first wrong answer is told to be wrong, and nothing else") {
   const std::string caption = session.telling().caption();
   REQUIRE(give(session, point(3)));
   CHECK(session.conversation().answer_says() == "Not that one. Try once more.");
-  CHECK(standing_of(session.conversation().outcome_of(session.conversation().questions()[1])) == Standing::kOpen);
+  CHECK(answer_state_of(session.conversation().outcome_of(session.conversation().questions()[1])) ==
+        AnswerState::kOpen);
   CHECK(session.conversation().outcome() == nullptr);
   CHECK(session.player().step() == step);
   CHECK(session.telling().caption() == caption);
@@ -108,19 +109,21 @@ TEST_CASE("the key that goes on skips a question at its second press") {
   const int step = session.player().step();
   REQUIRE(session.conversation().pass_by());
   CHECK(session.conversation().answer_says() == "Press again to skip this question.");
-  CHECK(standing_of(session.conversation().outcome_of(session.conversation().questions()[1])) == Standing::kOpen);
+  CHECK(answer_state_of(session.conversation().outcome_of(session.conversation().questions()[1])) ==
+        AnswerState::kOpen);
   CHECK(session.player().step() == step);
   SUBCASE("at once") {
     REQUIRE(session.conversation().pass_by());
     REQUIRE(session.conversation().outcome() != nullptr);
     CHECK(session.conversation().outcome()->skipped);
-    CHECK(standing_of(session.conversation().outcome()) == Standing::kSkipped);
+    CHECK(answer_state_of(session.conversation().outcome()) == AnswerState::kSkipped);
     CHECK_FALSE(session.conversation().pass_by());  // it is told
   }
   SUBCASE("not after an answer was chosen in between") {
     REQUIRE(session.conversation().pick(point(3)));
     REQUIRE(session.conversation().pass_by());
-    CHECK(standing_of(session.conversation().outcome_of(session.conversation().questions()[1])) == Standing::kOpen);
+    CHECK(answer_state_of(session.conversation().outcome_of(session.conversation().questions()[1])) ==
+          AnswerState::kOpen);
   }
 }
 
@@ -183,8 +186,8 @@ TEST_CASE("a lesson ends with a summary once nothing is open, and each line of i
   session.conversation().acknowledge();
   REQUIRE(session.conversation().at_summary());
   CHECK(session.conversation().tally().right == all - 1);
-  CHECK(standing_text(session.conversation().outcome_of(session.conversation().questions()[0])) == "skipped");
-  CHECK(standing_text(session.conversation().outcome_of(session.conversation().questions()[1])) == "right");
+  CHECK(answer_state_text(session.conversation().outcome_of(session.conversation().questions()[0])) == "skipped");
+  CHECK(answer_state_text(session.conversation().outcome_of(session.conversation().questions()[1])) == "right");
   REQUIRE(session.conversation().review(session.conversation().questions()[1].question->id));
   REQUIRE(session.conversation().outcome() != nullptr);
   CHECK(session.conversation().outcome()->right);

@@ -128,7 +128,7 @@ TEST_CASE("every exercise keeps its promise at each level, and right decisions e
       CHECK(decisions >= exercise->least);
       CHECK(decisions <= exercise->most);
       for (const Asked& asked : sat.session.conversation().questions())
-        CHECK((asked.asking->margin(asked, sat.session.player().run(0)) >= exercise->apart ||
+        CHECK((asked.kind->margin(asked, sat.session.player().run(0)) >= exercise->apart ||
                (exercise->ties && has_tie(asked, sat.session.player().run(0)))));
       sat.decide_all();
       CHECK(sat.sitting.mark(sat.session) == decisions);
@@ -193,7 +193,7 @@ TEST_CASE("a second try earns a half, each hint a quarter less, and one that tel
   for (int hint = 0; hint < kMostHints; ++hint) REQUIRE(sat.sitting.take_hint(sat.session));
   CHECK_FALSE(sat.sitting.take_hint(sat.session));
   CHECK(sat.sitting.hints(sat.session).back() ==
-        "The answer: " + sat.asked().asking->truth(sat.asked(), sat.session.player().run(0)).happened + ".");
+        "The answer: " + sat.asked().kind->truth(sat.asked(), sat.session.player().run(0)).happened + ".");
   sat.decide();
   CHECK(sat.sitting.mark(sat.session) == 1.25);
   CHECK(sat.sitting.attempt(sat.session).made[2].hints == kMostHints);
@@ -243,13 +243,13 @@ TEST_CASE("where all is told at the end, a decision can be taken back, and nothi
   CHECK(sat.session.conversation().outcome() == nullptr);
   CHECK(sat.sitting.at(sat.session) == 1);
   CHECK(sat.sitting.rule_says(sat.session).empty());
-  CHECK(sat.sitting.marked(sat.session)[0].standing == Standing::kOpen);
+  CHECK(sat.sitting.marked(sat.session)[0].standing == AnswerState::kOpen);
   REQUIRE(sat.session.conversation().take_back());
   CHECK(sat.sitting.at(sat.session) == 0);
   CHECK_FALSE(sat.session.conversation().take_back());
   sat.decide_all();
   CHECK(sat.sitting.mark(sat.session) == sat.sitting.of());
-  CHECK(sat.sitting.marked(sat.session)[0].standing == Standing::kRight);
+  CHECK(sat.sitting.marked(sat.session)[0].standing == AnswerState::kRight);
 }
 
 TEST_CASE("an attempt is written, read and replayed to the same mark") {
@@ -558,8 +558,8 @@ TEST_CASE("what the run chooses is what is right: the pair along the main axis, 
       Sat sat(exercise_of(id), seed);
       int checked = 0;
       for (const Asked& asked : sat.session.conversation().questions()) {
-        if (asked.asking->name != "extremes" && asked.asking->name != "climb_to") continue;
-        std::vector<Index> right = asked.asking->truth(asked, sat.session.player().run(0)).points,
+        if (asked.kind->name != "extremes" && asked.kind->name != "climb_to") continue;
+        std::vector<Index> right = asked.kind->truth(asked, sat.session.player().run(0)).points,
                            chosen = sat.session.player().run(0).handles(asked.fact);
         std::sort(right.begin(), right.end()), std::sort(chosen.begin(), chosen.end());
         CHECK(right == chosen);
@@ -578,8 +578,8 @@ TEST_CASE("what a rectangle touches, and the edge of the smallest, is what the c
     std::array<Index, 2> best{};
     int edges = 0;
     for (const Asked& asked : sat.session.conversation().questions()) {
-      const Truth truth = asked.asking->truth(asked, run);
-      if (asked.asking->name == "smallest_edge") {
+      const Truth truth = asked.kind->truth(asked, run);
+      if (asked.kind->name == "smallest_edge") {
         const auto& ends = asked.choice_handles[static_cast<std::size_t>(truth.choices.front())];
         CHECK(std::equal(ends.begin(), ends.end(), best.begin(), best.end()));
         continue;
@@ -599,7 +599,7 @@ TEST_CASE("a decision is asked no more often than its exercise says") {
   Sat sat(exercise_of("be-iterative-ritter"), 5);
   const auto sides =
       std::count_if(sat.session.conversation().questions().begin(), sat.session.conversation().questions().end(),
-                    [](const Asked& asked) { return asked.asking->name == "side"; });
+                    [](const Asked& asked) { return asked.kind->name == "side"; });
   CHECK(sides == 8);
   CHECK(sat.session.player().run(0).steps() > 40);  // it goes on for more passes
 }
@@ -642,7 +642,7 @@ TEST_CASE("of what is exactly tied, each is right, and nothing else is") {
       const Run& run = sat.session.player().run(0);
       int ties = 0;
       for (const Asked& asked : sat.session.conversation().questions()) {
-        const Truth truth = asked.asking->truth(asked, run);
+        const Truth truth = asked.kind->truth(asked, run);
         ties += has_tie(asked, run);
         for (const Answer& answer : tied_answers(asked, truth)) CHECK(judge(asked, answer, run).right);
         for (const std::vector<Index>& tied : truth.tied) {
@@ -686,7 +686,7 @@ TEST_CASE("points tied for the farthest from an edge are so in whole numbers") {
       std::vector<Index> farthest;
       for (const Index i : asked.stage_points)
         if (from_edge(i) == most) farthest.push_back(i);
-      std::vector<Index> right = asked.asking->truth(asked, sat.session.player().run(0)).points;
+      std::vector<Index> right = asked.kind->truth(asked, sat.session.player().run(0)).points;
       std::sort(right.begin(), right.end()), std::sort(farthest.begin(), farthest.end());
       CHECK(right == farthest);
       ties += right.size() > 1;
@@ -706,7 +706,7 @@ TEST_CASE("after a wrong answer to a tie, one of those that are left is wrong to
       if (!has_tie(asked, session->player().run(0))) continue;
       CAPTURE(seed);
       const std::size_t wrong =
-          asked.stage_points.size() - asked.asking->truth(asked, session->player().run(0)).points.size();
+          asked.stage_points.size() - asked.kind->truth(asked, session->player().run(0)).points.size();
       CHECK(wrong != 1);
       ++second_tries;
     }
@@ -728,7 +728,7 @@ TEST_CASE("of four updates two give the same AABB, and the loose one is square")
       CHECK((widths("rebuild") - widths("hill_climb")).norm() < 1e-12);  // a climb allows for rounding
       CHECK(widths("loose")[0] == doctest::Approx(widths("loose")[1]));
       if (!asked.ordered) CHECK(asked.choices.size() == 3);
-      const Truth truth = asked.asking->truth(asked, sat.session.player().run(0));
+      const Truth truth = asked.kind->truth(asked, sat.session.player().run(0));
       if (asked.ordered) CHECK(asked.choices[static_cast<std::size_t>(truth.choices.front())].starts_with("Loose"));
     }
   }

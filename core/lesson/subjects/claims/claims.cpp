@@ -49,18 +49,18 @@ Truth own_truth(const Asked& asked, const Run& run) {
   return tried ? choice_truth(asked, run) : Truth{.pending = true};
 }
 
-constexpr std::array kClaimsAskings{
-    Asking{.name = "choice", .offer = &offer_own, .truth = &own_truth},
-    Asking{.name = "verdict", .offer = &offer_verdicts, .truth = &verdict_truth, .read = &read_verdict}};
+constexpr std::array kClaimsQuestionKinds{
+    QuestionKind{.name = "choice", .offer = &offer_own, .truth = &own_truth},
+    QuestionKind{.name = "verdict", .offer = &offer_verdicts, .truth = &verdict_truth, .read = &read_verdict}};
 
 const SubjectRow& points_row() { return *subject_named("cloud"); }
 
 std::vector<std::string_view> claim_volumes() { return points_row().volumes(); }
 std::span<const Method> claim_methods(std::string_view volume) { return points_row().methods(volume); }
 std::vector<std::string_view> no_claim_facts() { return {}; }
-std::vector<AskingOf> claims_askings() {
-  std::vector<AskingOf> all;
-  for (const Asking& asking : kClaimsAskings) all.push_back({"", &asking});
+std::vector<FactQuestionKind> claims_question_kinds() {
+  std::vector<FactQuestionKind> all;
+  for (const QuestionKind& kind : kClaimsQuestionKinds) all.push_back({"", &kind});
   return all;
 }
 
@@ -98,7 +98,7 @@ const SubjectRow kClaimsRow{.name = "claims",
                             .experiment = &kClaimsExperiment,
                             .methods = &claim_methods,
                             .facts = &no_claim_facts,
-                            .askings = &claims_askings,
+                            .question_kinds = &claims_question_kinds,
                             .read = &read_claims,
                             .read_model = &read_point_model,
                             .check_first = &check_claims,

@@ -89,30 +89,30 @@ inline constexpr std::array kEyeRules{WrongRule{"middle", &farthest_from_the_mid
                                       WrongRule{"nearest", &nearest_to_the_facet}};
 inline constexpr std::array kSignRules{WrongRule{"only_x", &sign_of_x}, WrongRule{"origin", &sign_about_origin}};
 
-inline constexpr Asking kFarthest{.name = "farthest",
-                                  .offer = &offer_farthest,
-                                  .truth = &farthest_truth,
-                                  .figure = "outside",
-                                  .margin = &farthest_margin,
-                                  .rules = kFarthestRules};
-inline constexpr Asking kNextOutside{.name = "next_outside",
-                                     .offer = &offer_next_outside,
-                                     .truth = &next_outside_truth,
-                                     .figure = "outside",
-                                     .margin = &next_outside_margin,
-                                     .rules = kNextRules};
-inline constexpr Asking kSide{.name = "side",
-                              .offer = &offer_sides,
-                              .truth = &side_truth,
-                              .figure = "outside",
-                              .margin = &side_margin,
-                              .rules = kSideRules};
-inline constexpr Asking kExtremes{.name = "extremes",
-                                  .offer = &offer_extremes,
-                                  .truth = &extremes_truth,
-                                  .margin = &extremes_margin,
-                                  .rules = kExtremesRules};
-inline constexpr Asking kEye{
+inline constexpr QuestionKind kFarthest{.name = "farthest",
+                                        .offer = &offer_farthest,
+                                        .truth = &farthest_truth,
+                                        .figure = "outside",
+                                        .margin = &farthest_margin,
+                                        .rules = kFarthestRules};
+inline constexpr QuestionKind kNextOutside{.name = "next_outside",
+                                           .offer = &offer_next_outside,
+                                           .truth = &next_outside_truth,
+                                           .figure = "outside",
+                                           .margin = &next_outside_margin,
+                                           .rules = kNextRules};
+inline constexpr QuestionKind kSide{.name = "side",
+                                    .offer = &offer_sides,
+                                    .truth = &side_truth,
+                                    .figure = "outside",
+                                    .margin = &side_margin,
+                                    .rules = kSideRules};
+inline constexpr QuestionKind kExtremes{.name = "extremes",
+                                        .offer = &offer_extremes,
+                                        .truth = &extremes_truth,
+                                        .margin = &extremes_margin,
+                                        .rules = kExtremesRules};
+inline constexpr QuestionKind kEye{
     .name = "eye", .offer = &offer_eye, .truth = &eye_truth, .margin = &eye_margin, .rules = kEyeRules};
 
 }  // namespace snug::lesson

@@ -10,7 +10,7 @@ namespace snug::lesson {
 template <>
 struct Entry<fit::ExtentsFound<double, 3>> : FitEntry {
   using Fact = fit::ExtentsFound<double, 3>;
-  static constexpr std::array kAskings{kSmallestEdge, kGrows};
+  static constexpr std::array kQuestionKinds{kSmallestEdge, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::string lengths;
     for (int i = 0; i < where.dim(); ++i) lengths += (i > 0 ? " × " : "") + number_text(fact.lengths[i]);
@@ -63,8 +63,9 @@ Truth sign_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<fit::ProductsAdded<double, 3>> : FitEntry {
   using Fact = fit::ProductsAdded<double, 3>;
-  static constexpr std::array kAskings{
-      Asking{.name = "sign", .offer = &offer_signs, .truth = &sign_truth, .margin = &sign_margin, .rules = kSignRules},
+  static constexpr std::array kQuestionKinds{
+      QuestionKind{
+          .name = "sign", .offer = &offer_signs, .truth = &sign_truth, .margin = &sign_margin, .rules = kSignRules},
       kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::string offset;
@@ -94,7 +95,7 @@ struct Entry<fit::PointsChosen> : FitEntry {
 template <>
 struct Entry<fit::BoxTried<double, 3>> : FitEntry {
   using Fact = fit::BoxTried<double, 3>;
-  static constexpr std::array kAskings{kTouched, kGrows};
+  static constexpr std::array kQuestionKinds{kTouched, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "The box " + axes_of(fact, where) + " has " + where.size_word() + number_text(fact.measure) +
            (fact.better ? ", the smallest so far: it is kept." : ", no smaller than the best: it is dropped.");
@@ -138,7 +139,7 @@ struct Entry<fit::RotationTried<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
   using Fact = fit::RectangleFound<double, 3>;
-  static constexpr std::array kAskings{kHullEdge, kGrows};
+  static constexpr std::array kQuestionKinds{kHullEdge, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string on = fact.edge_a == kNoIndex ? "The smallest rectangle"
                                                    : "The smallest rectangle lies on the hull's edge from " +
@@ -166,7 +167,7 @@ struct Entry<fit::RectangleFound<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::CalipersTurned<double, 3>> : FitEntry {
   using Fact = fit::CalipersTurned<double, 3>;
-  static constexpr std::array kAskings{kSmaller, kGrows};
+  static constexpr std::array kQuestionKinds{kSmaller, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string area = " has area " + number_text(fact.area);
     return "On the projection's edge from " + where.name(fact.touching[0]) + " to " + where.name(fact.touching[1]) +
@@ -287,7 +288,7 @@ struct Entry<fit::CornerMovedOut> : FitEntry {
 template <>
 struct Entry<fit::SlabFound> : FitEntry {
   using Fact = fit::SlabFound;
-  static constexpr std::array kAskings{kExtremes, kGrows};
+  static constexpr std::array kQuestionKinds{kExtremes, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return "Slab " + std::to_string(fact.slab + 1) + " lies between " + where.name(fact.least) + " and " +
            where.name(fact.greatest) + ", the extremes along " + where.run.slab_name(where.i, fact.slab) + ".";

@@ -17,7 +17,7 @@ inline Truth return_truth(const Asked& asked, const Run& run) {
   if (fact.outside) return {{1}, {fact.point}, "it calls again", point + " lies outside, so the call is made again."};
   return {{0}, {fact.point}, "it returns", point + " lies inside, so the call returns."};
 }
-inline constexpr Asking kReturns{"returns", &offer_return, &return_truth};
+inline constexpr QuestionKind kReturns{"returns", &offer_return, &return_truth};
 
 template <>
 struct Entry<fit::CallEntered> : FitEntry {
@@ -48,7 +48,7 @@ struct Entry<fit::CallEntered> : FitEntry {
 template <>
 struct Entry<fit::CallDecided> : FitEntry {
   using Fact = fit::CallDecided;
-  static constexpr std::array kAskings{kReturns};
+  static constexpr std::array kQuestionKinds{kReturns};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string point = where.name(fact.point);
     const std::string joins = ": it joins the support set, and the call for the rest is made again.";

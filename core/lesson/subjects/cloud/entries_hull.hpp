@@ -65,7 +65,7 @@ struct Entry<fit::PointsAssigned> : FitEntry {
 template <>
 struct Entry<fit::EyeChosen> : FitEntry {
   using Fact = fit::EyeChosen;
-  static constexpr std::array kAskings{kEye, kGrows};
+  static constexpr std::array kQuestionKinds{kEye, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.point) + " is farthest from its " + (where.dim() == 2 ? "edge" : "facet") + ", at " +
            number_text(fact.distance) + ": it becomes a vertex.";
@@ -91,7 +91,7 @@ struct Entry<fit::EdgeSplit> : FitEntry {
 template <>
 struct Entry<fit::HorizonFound> : FitEntry {
   using Fact = fit::HorizonFound;
-  static constexpr std::array kAskings{kFaces, kGrows};
+  static constexpr std::array kQuestionKinds{kFaces, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.eye) + " sees " + counted(static_cast<std::int64_t>(fact.facets.size()), "facet") +
            (fact.facets.size() == 1 ? "; its" : "; their") + " boundary is the horizon.";

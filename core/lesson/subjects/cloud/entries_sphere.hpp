@@ -33,7 +33,7 @@ using FitWhere = FitRun::Where;
 template <>
 struct Entry<fit::ExtremesFound<double, 3>> : FitEntry {
   using Fact = fit::ExtremesFound<double, 3>;
-  static constexpr std::array kAskings{kExtremes, kGrows};
+  static constexpr std::array kQuestionKinds{kExtremes, kGrows};
   static std::string sentence(const Fact&, const FitWhere& where) {
     const bool plane = where.dim() == 2;
     return std::string("The extreme points are found: the ") +
@@ -58,7 +58,7 @@ struct Entry<fit::MidpointFound<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::PairChosen> : FitEntry {
   using Fact = fit::PairChosen;
-  static constexpr std::array kAskings{kAxis, kExtremes, kGrows};
+  static constexpr std::array kQuestionKinds{kAxis, kExtremes, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string pair = where.name(fact.a) + " and " + where.name(fact.b);
     const fit::Step3* before = where.before();
@@ -80,7 +80,7 @@ struct Entry<fit::PairChosen> : FitEntry {
 template <>
 struct Entry<fit::FarthestFound> : FitEntry {
   using Fact = fit::FarthestFound;
-  static constexpr std::array kAskings{kFarthest, kGrows};
+  static constexpr std::array kQuestionKinds{kFarthest, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     return where.name(fact.point) + " is farthest from the centre, at " + number_text(fact.distance) +
            ", so it sets the radius.";
@@ -93,7 +93,7 @@ struct Entry<fit::FarthestFound> : FitEntry {
 template <>
 struct Entry<fit::PointExamined> : FitEntry {
   using Fact = fit::PointExamined;
-  static constexpr std::array kAskings{kSide, kGrows};
+  static constexpr std::array kQuestionKinds{kSide, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string point = where.name(fact.point);
     if (!where.step().has_volume)
@@ -125,7 +125,7 @@ struct Entry<fit::PointExamined> : FitEntry {
 template <>
 struct Entry<fit::BallGrown<double, 3>> : FitEntry {
   using Fact = fit::BallGrown<double, 3>;
-  static constexpr std::array kAskings{kNextOutside, kGrows};
+  static constexpr std::array kQuestionKinds{kNextOutside, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string gap = where.run.is_rounding(where.i) ? "no more than rounding"
                                                            : number_text(where.run.gap_to(fact.point, fact.before));
@@ -185,7 +185,7 @@ struct Entry<fit::BallShrunk<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::PassJudged<double, 3>> : FitEntry {
   using Fact = fit::PassJudged<double, 3>;
-  static constexpr std::array kAskings{kBetter, kGrows};
+  static constexpr std::array kQuestionKinds{kBetter, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string pass = "Pass " + std::to_string(fact.pass) + " ends at ";
     const auto best_until = best_before(where.run.trace(), where.i + 1);
@@ -205,7 +205,7 @@ struct Entry<fit::PassJudged<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::BoundaryForced> : FitEntry {
   using Fact = fit::BoundaryForced;
-  static constexpr std::array kAskings{kLeaves, kGrows};
+  static constexpr std::array kQuestionKinds{kLeaves, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string call = "A call begins with " + where.names(list_of(fact.boundary)) + " on the boundary: ";
     if (fact.boundary.size() == 1) return call + "the " + where.ball() + " is that point alone.";
@@ -252,7 +252,7 @@ struct Entry<fit::AllChecked> : FitEntry {
 template <>
 struct Entry<fit::RadiusChecked> : FitEntry {
   using Fact = fit::RadiusChecked;
-  static constexpr std::array kAskings{kNextOutside, kGrows};
+  static constexpr std::array kQuestionKinds{kNextOutside, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     if (where.before() == nullptr)  // the core was set by hand
       return where.name(fact.farthest) + " is the farthest of all points from the core: the radius reaches to it.";
@@ -274,7 +274,7 @@ struct Entry<fit::RadiusChecked> : FitEntry {
 template <>
 struct Entry<fit::SupportReplaced> : FitEntry {
   using Fact = fit::SupportReplaced;
-  static constexpr std::array kAskings{kFarthest, kLeaves, kGrows};
+  static constexpr std::array kQuestionKinds{kFarthest, kLeaves, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     std::vector<Index> gone;
     for (const Index i : fact.before)
@@ -296,7 +296,7 @@ template <>
 struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
   using Fact = fit::CandidateTried<double, 3>;
   using Verdict = Fact::Verdict;
-  static constexpr std::array kAskings{kBetter, kGrows};
+  static constexpr std::array kQuestionKinds{kBetter, kGrows};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     const std::string names = where.names(list_of(fact.points));
     // Through two points there are many circles, and through three many spheres.
@@ -334,7 +334,7 @@ struct Entry<fit::CandidateTried<double, 3>> : FitEntry {
 template <>
 struct Entry<fit::Finished> : FitEntry {
   using Fact = fit::Finished;
-  static constexpr std::array kAskings{kHolds, kSlab, kGrows, kOutside, kFirstWrong};
+  static constexpr std::array kQuestionKinds{kHolds, kSlab, kGrows, kOutside, kFirstWrong};
   static std::string sentence(const Fact& fact, const FitWhere& where) {
     // The iterative algorithm starts from Ritter's result: the same fact, but not the end.
     if (where.next() != nullptr)

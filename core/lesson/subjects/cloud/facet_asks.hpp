@@ -18,7 +18,7 @@ Truth smaller_truth(const Asked& asked, const Run& run);
 const char* offer_narrowest(Asked& asked, const Run& run);
 Truth narrowest_truth(const Asked& asked, const Run& run);
 
-inline constexpr Asking kFaces{
+inline constexpr QuestionKind kFaces{
     .name = "faces", .offer = &offer_faces, .truth = &faces_truth, .margin = &faces_margin, .rules = kFacesRules},
     kHullEdge{"edge", &offer_hull_edges, &hull_edge_truth},
     kSmaller{.name = "smaller", .offer = &offer_yes_no, .truth = &smaller_truth, .margin = &smaller_margin},

@@ -29,25 +29,25 @@ Truth first_wrong_truth(const Asked& asked, const Run& run);
 /// The place after the step; for a point forced onto the boundary, after the end of its recursion.
 int after_recursion(const Run& run, int fact);
 
-inline constexpr Asking kGrows{"grows", &offer_yes_no, &grows_truth, &after_recursion};
-inline constexpr Asking kLeaves{.name = "leaves",
-                                .offer = &offer_support,
-                                .truth = &leaves_truth,
-                                .decided = &after_recursion,
-                                .margin = &leaves_margin,
-                                .rules = kLeavesRules};
-inline constexpr Asking kAxis{
+inline constexpr QuestionKind kGrows{"grows", &offer_yes_no, &grows_truth, &after_recursion};
+inline constexpr QuestionKind kLeaves{.name = "leaves",
+                                      .offer = &offer_support,
+                                      .truth = &leaves_truth,
+                                      .decided = &after_recursion,
+                                      .margin = &leaves_margin,
+                                      .rules = kLeavesRules};
+inline constexpr QuestionKind kAxis{
     .name = "axis", .offer = &offer_axes, .truth = &axis_truth, .margin = &axis_margin, .rules = kAxisRules};
-inline constexpr Asking kBetter{.name = "better",
-                                .offer = &offer_yes_no,
-                                .truth = &better_truth,
-                                .figure = kResultFigure,
-                                .margin = &better_margin,
-                                .rules = kBetterRules};
-inline constexpr Asking kHolds{"holds", &offer_counts, &holds_truth};
-inline constexpr Asking kOutside{
+inline constexpr QuestionKind kBetter{.name = "better",
+                                      .offer = &offer_yes_no,
+                                      .truth = &better_truth,
+                                      .figure = kResultFigure,
+                                      .margin = &better_margin,
+                                      .rules = kBetterRules};
+inline constexpr QuestionKind kHolds{"holds", &offer_counts, &holds_truth};
+inline constexpr QuestionKind kOutside{
     .name = "outside", .offer = &offer_left_outside, .truth = &left_outside_truth, .figure = "outside_count"};
-inline constexpr Asking kFirstWrong{
+inline constexpr QuestionKind kFirstWrong{
     .name = "first_wrong", .offer = &offer_first_wrong, .truth = &first_wrong_truth, .figure = "wrong_tests"};
 
 }  // namespace snug::lesson

@@ -115,7 +115,7 @@ struct FitEntry : EntryDefaults {
   static std::optional<std::vector<Index>> support(const auto&) { return std::nullopt; }
   /// The points that join it.
   static std::vector<Index> adds_to_support(const auto&) { return {}; }
-  static constexpr std::array kAskings{kGrows};
+  static constexpr std::array kQuestionKinds{kGrows};
 
   static std::optional<Mark::Kind> first(const FitRun::Where& where) {
     return where.is_first_volume() ? std::optional(Mark::Kind::kGrew) : std::nullopt;

@@ -14,9 +14,10 @@ const char* offer_written(Asked& asked, const Run&) {
   return nullptr;
 }
 
-constexpr std::array kCostAskings{
-    Asking{"choice", &offer_written, &measured_choice_truth}, Asking{"on_front", &offer_front, &front_truth},
-    Asking{"slowest", &offer_methods, &slowest_truth}, Asking{"times_slower", &offer_times, &times_truth}};
+constexpr std::array kCostQuestionKinds{QuestionKind{"choice", &offer_written, &measured_choice_truth},
+                                        QuestionKind{"on_front", &offer_front, &front_truth},
+                                        QuestionKind{"slowest", &offer_methods, &slowest_truth},
+                                        QuestionKind{"times_slower", &offer_times, &times_truth}};
 
 const SubjectRow& cloud_row() { return *subject_named("cloud"); }
 
@@ -30,9 +31,9 @@ std::span<const Method> charted_methods(std::string_view volume) {
 }
 std::vector<std::string_view> no_facts() { return {}; }
 
-std::vector<AskingOf> cost_askings() {
-  std::vector<AskingOf> all;
-  for (const Asking& asking : kCostAskings) all.push_back({"", &asking});
+std::vector<FactQuestionKind> cost_question_kinds() {
+  std::vector<FactQuestionKind> all;
+  for (const QuestionKind& kind : kCostQuestionKinds) all.push_back({"", &kind});
   return all;
 }
 
@@ -85,7 +86,7 @@ const SubjectRow kCostRow{.name = "cost",
                           .experiment = &kCostExperiment,
                           .methods = &charted_methods,
                           .facts = &no_facts,
-                          .askings = &cost_askings,
+                          .question_kinds = &cost_question_kinds,
                           .read = &read_chart,
                           .read_model = &read_point_model,
                           .task_figures = kTaskFigures,

@@ -87,16 +87,16 @@ void read_criterion(TomlTable& table, Question& question) {
 }
 
 constexpr std::string_view kLower = "Another one is lower.";
-constexpr Asking kLeast{.name = "least",
-                        .offer = &offer_volumes,
-                        .truth = &least_truth,
-                        .read = &read_criterion,
-                        .before = kLower,
-                        .after = kLower},
+constexpr QuestionKind kLeast{.name = "least",
+                              .offer = &offer_volumes,
+                              .truth = &least_truth,
+                              .read = &read_criterion,
+                              .before = kLower,
+                              .after = kLower},
     kOrder{.name = "order", .offer = &offer_volumes_in_order, .truth = &volume_order_truth, .read = &read_criterion};
 
 }  // namespace
 
-std::vector<AskingOf> criteria_askings() { return {{"", &kLeast}, {"", &kOrder}}; }
+std::vector<FactQuestionKind> criteria_question_kinds() { return {{"", &kLeast}, {"", &kOrder}}; }
 
 }  // namespace snug::lesson

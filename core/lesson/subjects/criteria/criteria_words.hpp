@@ -12,7 +12,7 @@
 namespace snug::lesson {
 
 /// What can be asked: "least" and "order", each with the figure by which.
-[[nodiscard]] std::vector<AskingOf> criteria_askings();
+[[nodiscard]] std::vector<FactQuestionKind> criteria_question_kinds();
 
 /// "Sphere", "AABB", "14-DOP", "Hull".
 [[nodiscard]] std::string_view short_title(const Method& method);

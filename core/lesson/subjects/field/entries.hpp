@@ -28,8 +28,8 @@ int after_sweeps(const Run& run, int fact);
 
 template <>
 struct Entry<PlaneSwept> : EntryDefaults {
-  static constexpr std::array kAskings{
-      Asking{.name = "rejects_most", .offer = &offer_planes, .truth = &rejects_most_truth, .decided = &after_sweeps}};
+  static constexpr std::array kQuestionKinds{QuestionKind{
+      .name = "rejects_most", .offer = &offer_planes, .truth = &rejects_most_truth, .decided = &after_sweeps}};
   static std::string sentence(const PlaneSwept& fact, const FieldWhere& where) {
     std::string plane(kFrustumPlaneNames<3>[fact.plane]);
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');

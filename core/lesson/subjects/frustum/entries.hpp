@@ -50,21 +50,21 @@ inline constexpr std::array kPlanesLeftRules{WrongRule{"every", &every_plane}, W
 template <>
 struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   using Fact = query::PlaneTested<double, 3>;
-  static constexpr std::array kAskings{Asking{.name = "p_vertex",
-                                              .offer = &offer_vertices,
-                                              .truth = &p_vertex_truth,
-                                              .margin = &vertex_margin,
-                                              .rules = kPVertexRules},
-                                       Asking{.name = "n_vertex",
-                                              .offer = &offer_vertices,
-                                              .truth = &n_vertex_truth,
-                                              .margin = &vertex_margin,
-                                              .rules = kNVertexRules},
-                                       Asking{.name = "plane_side",
-                                              .offer = &offer_plane_sides,
-                                              .truth = &plane_side_truth,
-                                              .margin = &plane_side_margin,
-                                              .rules = kPlaneSideRules}};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "p_vertex",
+                                                          .offer = &offer_vertices,
+                                                          .truth = &p_vertex_truth,
+                                                          .margin = &vertex_margin,
+                                                          .rules = kPVertexRules},
+                                             QuestionKind{.name = "n_vertex",
+                                                          .offer = &offer_vertices,
+                                                          .truth = &n_vertex_truth,
+                                                          .margin = &vertex_margin,
+                                                          .rules = kNVertexRules},
+                                             QuestionKind{.name = "plane_side",
+                                                          .offer = &offer_plane_sides,
+                                                          .truth = &plane_side_truth,
+                                                          .margin = &plane_side_margin,
+                                                          .rules = kPlaneSideRules}};
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     std::string plane = plane_name(where.dim(), fact.plane) + " plane: ";
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
@@ -119,18 +119,18 @@ struct Entry<query::CornerTested<double, 3>> : EntryDefaults {
 template <>
 struct Entry<query::Classified> : EntryDefaults {
   using Fact = query::Classified;
-  static constexpr std::array kAskings{Asking{.name = "verdict",
-                                              .offer = &offer_cullings,
-                                              .truth = &culling_verdict_truth,
-                                              .figure = "verdict",
-                                              .margin = &culling_margin,
-                                              .rules = kVerdictRules},
-                                       Asking{.name = "planes_left",
-                                              .offer = &offer_planes_left,
-                                              .truth = &planes_left_truth,
-                                              .figure = "verdict",
-                                              .margin = &culling_margin,
-                                              .rules = kPlanesLeftRules}};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "verdict",
+                                                          .offer = &offer_cullings,
+                                                          .truth = &culling_verdict_truth,
+                                                          .figure = "verdict",
+                                                          .margin = &culling_margin,
+                                                          .rules = kVerdictRules},
+                                             QuestionKind{.name = "planes_left",
+                                                          .offer = &offer_planes_left,
+                                                          .truth = &planes_left_truth,
+                                                          .figure = "verdict",
+                                                          .margin = &culling_margin,
+                                                          .rules = kPlanesLeftRules}};
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     using query::Culling;
     const query::CullResult& result = fact.result;

@@ -45,19 +45,19 @@ Truth entries_b_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::AxisTested<double, 3>> : EntryDefaults {
   using Fact = query::AxisTested<double, 3>;
-  static constexpr std::array kAskings{Asking{.name = "separates",
-                                              .offer = &offer_of_axis,
-                                              .truth = &separates_truth,
-                                              .margin = &separates_margin,
-                                              .rules = kSeparatesRules},
-                                       Asking{.name = "radius_b",
-                                              .offer = &offer_radius_b,
-                                              .truth = &radius_b_truth,
-                                              .figure = "radius_b",
-                                              .read = &read_tolerance,
-                                              .margin = &no_tie,
-                                              .rules = kRadiusRules},
-                                       Asking{"entries_b", &offer_entries_b, &entries_b_truth}};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "separates",
+                                                          .offer = &offer_of_axis,
+                                                          .truth = &separates_truth,
+                                                          .margin = &separates_margin,
+                                                          .rules = kSeparatesRules},
+                                             QuestionKind{.name = "radius_b",
+                                                          .offer = &offer_radius_b,
+                                                          .truth = &radius_b_truth,
+                                                          .figure = "radius_b",
+                                                          .read = &read_tolerance,
+                                                          .margin = &no_tie,
+                                                          .rules = kRadiusRules},
+                                             QuestionKind{"entries_b", &offer_entries_b, &entries_b_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string axis = name_of_axis(fact.axis, where);
     if (fact.skipped) return "Along " + axis + " there is nothing to test: the edges are parallel.";
@@ -145,13 +145,14 @@ double penetration_margin(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::Verdict<double, 3>> : EntryDefaults {
   using Fact = query::Verdict<double, 3>;
-  static constexpr std::array kAskings{
-      Asking{.name = "which_axis", .offer = &offer_tested_axes, .truth = &which_axis_truth, .margin = &all_axes_margin},
-      Asking{"first_axis", &offer_first_axis, &first_axis_of_test},
-      Asking{.name = "least_penetration",
-             .offer = &offer_least_penetration,
-             .truth = &least_penetration_truth,
-             .margin = &penetration_margin}};
+  static constexpr std::array kQuestionKinds{
+      QuestionKind{
+          .name = "which_axis", .offer = &offer_tested_axes, .truth = &which_axis_truth, .margin = &all_axes_margin},
+      QuestionKind{"first_axis", &offer_first_axis, &first_axis_of_test},
+      QuestionKind{.name = "least_penetration",
+                   .offer = &offer_least_penetration,
+                   .truth = &least_penetration_truth,
+                   .margin = &penetration_margin}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto& [overlap, tests, axis] = fact.result;
     const std::string name = name_of_axis(axis, where);
@@ -228,7 +229,7 @@ Truth first_axis_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::SlabTested> : EntryDefaults {
   using Fact = query::SlabTested;
-  static constexpr std::array kAskings{Asking{
+  static constexpr std::array kQuestionKinds{QuestionKind{
       .name = "separates", .offer = &offer_of_axis, .truth = &slab_truth, .margin = &slab_margin, .rules = kSlabRules}};
   static std::string sentence(const Fact& fact, const PairWhere&) {
     const auto interval = [&](double least, double greatest) {
@@ -248,12 +249,12 @@ struct Entry<query::SlabTested> : EntryDefaults {
 template <>
 struct Entry<query::CoresCompared> : EntryDefaults {
   using Fact = query::CoresCompared;
-  static constexpr std::array kAskings{Asking{.name = "apart",
-                                              .offer = &offer_yes_no,
-                                              .truth = &cores_truth,
-                                              .margin = &cores_margin,
-                                              .rules = kCoresRules},
-                                       Asking{"feature", &offer_features, &feature_truth}};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "apart",
+                                                          .offer = &offer_yes_no,
+                                                          .truth = &cores_truth,
+                                                          .margin = &cores_margin,
+                                                          .rules = kCoresRules},
+                                             QuestionKind{"feature", &offer_features, &feature_truth}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto [distance, radii] = number_texts_apart(fact.distance, fact.radii);
     const std::string least =
@@ -312,9 +313,9 @@ Truth cheaper_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<query::NearestFound> : EntryDefaults {
   using Fact = query::NearestFound;
-  static constexpr std::array kAskings{
-      Asking{"contains_origin", &offer_yes_no, &contains_origin_truth},
-      Asking{
+  static constexpr std::array kQuestionKinds{
+      QuestionKind{"contains_origin", &offer_yes_no, &contains_origin_truth},
+      QuestionKind{
           .name = "kept", .offer = &offer_simplex, .truth = &kept_truth, .margin = &kept_margin, .rules = kKeptRules}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const auto& pairs = fact.corners;
@@ -337,11 +338,11 @@ struct Entry<query::NearestFound> : EntryDefaults {
 template <>
 struct Entry<query::SupportFound> : EntryDefaults {
   using Fact = query::SupportFound;
-  static constexpr std::array kAskings{Asking{.name = "next_vertex",
-                                              .offer = &offer_difference,
-                                              .truth = &next_vertex_truth,
-                                              .margin = &next_vertex_margin,
-                                              .rules = kNextVertexRules}};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "next_vertex",
+                                                          .offer = &offer_difference,
+                                                          .truth = &next_vertex_truth,
+                                                          .margin = &next_vertex_margin,
+                                                          .rules = kNextVertexRules}};
   static std::string sentence(const Fact& fact, const PairWhere& where) {
     const std::string found = "The vertex of A − B farthest along −v is " + difference_name(fact.a, fact.b, where);
     const double known = proved_distance(where.run.trace().first(where.i)).value_or(0);
@@ -378,10 +379,10 @@ struct Entry<query::DistanceFound> : EntryDefaults {
 
 template <>
 struct Entry<OverlapDecided> : EntryDefaults {
-  static constexpr std::array kAskings{
-      Asking{.name = "apart", .offer = &offer_yes_no, .truth = &overlap_truth, .margin = &overlap_margin},
-      Asking{"first_axis", &offer_coordinate_axes, &first_axis_truth},
-      Asking{.name = "cheaper", .offer = &offer_own_and_gjk, .truth = &cheaper_truth, .figure = "operations"}};
+  static constexpr std::array kQuestionKinds{
+      QuestionKind{.name = "apart", .offer = &offer_yes_no, .truth = &overlap_truth, .margin = &overlap_margin},
+      QuestionKind{"first_axis", &offer_coordinate_axes, &first_axis_truth},
+      QuestionKind{.name = "cheaper", .offer = &offer_own_and_gjk, .truth = &cheaper_truth, .figure = "operations"}};
   static std::string sentence(const OverlapDecided& fact, const PairWhere& where) {
     const PairSteps steps = where.run.trace().first(static_cast<std::size_t>(where.i));
     if (fact.overlap) return overlap_text(steps);

@@ -48,7 +48,7 @@ const SubjectRow kPairRow{.name = "pair",
                           .volumes = &pair_volumes,
                           .methods = &pair_methods,
                           .facts = &pair_facts,
-                          .askings = &pair_askings,
+                          .question_kinds = &pair_question_kinds,
                           .read = &read_boxes,
                           .read_model = &read_pair_model,
                           .goals = kPairGoals,
@@ -56,7 +56,7 @@ const SubjectRow kPairRow{.name = "pair",
                           .samples = kPairSamples};
 
 std::vector<std::string_view> pair_facts() { return FactList<decltype(PairStep::fact)>::names(); }
-std::vector<AskingOf> pair_askings() { return FactList<decltype(PairStep::fact)>::askings(); }
+std::vector<FactQuestionKind> pair_question_kinds() { return FactList<decltype(PairStep::fact)>::question_kinds(); }
 
 /// Every vertex of the box that the answer is on; for other volumes, every vertex.
 std::vector<Index> PairRun::candidates(int i) const {

@@ -12,7 +12,7 @@ extern const SubjectRow kPairRow;
 
 /// The facts that tests of two boxes, and of any two volumes, report; and what can be asked about them.
 [[nodiscard]] std::vector<std::string_view> pair_facts();
-[[nodiscard]] std::vector<AskingOf> pair_askings();
+[[nodiscard]] std::vector<FactQuestionKind> pair_question_kinds();
 
 /// The volume of a lesson about two boxes.
 inline constexpr std::string_view kBoxPair = "box_pair";

@@ -18,15 +18,15 @@ Truth most_compared_truth(const Asked& asked, const Run& run);
 
 template <>
 struct Entry<FrameTaken> : EntryDefaults {
-  static constexpr std::array kAskings{
-      Asking{.name = "figure",
-             .offer = &offer_ranges,
-             .truth = &range_truth,
-             .read = &read_ranges,
-             .before = kMore,
-             .after = kLess},
-      Asking{.name = "most_compared", .offer = &offer_bodies, .truth = &most_compared_truth},
-      Asking{.name = "skipped", .offer = &offer_effects, .truth = &skipped_truth}};
+  static constexpr std::array kQuestionKinds{
+      QuestionKind{.name = "figure",
+                   .offer = &offer_ranges,
+                   .truth = &range_truth,
+                   .read = &read_ranges,
+                   .before = kMore,
+                   .after = kLess},
+      QuestionKind{.name = "most_compared", .offer = &offer_bodies, .truth = &most_compared_truth},
+      QuestionKind{.name = "skipped", .offer = &offer_effects, .truth = &skipped_truth}};
   static std::string sentence(const FrameTaken& fact, const SceneRun::Where& where);
 };
 

@@ -161,7 +161,7 @@ std::string Entry<FrameTaken>::sentence(const FrameTaken& fact, const SceneRun::
   return words + (where.step().has_volume ? update_words(fact, where) : "the bodies have moved.");
 }
 
-std::span<const Asking> SceneRun::askings(int) const { return Entry<FrameTaken>::kAskings; }
+std::span<const QuestionKind> SceneRun::question_kinds(int) const { return Entry<FrameTaken>::kQuestionKinds; }
 
 const char* offer_ranges(Asked& asked, const Run&) {
   const std::string unit = scene_figure(asked.question->figure, 0).unit;
@@ -186,7 +186,7 @@ const SubjectRow kSceneRow{.name = "scene",
                            .volumes = &scene_volumes,
                            .methods = &methods_of_any,
                            .facts = &FactList<decltype(FrameStep::fact)>::names,
-                           .askings = &FactList<decltype(FrameStep::fact)>::askings,
+                           .question_kinds = &FactList<decltype(FrameStep::fact)>::question_kinds,
                            .read = &read_scene,
                            .read_model = &read_scene_model,
                            .check_first = &check_frames,

@@ -19,7 +19,7 @@ class SceneRun final : public FactRun<SceneRun, FrameStep> {
   SceneRun(const SceneSubject& subject, SceneRecorder recorder) : subject_(subject), recorder_(std::move(recorder)) {}
   [[nodiscard]] int steps() const override { return recorder_.frames(); }
   [[nodiscard]] std::string_view fact(int) const override { return FrameTaken::kName; }
-  [[nodiscard]] std::span<const Asking> askings(int) const override;
+  [[nodiscard]] std::span<const QuestionKind> question_kinds(int) const override;
   [[nodiscard]] std::optional<Mark::Kind> mark(int) const override { return std::nullopt; }
   [[nodiscard]] bool counts(int) const override { return true; }
   [[nodiscard]] std::span<const Recorder<FrameStep>::Entry> trace() const { return recording(steps()).steps; }

@@ -54,11 +54,11 @@ Truth loses_truth(const Asked& asked, const Run& run);
 template <>
 struct Entry<hierarchy::SplitsPriced> : EntryDefaults {
   using Fact = hierarchy::SplitsPriced;
-  static constexpr std::array kAskings{Asking{.name = "split_axis",
-                                              .offer = &offer_split_axes,
-                                              .truth = &priced_axis_truth,
-                                              .margin = &priced_axis_margin,
-                                              .rules = kPricedRules}};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "split_axis",
+                                                          .offer = &offer_split_axes,
+                                                          .truth = &priced_axis_truth,
+                                                          .margin = &priced_axis_margin,
+                                                          .rules = kPricedRules}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const auto priced = std::count_if(fact.costs.begin(), fact.costs.end(), [](double c) { return std::isfinite(c); });
     return capital(where.beside_name(fact.node)) + ": of " + std::to_string(priced) +
@@ -71,7 +71,7 @@ struct Entry<hierarchy::SplitsPriced> : EntryDefaults {
 template <>
 struct Entry<hierarchy::SplitChosen> : EntryDefaults {
   using Fact = hierarchy::SplitChosen;
-  static constexpr std::array kAskings{Asking{"split_axis", &offer_split_axes, &split_axis_truth}};
+  static constexpr std::array kQuestionKinds{QuestionKind{"split_axis", &offer_split_axes, &split_axis_truth}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const Branch& node = where.after().at(fact.node);
     const std::array<const char*, 2> sides = fact.axis == 1   ? std::array{"the lower child", "the upper"}
@@ -113,8 +113,8 @@ struct Entry<hierarchy::LeafMade> : EntryDefaults {
 template <>
 struct Entry<hierarchy::NodesMerged> : EntryDefaults {
   using Fact = hierarchy::NodesMerged;
-  static constexpr std::array kAskings{
-      Asking{.name = "pair", .offer = &offer_pairs, .truth = &pair_truth, .margin = &pair_margin, .rules = kPairRules}};
+  static constexpr std::array kQuestionKinds{QuestionKind{
+      .name = "pair", .offer = &offer_pairs, .truth = &pair_truth, .margin = &pair_margin, .rules = kPairRules}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     if (where.run.is_by_hand())
       return where.name_before(fact.left) + " and " + where.name_before(fact.right) +
@@ -133,7 +133,7 @@ struct Entry<hierarchy::NodesMerged> : EntryDefaults {
 template <>
 struct Entry<hierarchy::BodyInserted> : EntryDefaults {
   using Fact = hierarchy::BodyInserted;
-  static constexpr std::array kAskings{Asking{"beside", &offer_places, &beside_truth}};
+  static constexpr std::array kQuestionKinds{QuestionKind{"beside", &offer_places, &beside_truth}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const std::string box = box_name(fact.body);
     if (fact.made == kNoIndex) return box + " is the first box, and the root of the tree.";
@@ -168,7 +168,7 @@ struct Entry<hierarchy::Rotated> : EntryDefaults {
 template <>
 struct Entry<hierarchy::VolumeMade> : EntryDefaults {
   using Fact = hierarchy::VolumeMade;
-  static constexpr std::array kAskings{Asking{"loses", &offer_yes_no, &loses_truth}};
+  static constexpr std::array kQuestionKinds{QuestionKind{"loses", &offer_yes_no, &loses_truth}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const std::string word(where.run.volume_word()), name = capital(where.beside_name(fact.node));
     const auto& children = where.before().at(fact.node).children;
@@ -200,22 +200,22 @@ std::optional<Answer> by_its_boxes(const Asked& asked, const Run& run);
 double next_node_margin(const Asked& asked, const Run& run);
 std::optional<Answer> left_child_first(const Asked& asked, const Run& run);
 inline constexpr std::array kNextNodeRules{WrongRule{"queue", &first_waiting}, WrongRule{"left", &left_child_first}};
-inline constexpr Asking kNextNode{.name = "next_node",
-                                  .offer = &offer_waiting,
-                                  .truth = &next_node_truth,
-                                  .margin = &next_node_margin,
-                                  .rules = kNextNodeRules};
+inline constexpr QuestionKind kNextNode{.name = "next_node",
+                                        .offer = &offer_waiting,
+                                        .truth = &next_node_truth,
+                                        .margin = &next_node_margin,
+                                        .rules = kNextNodeRules};
 inline constexpr std::array kLeftOutRules{WrongRule{"its_boxes", &by_its_boxes}};
 
 template <>
 struct Entry<hierarchy::NodeVisited> : EntryDefaults {
   using Fact = hierarchy::NodeVisited;
-  static constexpr std::array kAskings{Asking{.name = "left_out",
-                                              .offer = &offer_visited,
-                                              .truth = &left_out_truth,
-                                              .margin = &left_out_margin,
-                                              .rules = kLeftOutRules},
-                                       kNextNode};
+  static constexpr std::array kQuestionKinds{QuestionKind{.name = "left_out",
+                                                          .offer = &offer_visited,
+                                                          .truth = &left_out_truth,
+                                                          .margin = &left_out_margin,
+                                                          .rules = kLeftOutRules},
+                                             kNextNode};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const Branch& node = where.before().at(fact.node);
     const std::string name = capital(where.beside_name(fact.node));
@@ -241,7 +241,7 @@ struct Entry<hierarchy::NodeVisited> : EntryDefaults {
 template <>
 struct Entry<hierarchy::BodyTested> : EntryDefaults {
   using Fact = hierarchy::BodyTested;
-  static constexpr std::array kAskings{kNextNode};
+  static constexpr std::array kQuestionKinds{kNextNode};
   static std::string sentence(const Fact& fact, const TreeWhere&) {
     return "Box " + box_name(fact.body) + " is tested itself: the query " +
            (fact.answer == hierarchy::Answer::kPrune ? "misses it." : "meets it.");
@@ -259,8 +259,8 @@ double pair_apart_margin(const Asked& asked, const Run& run);
 template <>
 struct Entry<hierarchy::PairTested> : EntryDefaults {
   using Fact = hierarchy::PairTested;
-  static constexpr std::array kAskings{
-      Asking{.name = "apart", .offer = &offer_pair_tested, .truth = &pair_apart_truth, .margin = &pair_apart_margin}};
+  static constexpr std::array kQuestionKinds{QuestionKind{
+      .name = "apart", .offer = &offer_pair_tested, .truth = &pair_apart_truth, .margin = &pair_apart_margin}};
   static std::string sentence(const Fact& fact, const TreeWhere& where) {
     const TreePairing& pairing = *where.run.pairing();
     if (fact.bodies)

@@ -31,7 +31,7 @@ std::optional<Answer> tightest_box(const Asked& asked, const Run& run);
 std::optional<Answer> loosest_box(const Asked& asked, const Run& run);
 inline constexpr std::array kBoxRules{WrongRule{"tightest", &tightest_box}, WrongRule{"loosest", &loosest_box}};
 template <std::size_t kUpdate>
-constexpr Asking box_asking(std::string_view name) {
+constexpr QuestionKind box_asking(std::string_view name) {
   return {.name = name,
           .offer = &offer_boxes,
           .truth = &box_truth<kUpdate>,
@@ -57,12 +57,13 @@ struct Entry<PointPlaced> : EntryDefaults {
 
 template <>
 struct Entry<fit::NeighborsCompared> : EntryDefaults {
-  static constexpr std::array kAskings{Asking{.name = "extreme", .offer = &offer_yes_no, .truth = &extreme_truth},
-                                       Asking{.name = "climb_to",
-                                              .offer = &offer_climb,
-                                              .truth = &climb_truth,
-                                              .margin = &climb_margin,
-                                              .rules = kClimbRules}};
+  static constexpr std::array kQuestionKinds{
+      QuestionKind{.name = "extreme", .offer = &offer_yes_no, .truth = &extreme_truth},
+      QuestionKind{.name = "climb_to",
+                   .offer = &offer_climb,
+                   .truth = &climb_truth,
+                   .margin = &climb_margin,
+                   .rules = kClimbRules}};
   static std::string sentence(const fit::NeighborsCompared& fact, const UpdateWhere& where);
   static std::vector<Index> handles(const fit::NeighborsCompared& fact, const UpdateWhere&) { return {fact.best}; }
   static std::string predicate(const fit::NeighborsCompared& fact, const UpdateWhere& where, bool);
@@ -94,8 +95,8 @@ struct Entry<fit::AxesTurned> : EntryDefaults {
 
 template <>
 struct Entry<VolumeUpdated> : EntryDefaults {
-  static constexpr std::array kAskings{box_asking<0>("loose_box"), box_asking<1>("rebuilt_box"),
-                                       box_asking<2>("climbed_box"), box_asking<3>("rotated_box")};
+  static constexpr std::array kQuestionKinds{box_asking<0>("loose_box"), box_asking<1>("rebuilt_box"),
+                                             box_asking<2>("climbed_box"), box_asking<3>("rotated_box")};
   static std::string sentence(const VolumeUpdated& fact, const UpdateWhere& where);
   static std::vector<Index> handles(const VolumeUpdated& fact, const UpdateWhere&) { return fact.support; }
   static std::string predicate(const VolumeUpdated&, const UpdateWhere& where, bool plural) {

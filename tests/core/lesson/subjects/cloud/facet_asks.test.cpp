@@ -43,7 +43,7 @@ Session at_question(const std::string& text) {
 std::vector<std::string> right_choices(const Session& session) {
   const Asked& asked = *session.conversation().asked();
   std::vector<std::string> right;
-  for (const int choice : asked.asking->truth(asked, session.player().run(0)).choices)
+  for (const int choice : asked.kind->truth(asked, session.player().run(0)).choices)
     right.push_back(asked.choices[choice]);
   return right;
 }
@@ -60,7 +60,7 @@ TEST_CASE("an edge: that of the hull on which the smallest rectangle lies") {
   CHECK(right.front() != "P1 to P2");
   CHECK(session.conversation()
             .asked()
-            ->asking->truth(*session.conversation().asked(), session.player().run(0))
+            ->kind->truth(*session.conversation().asked(), session.player().run(0))
             .sentence.ends_with("with area 4.000."));
 }
 

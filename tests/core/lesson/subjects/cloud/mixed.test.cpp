@@ -162,7 +162,7 @@ TEST_CASE("of several tightest algorithms each is a right answer") {
   session.go(session.player().steps());
   const Asked* asked = session.conversation().asked();
   REQUIRE(asked != nullptr);
-  const Truth truth = asked->asking->truth(*asked, session.player().run(0));
+  const Truth truth = asked->kind->truth(*asked, session.player().run(0));
   CHECK(truth.choices == std::vector<int>{0, 1, 2});
 }
 

@@ -148,7 +148,7 @@ TEST_CASE("which point is the first is asked before the run, and its model answe
                                   [](const Asked& one) { return one.question->id == "first-wrong"; });
   REQUIRE(asked != session.conversation().questions().end());
   CHECK(asked->step == 0);
-  const Truth truth = asked->asking->truth(*asked, session.player().run(0));
+  const Truth truth = asked->kind->truth(*asked, session.player().run(0));
   REQUIRE_FALSE(truth.points.empty());
   CHECK(truth.points.front() == fit_run(session.player().run(0)).wrong()->front().point);
   CHECK(truth.sentence.find("is the first to be wrong") != std::string::npos);

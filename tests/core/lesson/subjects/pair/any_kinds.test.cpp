@@ -94,7 +94,7 @@ std::vector<std::string> right(const Session& session, std::string_view id) {
   std::vector<std::string> choices;
   for (const Asked& asked : session.conversation().questions())
     if (asked.question->id == id)
-      for (const int choice : asked.asking->truth(asked, session.player().run(0)).choices)
+      for (const int choice : asked.kind->truth(asked, session.player().run(0)).choices)
         choices.push_back(asked.choices[choice]);
   return choices;
 }

@@ -54,7 +54,7 @@ TEST_CASE("what is told of the first row does not call a row of noise a separati
   session.go(session.player().steps());
   const Asked* asked = session.conversation().asked();
   REQUIRE(asked != nullptr);
-  CHECK(asked->asking->truth(*asked, session.player().run(0)).sentence ==
+  CHECK(asked->kind->truth(*asked, session.player().run(0)).sentence ==
         "A z × B z is the first row of the table that shows a gap.");
 }
 
