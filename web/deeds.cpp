@@ -190,7 +190,7 @@ std::string take_up_attempt(const val& decisions) {
   return sentence(sitting->take_up(*session(), attempt));
 }
 
-val attempt() { return value_of(app::told::attempt_of(*door().app)); }
+val attempt() { return parsed(app::told::attempt_text(*door().app)); }
 double seed_of_name(const std::string& name) { return static_cast<double>(lesson::seed_of(name)); }
 
 void light(const std::string& mark) {

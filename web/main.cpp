@@ -168,7 +168,7 @@ std::string open_lesson(const std::string& mesh, bool anew) {
   return "";
 }
 
-val opened_lesson() { return session() ? web::value_of(told::lesson_of(*session())) : val::null(); }
+val opened_lesson() { return session() ? web::parsed(told::lesson_text(*session())) : val::null(); }
 
 /// What has changed is put into what was told before. The page must not change it.
 val view_now() {

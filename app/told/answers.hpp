@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,17 +24,18 @@ struct Answer {
 };
 
 struct Asked {
-  std::string id, prompt;
+  std::string_view id;
+  std::string prompt;
   Paragraph prompt_words;
   int step = 0;
-  std::vector<std::string> choices;
+  std::span<const std::string> choices;
   bool many = false, ordered = false;
   Word<"Name", "Names", "Number", ""> field;
   bool on_stage = false;
   std::string place, how;
   std::optional<Answer> picked, tried;
   bool ready = false;
-  std::string says;
+  std::string_view says;
   SNUG_FIELDS(id, prompt, prompt_words, step, choices, many, ordered, field, on_stage, place, how, picked, tried, ready,
               says);
 };
@@ -41,12 +43,12 @@ struct Asked {
 struct Outcome {
   Kind kind;
   int tries = 0;
-  std::string question;
+  std::string_view question;
   std::uint64_t on = 0;
   int from_step = 0, step = 0;
   bool right = false, skipped = false, passed = false, pending = false;
-  std::string_view verdict;
-  std::string predicted, happened, says, because;
+  std::string_view verdict, predicted, happened, says;
+  std::string because;
   Paragraph because_words;
   SNUG_FIELDS(kind, tries, question, on, from_step, step, right, skipped, passed, pending, verdict, predicted, happened,
               says, because, because_words);
@@ -58,7 +60,7 @@ struct Told : Outcome {
   std::string prompt;
   Paragraph prompt_words;
   std::string place;
-  std::vector<std::string> choices;
+  std::span<const std::string> choices;
   bool ordered = false;
   std::optional<Answer> given;
   bool can_watch = false, can_show = false, shown = false;
@@ -67,7 +69,8 @@ struct Told : Outcome {
 };
 
 struct Prediction {
-  std::string id, prompt, short_;
+  std::string_view id;
+  std::string prompt, short_;
   Kind kind;
   std::string_view standing;
   SNUG_FIELDS(id, prompt, short_, kind, standing);
@@ -110,12 +113,12 @@ struct Conversation {
 /// Every question of the run, in order, and every outcome of the lesson.
 struct Log {
   std::size_t questions = 0;
-  std::vector<Prediction> predictions;
+  List<Prediction> predictions;
   Tally tally;
   std::vector<std::string> waiting;
   bool can_practise = false;
   std::vector<std::string> situations_waiting;
-  std::vector<Outcome> outcomes;
+  List<Outcome> outcomes;
   std::string score;
   Progress progress;
   SNUG_FIELDS(questions, predictions, tally, waiting, can_practise, situations_waiting, outcomes, score, progress);
@@ -123,7 +126,7 @@ struct Log {
 
 struct Tasks {
   std::optional<Grade> grade;  // of the task in hand
-  std::vector<TaskGrade> tasks;
+  List<TaskGrade> tasks;
   std::size_t task = 0;
   bool tasks_done = false;
   SNUG_FIELDS(grade, tasks, task, tasks_done);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/told/json.hpp"
 #include "lesson/exercise/build.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/prose_figures.hpp"
@@ -11,9 +12,9 @@
 namespace snug::app::told {
 namespace {
 
-std::vector<ExerciseRow> rows_of(const lesson::Sitting& sitting, const lesson::Session& session) {
+List<ExerciseRow> rows_of(const lesson::Sitting& sitting, const lesson::Session& session) {
   lesson::ProseFigures figures(session.conversation());
-  std::vector<ExerciseRow> rows;
+  List<ExerciseRow> rows;
   for (const lesson::Marked& marked : sitting.marked(session)) {
     const std::string prompt = plain_now(marked.asked->prompt, figures);
     rows.push_back({.id = marked.asked->question->id,
@@ -101,5 +102,7 @@ std::optional<Attempt> attempt_of(App& app) {
   for (const lesson::Made& made : own.made) told.decisions.push_back(text_of(made));
   return told;
 }
+
+std::string attempt_text(App& app) { return json_of(attempt_of(app)); }
 
 }  // namespace snug::app::told

@@ -13,7 +13,8 @@
 namespace snug::app::told {
 
 struct ExerciseRow {
-  std::string id, short_;
+  std::string_view id;
+  std::string short_;
   Kind kind;
   int hints = 0;
   double mark = 0;
@@ -28,11 +29,10 @@ struct Level {
 
 /// What is built, and how far it is. targets: what may be moved.
 struct Build {
-  std::string_view heading;
-  std::string prompt;
+  std::string_view heading, prompt;
   Paragraph prompt_words;
-  std::string claim;
-  std::vector<Level> levels;
+  std::string_view claim;
+  List<Level> levels;
   std::string is_now;
   std::vector<std::string> targets;
   bool adds = false, can_go_back = false, can_finish = false;
@@ -41,9 +41,9 @@ struct Build {
 
 /// mark: null until it is told, and where it is practice. run: at the end, the one that is looked at.
 struct ShownExercise {
-  std::string exercise;
+  std::string_view exercise;
   Word<"carry_out", "number", "order", "build", "break_it"> kind;
-  std::string lesson;
+  std::string_view lesson;
   std::uint64_t seed = 0;
   int level = 0;
   bool practises = false, leads_on = false;
@@ -59,7 +59,7 @@ struct ShownExercise {
   Word<"", "own", "right"> run;
   std::string compared, first_difference;
   bool can_take_back = false;
-  std::vector<ExerciseRow> rows;
+  List<ExerciseRow> rows;
   SNUG_FIELDS(exercise, kind, lesson, seed, level, practises, leads_on, build, decision, decisions, mark, of, told,
               tells_at_once, count_known, finished, hints, hint, rule, followed, run, compared, first_difference,
               can_take_back, rows);
@@ -86,5 +86,6 @@ struct Exercise {
 [[nodiscard]] Exercise exercise_of(App& app);
 /// None while a lesson is open, and where one practises.
 [[nodiscard]] std::optional<Attempt> attempt_of(App& app);
+[[nodiscard]] std::string attempt_text(App& app);  // as JSON
 
 }  // namespace snug::app::told

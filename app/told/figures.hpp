@@ -36,8 +36,8 @@ struct Panel {
 
 struct Figures {
   ByName<double> readout;
-  std::vector<ShownFigure> figures;
-  std::vector<Panel> panels;
+  List<ShownFigure> figures;
+  List<Panel> panels;
   ByName<ProseFigure> prose_figures;  // those of the lesson's texts
   SNUG_FIELDS(readout, figures, panels, prose_figures);
 };
@@ -55,7 +55,7 @@ struct Algorithms {
   std::string_view code_title;
   std::vector<std::string_view> code;
   int line = 0;
-  std::vector<Rival> rivals;
+  List<Rival> rivals;
   SNUG_FIELDS(algorithm, beside, code_title, code, line, rivals);
 };
 

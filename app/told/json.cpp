@@ -61,7 +61,22 @@ void write_name(std::string& json, std::string_view name) {
   json += ':';
 }
 
-void write_field_name(std::string& json, std::string_view field) { write_name(json, camel_case(field)); }
+void write_fields(std::string& json, std::span<const std::string_view> fields, const void* const* values,
+                  const WriteAny* writes) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::size_t before = json.size();
+    write_name(json, camel_case(fields[i]));
+    const std::size_t named = json.size();
+    writes[i](json, values[i]);
+    if (json.size() == named) json.resize(before);
+  }
+}
+
+void write_list(std::string& json, const void* first, std::size_t count, std::size_t stride, WriteAny write) {
+  write_begin(json, '[');
+  for (std::size_t i = 0; i < count; ++i) write(json, static_cast<const char*>(first) + i * stride);
+  json += ']';
+}
 
 std::string camel_case(std::string_view field) {
   std::string name;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/told/json.hpp"
 #include "lesson/say.hpp"
 #include "lesson/situations.hpp"
 #include "lesson/subjects.hpp"
@@ -50,5 +51,7 @@ Lesson lesson_of(const lesson::Session& session) {
   }
   return told;
 }
+
+std::string lesson_text(const lesson::Session& session) { return json_of(lesson_of(session)); }
 
 }  // namespace snug::app::told

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,16 +14,16 @@
 namespace snug::app::told {
 
 struct PointSet {
-  std::string generate;
+  std::string_view generate;
   int count = 0;
-  std::string mesh;
+  std::string_view mesh;
   Scalar scalar;
   SNUG_FIELDS(generate, count, mesh, scalar);
 };
 
 struct Section {
-  std::string title, situation;
-  std::vector<Block> blocks;
+  std::string_view title, situation;
+  List<Block> blocks;
   SNUG_FIELDS(title, situation, blocks);
 };
 
@@ -50,7 +51,7 @@ struct Situation : PointSet {
 struct LessonTask {
   std::string heading;
   Paragraph prompt, hint;
-  std::string algorithm;
+  std::string_view algorithm;
   int points = 0;
   std::string start;
   SNUG_FIELDS(heading, prompt, hint, algorithm, points, start);
@@ -59,26 +60,28 @@ struct LessonTask {
 /// situations: none where the lesson has only its own.
 struct Lesson : PointSet {
   using Base = PointSet;
-  std::string id;
+  std::string_view id;
   int minutes = 0;
-  std::string title, summary;
-  std::vector<Section> sections;
-  std::vector<LessonAlgorithm> algorithms;
+  std::string_view title, summary;
+  List<Section> sections;
+  List<LessonAlgorithm> algorithms;
   Word<"step", "frame"> step_word;
   bool measures = false;
   Tools tools;
   std::string_view stage_says;
   std::array<std::string_view, 2> handle_words;
-  std::vector<Situation> situations;
+  List<Situation> situations;
   int dim = 2;
   std::uint64_t seed = 0;
-  std::vector<std::string> meshes, generators;
-  std::string compare;
-  std::vector<LessonTask> tasks;
+  std::span<const std::string> meshes, generators;
+  std::string_view compare;
+  List<LessonTask> tasks;
   SNUG_FIELDS(id, minutes, title, summary, sections, algorithms, step_word, measures, tools, stage_says, handle_words,
               situations, dim, seed, meshes, generators, compare, tasks);
 };
 
 [[nodiscard]] Lesson lesson_of(const lesson::Session& session);
+/// The same as JSON: whoever wants no more need not compile what destroys it.
+[[nodiscard]] std::string lesson_text(const lesson::Session& session);
 
 }  // namespace snug::app::told

@@ -27,12 +27,12 @@ struct Stretch {
   IfAny<int> sentence;
   SNUG_FIELDS(text, strong, emphasis, code, script, tex, link, figure, sentence);
 };
-using Paragraph = std::vector<Stretch>;
+using Paragraph = List<Stretch>;
 
 /// Of a paragraph or a list each row has one cell.
 struct Block {
   Word<"paragraph", "bullets", "numbers", "table"> kind;
-  std::vector<std::vector<Paragraph>> rows;
+  List<List<Paragraph>> rows;
   std::vector<bool> right;
   SNUG_FIELDS(kind, rows, right);
 };

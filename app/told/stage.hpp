@@ -26,13 +26,13 @@ struct NumberRow {
 /// See lesson::NumberGroup.
 struct NumberGroup {
   std::string_view heading, name;
-  std::vector<NumberRow> rows;
+  List<NumberRow> rows;
   SNUG_FIELDS(heading, name, rows);
 };
 
 /// The points, or whatever the subject has. coordinates: two or three.
 struct Points {
-  std::vector<NumberGroup> numbers;
+  List<NumberGroup> numbers;
   std::string_view tools_word, tools_title;
   int size = 0, dim = 2;
   bool edited = false;
@@ -67,14 +67,14 @@ struct StoredOperation {
 };
 struct StoredForm {
   std::string name, bytes;
-  std::vector<StoredMember> members;
-  std::vector<StoredOperation> operations;
+  List<StoredMember> members;
+  List<StoredOperation> operations;
   SNUG_FIELDS(name, bytes, members, operations);
 };
 /// How a volume on the stage is stored.
 struct StoredVolume {
   std::string title;
-  std::vector<StoredForm> forms;
+  List<StoredForm> forms;
   SNUG_FIELDS(title, forms);
 };
 
@@ -99,10 +99,10 @@ struct Effect {
 /// What only some stages have.
 struct Parts {
   std::optional<std::string> situation;  // none if the lesson has but one
-  std::vector<ShownSlider> sliders;
-  std::vector<StoredVolume> stored;
+  List<ShownSlider> sliders;
+  List<StoredVolume> stored;
   std::optional<StageFile> file;
-  std::vector<Effect> effects;
+  List<Effect> effects;
   SNUG_FIELDS(situation, sliders, stored, file, effects);
 };
 
