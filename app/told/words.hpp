@@ -1,9 +1,8 @@
 // What a door tells a page or a script of a lesson is plain structs, one header for each part. SNUG_FIELDS lists their
 // fields, app/told/json.hpp writes them, and tests/app/told/types.hpp says their types as the page's JavaScript has
 // them. There a field is called as here, but in camelCase; a trailing _ keeps its name apart from a word of C++. A type
-// that extends another has it as its Base. A view
-// or a span looks into the session: what is told is written before that changes. These are the kinds of fields that C++
-// has no type for.
+// that extends another has it as its Base. A view or a span looks into the session: what is told is written before that
+// changes. These are the kinds of fields that C++ has no type for.
 #pragma once
 
 #include <algorithm>
