@@ -218,7 +218,7 @@ tl::expected<void, InputError> App::open_exercise(std::shared_ptr<const lesson::
 lesson::Sitting* App::sitting() { return state_->sitting ? &*state_->sitting : nullptr; }
 
 void AppState::open(lesson::Session next, bool anew) {
-  if (session && !sitting) answers[session->lesson().id] = {session->log().outcomes(), session->done_tasks()};
+  if (session && !sitting) answers[session->lesson().id] = lesson::answers_of(*session);
   sitting.reset();
   session.emplace(std::move(next));
   session->stage().give_way(platform.gives_way);

@@ -49,7 +49,9 @@ bool goes_on(AppState& s, bool to_mark) {
   if (conversation(s).acknowledge()) return true;
   const lesson::Asked* const asked = conversation(s).asked();
   const bool is_gate = asked != nullptr && (to_mark || asked->step != lesson::Asked::kAnytime);
-  return is_gate && conversation(s).pass_by();
+  if (!is_gate || !conversation(s).pass_by()) return false;
+  s.decide_by_measuring();
+  return true;
 }
 
 bool step(AppState& s, std::string_view) {
@@ -116,7 +118,12 @@ bool commit_answer(AppState& s, std::string_view) {
   return true;
 }
 
-bool skip_question(AppState& s, std::string_view) { return conversation(s).give(lesson::Skipped{}, false); }
+bool skip_question(AppState& s, std::string_view) {
+  if (!conversation(s).give(lesson::Skipped{}, false)) return false;
+  s.decide_by_measuring();
+  return true;
+}
+
 bool take_back(AppState& s, std::string_view) { return conversation(s).take_back() && stop(s); }
 bool practise(AppState& s, std::string_view) { return conversation(s).practise() && stop(s); }
 bool show_answer(AppState& s, std::string_view) { return conversation(s).show_answer() && stop(s); }
@@ -137,12 +144,14 @@ bool predict_again(AppState& s, std::string_view) {
 }
 
 bool pass_questions(AppState& s, std::string_view) {
+  if (s.sitting) return false;
   lesson::pass_questions(*s.session);
   s.playing = false;
   return true;
 }
 
 bool reveal_answer(AppState& s, std::string_view) {
+  if (s.sitting) return false;
   lesson::reveal_answer(*s.session);
   s.playing = false;
   return true;

@@ -28,6 +28,9 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   hands_.grabs = pressed_ != kNoIndex || (over && grabbed(session, look, io.MousePos.x, io.MousePos.y) != kNoIndex);
   if (pressed_ != kNoIndex) hands_.hovered = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
+  // A key may have deleted the handle meanwhile; and any edit by one ends a drag.
+  if (pressed_ >= session.stage().subject().size() || (hands_.dragging && !session.stage().dragging()))
+    pressing_ = hands_.dragging = panning_ = false, pressed_ = tapped_ = kNoIndex;
   // Also in the frame in which it ends, because a whole drag can happen between two slow frames.
   if (pressing_ && ImGui::IsMousePosValid()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);

@@ -66,7 +66,6 @@ double measured();
 std::string playground_says();
 void carry_points();
 std::string put_down_points(const std::string& name);
-/// Lights a mark that the prose links to, until another, or "" for none.
 /// Reads an exercise's file for open_exercise. Returns its first mistake, "" for none.
 std::string read_exercise(const std::string& toml, const std::string& name);
 /// Opens the instance of a seed at a level, for a mark or to practise. Returns an error, "" for none.
@@ -76,6 +75,7 @@ std::string take_up_attempt(const emscripten::val& decisions);
 emscripten::val attempt();
 /// The seed of a student's name.
 double seed_of_name(const std::string& name);
+/// Lights a mark that the prose links to, until another, or "" for none.
 void light(const std::string& mark);
 /// The first invitations, of which so many were followed before.
 void invite(int followed);

@@ -12,6 +12,7 @@ std::string Changes::tell(App& app) {
   see_parts(app, [&](const auto& part) {
     std::string now;
     write_fields(now, part);
+    if (number == last_.size()) last_.emplace_back();
     std::string& last = last_[number++];
     if (now == last) return;
     if (changed.size() > 1) changed += ',';

@@ -1,8 +1,8 @@
 // What changes while a lesson is open, in parts: one object has the keys of all of them.
 #pragma once
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include "app/told/answers.hpp"
 #include "app/told/cover.hpp"
@@ -41,7 +41,7 @@ class Changes {
   [[nodiscard]] std::string tell(App& app);
 
  private:
-  std::array<std::string, 11> last_;  // the texts of the parts
+  std::vector<std::string> last_;  // the texts of the parts
 };
 
 }  // namespace snug::app::told

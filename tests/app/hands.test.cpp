@@ -78,6 +78,20 @@ TEST_CASE("a view that was easing when the chart came over it asks for no more f
   CHECK_FALSE(bench.app.wants_frame(1e6));
 }
 
+TEST_CASE("measuring begins once each prediction is given or skipped, if one is given") {
+  for (const bool gives : {true, false}) {
+    Bench bench(course_lesson("lecture-claims"), {.stage = {0, 0, 800, 440}}, {}, [] { return 0.0; });
+    REQUIRE(bench.app.command("measure"));
+    REQUIRE(bench.session().conversation().asked() != nullptr);
+    if (gives) {
+      bench.app.pick_choice(0);
+      REQUIRE(bench.app.command("commit_answer"));
+    }
+    while (bench.session().conversation().asked() != nullptr) REQUIRE(bench.app.command("skip_question"));
+    CHECK(bench.app.cover()->running() == gives);
+  }
+}
+
 TEST_CASE("a drag moves its point and leaves the arrow keys to the player") {
   Bench bench(flat());
   const Handle at = bench.handle("P4");
@@ -87,6 +101,25 @@ TEST_CASE("a drag moves its point and leaves the arrow keys to the player") {
   CHECK(bench.session().stage().subject().at(4)[1] < before[1]);
   CHECK(bench.key("ArrowRight") == "step");
   CHECK(bench.session().stage().can_undo());
+}
+
+TEST_CASE("a key that deletes the point in hand, or undoes it, ends the drag") {
+  for (const char* command : {"delete_point", "undo"}) {
+    CAPTURE(command);
+    Bench bench(flat());
+    const Index last = bench.session().stage().subject().size() - 1;
+    const Handle at = bench.handle(bench.session().stage().subject().name_of(last));
+    bench.press(at.x, at.y);
+    bench.move(at.x + 24, at.y + 12);
+    REQUIRE(bench.session().stage().dragging());
+    REQUIRE(bench.app.command(command));
+    const auto rows = bench.session().stage().subject().rows();
+    bench.move(at.x + 60, at.y - 40);
+    CHECK(bench.session().stage().subject().rows() == rows);
+    CHECK_FALSE(bench.session().stage().dragging());
+    bench.release();
+    CHECK(bench.session().stage().subject().rows() == rows);
+  }
 }
 
 TEST_CASE("arrow keys go to a point selected by a key, by its number, or by a click, and back with the next drag") {

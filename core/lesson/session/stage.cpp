@@ -343,7 +343,7 @@ std::vector<ShownSlider> Stage::sliders() const {
 Done Stage::slide(std::size_t slider, double value) {
   if (slider >= slid_.values.size() || !is_there(lesson_->sliders[slider], *now_))
     return tl::unexpected(InputError{.what = "there is no such slider"});
-  if (slid_.values[slider] == value) return {};
+  if ((at_rest_ ? at_rest_->slid : slid_).values[slider] == value) return {};
   if (task_started_ && !only().empty() && !is_among(only(), lesson_->sliders[slider].drives))
     return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
   std::vector<double> values = slid_.values;

@@ -231,6 +231,20 @@ TEST_CASE("after a scatter the sliders begin again, and count what is there") {
   CHECK(session.stage().is_own());
 }
 
+TEST_CASE("a slider in hand whose points wait for its rest goes back to where it began") {
+  std::string text = generated_with("drives = \"offset\"\nfrom = 0\nto = 10");
+  text.replace(text.find("count = 12"), 10, "count = 1200");
+  Session session = open(text);
+  session.stage().give_way(true);
+  session.stage().begin_drag();
+  REQUIRE(session.stage().slide(0, 5));
+  CHECK(session.stage().sliders()[0].value == 5);
+  REQUIRE(session.stage().slide(0, 0));
+  CHECK(session.stage().sliders()[0].value == 0);
+  REQUIRE(session.stage().end_drag());
+  CHECK(session.stage().is_own());
+}
+
 TEST_CASE("the values of sliders lead from the lesson's own to the same bits again") {
   Session session = open(small_with("drives = \"angle\"\nfrom = 0\nto = 90"));
   session.stage().begin_drag();
