@@ -29,7 +29,7 @@ struct Stretch {
 };
 using Paragraph = List<Stretch>;
 
-/// Of a paragraph or a list each row has one cell.
+/// A row of a paragraph or of a list has one cell.
 struct Block {
   Word<"paragraph", "bullets", "numbers", "table"> kind;
   List<List<Paragraph>> rows;

@@ -21,8 +21,9 @@ inline constexpr std::array<std::string_view, 5> kBottomUpPseudocode{
     "volume ← merged from both children",
 };
 
-/// Pairs are compared by half the surface area of their box, then by the number of bodies, then by index. facts: null,
-/// or where the steps' facts are appended. O(n^2) time in all, O(n) memory: enough for some ten thousand bodies.
+/// A group's nearest is that with which it has the least half surface area; of equal ones that with fewer bodies, then
+/// that of the lower index. Pairs of equal size are merged in the order in which they are found. facts: null, or where
+/// the steps' facts are appended. O(n^2) time in all, O(n) memory: enough for some ten thousand bodies.
 ///
 /// Two groups that are each other's nearest stay so whatever else is merged, because boxes only grow. So such pairs are
 /// found along a chain of ever nearer neighbours, and sorted afterwards, smallest first. Source: J. P. Benzécri,

@@ -73,7 +73,7 @@ struct FieldCost {
 };
 
 /// Writes to verdicts[i] what query::classify says of box i. last: for kLastPlane, as many as the boxes: the plane that
-/// rejected each in the frame before, -1 for none; the planes of this frame replace them. verdicts: as many as the
+/// rejected each last, -1 for none; where this frame rejects one, its plane takes that place. verdicts: as many as the
 /// boxes. record: null, or where to keep how it came about.
 FieldCost cull_field(const Field& field, const Frustum<double, 3>& frustum, FieldWay way, std::span<std::int8_t> last,
                      std::span<query::Culling> verdicts, FieldRecord* record = nullptr);

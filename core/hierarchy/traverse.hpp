@@ -1,4 +1,5 @@
-// Traverses a tree from the root down, skipping what need not be visited.
+// Traverses a tree from the root down, skipping what need not be visited. Source: C. Ericson, Real-Time Collision
+// Detection, 2005, 6.3; nodes that are hit wait on a stack, so that of two children the one opened last is taken first.
 #pragma once
 
 #include <array>
@@ -94,11 +95,11 @@ Counts traverse(const Tree<VolumeType>& tree, std::type_identity_t<std::span<con
 
 inline constexpr std::array<std::string_view, 6> kFirstHitPseudocode{
     "open ← root; best ← none",
-    "while a node is open: take the nearest",
+    "while a node is open: take the last",
     "  beyond the best: leave it out",
     "  leaf: best ← nearest of its bodies",
     "  else test both children's volumes",
-    "  open those hit, the nearer one first",
+    "  open those hit, the nearer one last",
 };
 
 /// Which of two children that are both hit is taken first. kFar shows what the order is worth.

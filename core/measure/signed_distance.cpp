@@ -212,7 +212,7 @@ std::optional<SignedDistance<Dim>> signed_distance(const Volume<Scalar, Dim>& a,
   const auto in_scene = [&, origin = middle](const Vector<double, Dim>& p) {
     return Vector<double, Dim>(origin.template cast<double>() + p * unit);
   };
-  // For cores that are apart the distance of the points is the better known, for others the depth of the plane.
+  // The distance of the points is known better where the cores are apart, the depth of the plane elsewhere.
   const double depth = parting.surely < 0 ? parting.surely : parting.depth;
   return SignedDistance<Dim>{-(depth + first.radius + second.radius) * unit, parting.direction,
                              in_scene(parting.on_a + first.radius * parting.direction),

@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 11> kWelzlPseudocode{
     "  return S",
 };
 
-/// The state of one run: Welzl's recursion with Dim + 2 calls at most, however many points there are.
+/// The state of one run: Welzl's recursion, at most Dim + 2 calls deep, however many points there are.
 template <class Scalar, int Dim, class Observer>
 class Welzl {
  public:

@@ -12,6 +12,7 @@
 
 namespace snug::hierarchy {
 
+/// The code has no active list: it compares each AABB with those after it that begin before it ends.
 inline constexpr std::array<std::string_view, 7> kSweepAndPrunePseudocode{
     "axis ← where the AABBs spread most",
     "sort the last frame's order by insertion",

@@ -463,7 +463,7 @@ std::vector<int> Conversation::right_choices() const {
   return question != nullptr ? question->kind->truth(*question, player_->run(0)).choices : std::vector<int>();
 }
 
-/// Of what was kept, only a question knows what it means.
+/// Only its question knows what a kept answer means.
 void Conversation::take_as_asked() {
   for (const Asked& asked : asked_) log_->take_as_asked(asked);
 }

@@ -44,15 +44,13 @@ constexpr std::array kBuildMethods{
 
 constexpr auto kFarFirstPseudocode = [] {
   auto lines = hierarchy::kFirstHitPseudocode;
-  lines[1] = "while a node is open: take the last";
-  lines[5] = "  open those hit, the farther one first";
+  lines[5] = "  open those hit, the farther one last";
   return lines;
 }();
 
 constexpr auto kYourOrderPseudocode = [] {
   auto lines = hierarchy::kFirstHitPseudocode;
-  lines[1] = "while a node is open: take the last";
-  lines[5] = "  open those hit, the one that you choose first";
+  lines[5] = "  open those hit, the one that you choose last";
   return lines;
 }();
 
