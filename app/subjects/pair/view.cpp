@@ -46,9 +46,12 @@ class PairView final : public SubjectView, private LocalFrame {
   }
   /// In its own frame A stands still: only what may be an answer is left of it. An exercise turns nothing.
   [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
-    const lesson::BoxHandle handle = lesson::place_of(session.stage().subject().dim(), i);
-    if (session.stage().conduct().decides && handle.kind == lesson::BoxHandle::Kind::kTurn) return false;
-    return !in_frame_ || answered_on_stage(session) || handle.box == 1;
+    if (!is_point(session, i)) return false;
+    return !in_frame_ || answered_on_stage(session) || lesson::place_of(session.stage().subject().dim(), i).box == 1;
+  }
+  [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {
+    return !session.stage().conduct().decides ||
+           lesson::place_of(session.stage().subject().dim(), i).kind != lesson::BoxHandle::Kind::kTurn;
   }
 
   /// In space the axis has a second picture, where there is room above the boxes.
@@ -196,7 +199,8 @@ class VolumesView final : public SubjectView {
   [[nodiscard]] bool working() const override { return working_; }
   [[nodiscard]] bool shows_points(const lesson::Session&) const override { return false; }
   /// What turns a volume, or changes its radius, does nothing where the volumes are given.
-  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override {
+  [[nodiscard]] bool shows(const lesson::Session& session, Index i) const override { return is_point(session, i); }
+  [[nodiscard]] bool is_point(const lesson::Session& session, Index i) const override {
     const lesson::Handle::Kind kind = subject_of(session).handle(i).kind;
     return !session.stage().conduct().decides || kind == lesson::Handle::Kind::kVertex ||
            kind == lesson::Handle::Kind::kCenter;
