@@ -49,9 +49,7 @@ bool goes_on(AppState& s, bool to_mark) {
   if (conversation(s).acknowledge()) return true;
   const lesson::Asked* const asked = conversation(s).asked();
   const bool is_gate = asked != nullptr && (to_mark || asked->step != lesson::Asked::kAnytime);
-  if (!is_gate || !conversation(s).pass_by()) return false;
-  s.decide_by_measuring();
-  return true;
+  return is_gate && conversation(s).pass_by();
 }
 
 bool step(AppState& s, std::string_view) {
@@ -118,12 +116,7 @@ bool commit_answer(AppState& s, std::string_view) {
   return true;
 }
 
-bool skip_question(AppState& s, std::string_view) {
-  if (!conversation(s).give(lesson::Skipped{}, false)) return false;
-  s.decide_by_measuring();
-  return true;
-}
-
+bool skip_question(AppState& s, std::string_view) { return conversation(s).give(lesson::Skipped{}, false); }
 bool take_back(AppState& s, std::string_view) { return conversation(s).take_back() && stop(s); }
 bool practise(AppState& s, std::string_view) { return conversation(s).practise() && stop(s); }
 bool show_answer(AppState& s, std::string_view) { return conversation(s).show_answer() && stop(s); }

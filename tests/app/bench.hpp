@@ -31,8 +31,8 @@ class Bench {
   /// 800 by 600 pixels, unless the layout says otherwise.
   explicit Bench(lesson::Lesson lesson,
                  const Layout& layout = {.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}},
-                 std::optional<io::PointFile> mesh = {}, double (*clock)() = nullptr)
-      : context_(ImGui::CreateContext()), layout_(layout), app({.font = font_bytes, .clock = clock}) {
+                 std::optional<io::PointFile> mesh = {})
+      : context_(ImGui::CreateContext()), layout_(layout), app({.font = font_bytes}) {
     ImGui::GetIO().DisplaySize = {layout.stage.x + layout.stage.width, layout.timeline.y + layout.timeline.height};
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
     app.settings().reduced_motion = true;

@@ -78,20 +78,6 @@ TEST_CASE("a view that was easing when the chart came over it asks for no more f
   CHECK_FALSE(bench.app.wants_frame(1e6));
 }
 
-TEST_CASE("measuring begins once each prediction is given or skipped, if one is given") {
-  for (const bool gives : {true, false}) {
-    Bench bench(course_lesson("lecture-claims"), {.stage = {0, 0, 800, 440}}, {}, [] { return 0.0; });
-    REQUIRE(bench.app.command("measure"));
-    REQUIRE(bench.session().conversation().asked() != nullptr);
-    if (gives) {
-      bench.app.pick_choice(0);
-      REQUIRE(bench.app.command("commit_answer"));
-    }
-    while (bench.session().conversation().asked() != nullptr) REQUIRE(bench.app.command("skip_question"));
-    CHECK(bench.app.cover()->running() == gives);
-  }
-}
-
 TEST_CASE("a drag moves its point and leaves the arrow keys to the player") {
   Bench bench(flat());
   const Handle at = bench.handle("P4");
