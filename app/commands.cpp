@@ -338,7 +338,6 @@ constexpr std::pair<std::string_view, std::string_view> kOtherKeys[] = {
     {"Ctrl S", "cost chart: save the result as CSV"},
 };
 
-/// The places apart from kAnywhere come first.
 bool is_at(Where where, const KeyPlace& place) {
   switch (where) {
     case Where::kAnywhere: return true;
@@ -382,7 +381,7 @@ bool has_key(std::string_view keys, std::string_view key, bool shift, bool contr
 std::string_view command_for(std::string_view key, bool shift, bool control, const KeyPlace& place) {
   for (const bool with_shift : {true, false}) {
     if (with_shift && !shift) continue;
-    for (const bool anywhere : {false, true})
+    for (const bool anywhere : {false, true})  // what a place of its own says comes first
       for (const Command& row : kCommands)
         if ((row.where == Where::kAnywhere) == anywhere && is_at(row.where, place) &&
             has_key(row.keys, key, with_shift, control))
