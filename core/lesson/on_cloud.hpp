@@ -1,10 +1,13 @@
-// A subject that measures a cloud of points: it is the cloud, as far as points, edits and runs go.
+// What experiments on a cloud of points have in common: their subject is the cloud, as far as points, edits and runs
+// go, and their rows differ from the cloud's in what is measured and asked.
 #pragma once
 
 #include <memory>
 #include <utility>
 
+#include "lesson/point_subject.hpp"
 #include "lesson/session.hpp"
+#include "lesson/subjects.hpp"
 
 namespace snug::lesson {
 
@@ -67,5 +70,35 @@ class OnCloud : public Subject, public HasPoints {
 
   std::unique_ptr<Subject> cloud_;
 };
+
+[[nodiscard]] std::vector<std::string_view> volumes_on_cloud();
+/// The catalogue's. The cloud's methods by hand are not among them, for they cannot be timed.
+[[nodiscard]] std::span<const Method> methods_on_cloud(std::string_view volume);
+/// Nothing is asked of a step.
+[[nodiscard]] std::vector<std::string_view> no_facts();
+void read_on_cloud(TomlTable& table, Lesson& lesson, Complaints& complaints);
+[[nodiscard]] tl::expected<std::unique_ptr<Subject>, InputError>
+open_cloud_of(const Lesson& lesson, std::optional<io::PointFile> mesh, Clock clock);
+/// Those that the lesson offers, in order.
+[[nodiscard]] std::vector<const Method*> methods_of(const Lesson& lesson);
+
+/// Question kinds of no fact.
+template <const auto& kKinds>
+[[nodiscard]] std::vector<FactQuestionKind> of_no_fact() {
+  std::vector<FactQuestionKind> all;
+  for (const QuestionKind& kind : kKinds) all.push_back({"", &kind});
+  return all;
+}
+
+/// The row of an experiment, with what it has of the cloud.
+[[nodiscard]] constexpr SubjectRow row_on_cloud(SubjectRow own) {
+  own.table = "points";
+  own.volumes = &volumes_on_cloud;
+  own.methods = &methods_on_cloud;
+  own.facts = &no_facts;
+  if (own.read == nullptr) own.read = &read_on_cloud;
+  if (own.read_model == nullptr) own.read_model = &read_point_model;
+  return own;
+}
 
 }  // namespace snug::lesson

@@ -53,21 +53,6 @@ constexpr std::array kClaimsQuestionKinds{
     QuestionKind{.name = "choice", .offer = &offer_own, .truth = &own_truth},
     QuestionKind{.name = "verdict", .offer = &offer_verdicts, .truth = &verdict_truth, .read = &read_verdict}};
 
-const SubjectRow& points_row() { return *subject_named("cloud"); }
-
-std::vector<std::string_view> claim_volumes() { return points_row().volumes(); }
-std::span<const Method> claim_methods(std::string_view volume) { return points_row().methods(volume); }
-std::vector<std::string_view> no_claim_facts() { return {}; }
-std::vector<FactQuestionKind> claims_question_kinds() {
-  std::vector<FactQuestionKind> all;
-  for (const QuestionKind& kind : kClaimsQuestionKinds) all.push_back({"", &kind});
-  return all;
-}
-
-void read_claims(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  points_row().read(table, lesson, complaints);
-}
-
 /// Checks that each counter-example can be shown.
 void check_claims(const Lesson& lesson, const Subject&, Complaints& complaints) {
   for (const cost::Claim* claim : cost::tried_claims())
@@ -79,7 +64,7 @@ void check_claims(const Lesson& lesson, const Subject&, Complaints& complaints) 
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_claims(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                                Clock clock) {
-  auto cloud = points_row().open(lesson, std::move(mesh), clock);
+  auto cloud = open_cloud_of(lesson, std::move(mesh), clock);
   if (!cloud) return tl::unexpected(std::move(cloud.error()));
   return std::make_unique<ClaimsSubject>(*std::move(cloud));
 }
@@ -92,18 +77,12 @@ constexpr Experiment kClaimsExperiment{.chart = "claims", .perform = &try_all};
 
 }  // namespace
 
-const SubjectRow kClaimsRow{.name = "claims",
-                            .table = "points",
-                            .volumes = &claim_volumes,
-                            .experiment = &kClaimsExperiment,
-                            .methods = &claim_methods,
-                            .facts = &no_claim_facts,
-                            .question_kinds = &claims_question_kinds,
-                            .read = &read_claims,
-                            .read_model = &read_point_model,
-                            .check_first = &check_claims,
-                            .open = &open_claims,
-                            .samples = kClaimsSamples};
+constinit const SubjectRow kClaimsRow = row_on_cloud({.name = "claims",
+                                                      .experiment = &kClaimsExperiment,
+                                                      .question_kinds = &of_no_fact<kClaimsQuestionKinds>,
+                                                      .check_first = &check_claims,
+                                                      .open = &open_claims,
+                                                      .samples = kClaimsSamples});
 
 void ClaimsSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   cloud().begin_task(lesson, task, own.shape());

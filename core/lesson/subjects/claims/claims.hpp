@@ -27,7 +27,6 @@ class ClaimsSubject final : public OnCloud {
   void begin_task(const Lesson& lesson, const Task& task, const Subject& own) override;
 
   // The cloud's.
-  [[nodiscard]] std::string refusal(const Method& method) const override { return cloud().refusal(method); }
   [[nodiscard]] std::vector<Rival> rivals(const Lesson& lesson, const View& view) const override {
     return cloud().rivals(lesson, view);
   }

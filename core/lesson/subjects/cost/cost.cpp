@@ -19,28 +19,6 @@ constexpr std::array kCostQuestionKinds{QuestionKind{"choice", &offer_written, &
                                         QuestionKind{"slowest", &offer_methods, &slowest_truth},
                                         QuestionKind{"times_slower", &offer_times, &times_truth}};
 
-const SubjectRow& cloud_row() { return *subject_named("cloud"); }
-
-std::vector<std::string_view> charted_volumes() { return cloud_row().volumes(); }
-
-/// Those of the catalogue: the cloud's last methods are by hand, and cannot be timed.
-std::span<const Method> charted_methods(std::string_view volume) {
-  std::span<const Method> methods = cloud_row().methods(volume);
-  while (!methods.empty() && methods.back().by_hand) methods = methods.first(methods.size() - 1);
-  return methods;
-}
-std::vector<std::string_view> no_facts() { return {}; }
-
-std::vector<FactQuestionKind> cost_question_kinds() {
-  std::vector<FactQuestionKind> all;
-  for (const QuestionKind& kind : kCostQuestionKinds) all.push_back({"", &kind});
-  return all;
-}
-
-void read_chart(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  cloud_row().read(table, lesson, complaints);
-}
-
 constexpr std::array<std::string_view, 1> kTaskFigures{kTighterFigure};
 
 /// Checks that on the model's points some algorithm is smaller by as much as the task asks. Which of them is fastest
@@ -56,11 +34,9 @@ void check_cost_task(const Lesson& lesson, const Task& task, const Subject& own,
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_chart(const Lesson& lesson, std::optional<io::PointFile> mesh,
                                                               Clock clock) {
-  auto cloud = cloud_row().open(lesson, std::move(mesh), clock);
+  auto cloud = open_cloud_of(lesson, std::move(mesh), clock);
   if (!cloud) return tl::unexpected(std::move(cloud.error()));
-  std::vector<const Method*> methods;
-  for (const std::string& name : lesson.algorithms) methods.push_back(find_method(lesson, name));
-  return std::make_unique<CostSubject>(*std::move(cloud), std::move(methods));
+  return std::make_unique<CostSubject>(*std::move(cloud), methods_of(lesson));
 }
 
 /// Without a clock, answers and grades are based on counted operations, and say so.
@@ -80,19 +56,13 @@ constexpr Experiment kCostExperiment{.chart = "cost", .decided_by = "operations"
 
 }  // namespace
 
-const SubjectRow kCostRow{.name = "cost",
-                          .table = "points",
-                          .volumes = &charted_volumes,
-                          .experiment = &kCostExperiment,
-                          .methods = &charted_methods,
-                          .facts = &no_facts,
-                          .question_kinds = &cost_question_kinds,
-                          .read = &read_chart,
-                          .read_model = &read_point_model,
-                          .task_figures = kTaskFigures,
-                          .check_task = &check_cost_task,
-                          .open = &open_chart,
-                          .play_task = &play_cost_task};
+constinit const SubjectRow kCostRow = row_on_cloud({.name = "cost",
+                                                    .experiment = &kCostExperiment,
+                                                    .question_kinds = &of_no_fact<kCostQuestionKinds>,
+                                                    .task_figures = kTaskFigures,
+                                                    .check_task = &check_cost_task,
+                                                    .open = &open_chart,
+                                                    .play_task = &play_cost_task});
 
 void CostSubject::begin_task(const Lesson& lesson, const Task& task, const Subject& own) {
   const std::string_view kind = lesson.generators.empty() ? "gaussian" : std::string_view(lesson.generators.front());

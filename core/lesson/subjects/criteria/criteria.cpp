@@ -16,21 +16,8 @@ namespace {
 /// Times that differ by less are not told apart.
 constexpr double kTimeDoubt = 0.05;
 
-const SubjectRow& cloud_of_criteria() { return *subject_named("cloud"); }
-
-std::vector<std::string_view> compared_volumes() { return cloud_of_criteria().volumes(); }
-
-/// Those of the catalogue: the cloud's last methods are by hand, and cannot be timed.
-std::span<const Method> compared_methods(std::string_view volume) {
-  std::span<const Method> methods = cloud_of_criteria().methods(volume);
-  while (!methods.empty() && methods.back().by_hand) methods = methods.first(methods.size() - 1);
-  return methods;
-}
-
-std::vector<std::string_view> no_facts_of_criteria() { return {}; }
-
 void read_criteria(TomlTable& table, Lesson& lesson, Complaints& complaints) {
-  cloud_of_criteria().read(table, lesson, complaints);
+  read_on_cloud(table, lesson, complaints);
   lesson.tables = read_load(table, complaints);
 }
 
@@ -49,11 +36,9 @@ Rows read_criteria_model(TomlTable& task, const Lesson& lesson, Complaints& comp
 
 tl::expected<std::unique_ptr<Subject>, InputError> open_criteria(const Lesson& lesson,
                                                                  std::optional<io::PointFile> mesh, Clock clock) {
-  auto cloud = cloud_of_criteria().open(lesson, std::move(mesh), clock);
+  auto cloud = open_cloud_of(lesson, std::move(mesh), clock);
   if (!cloud) return tl::unexpected(std::move(cloud.error()));
-  std::vector<const Method*> methods;
-  for (const std::string& name : lesson.algorithms) methods.push_back(find_method(lesson, name));
-  return std::make_unique<CriteriaSubject>(*std::move(cloud), std::move(methods), load_of(lesson));
+  return std::make_unique<CriteriaSubject>(*std::move(cloud), methods_of(lesson), load_of(lesson));
 }
 
 /// Checks as any task is checked, with operations in place of times.
@@ -91,20 +76,16 @@ constexpr Experiment kCriteriaExperiment{.chart = "criteria", .decided_by = "ope
 
 }  // namespace
 
-const SubjectRow kCriteriaRow{.name = "criteria",
-                              .table = "points",
-                              .volumes = &compared_volumes,
-                              .experiment = &kCriteriaExperiment,
-                              .methods = &compared_methods,
-                              .facts = &no_facts_of_criteria,
-                              .question_kinds = &criteria_question_kinds,
-                              .compares = true,
-                              .read = &read_criteria,
-                              .read_model = &read_criteria_model,
-                              .check_task = &check_criteria_task,
-                              .open = &open_criteria,
-                              .play_task = &play_criteria_task,
-                              .samples = kCriteriaSamples};
+constinit const SubjectRow kCriteriaRow = row_on_cloud({.name = "criteria",
+                                                        .experiment = &kCriteriaExperiment,
+                                                        .question_kinds = &criteria_question_kinds,
+                                                        .compares = true,
+                                                        .read = &read_criteria,
+                                                        .read_model = &read_criteria_model,
+                                                        .check_task = &check_criteria_task,
+                                                        .open = &open_criteria,
+                                                        .play_task = &play_criteria_task,
+                                                        .samples = kCriteriaSamples});
 
 ShapeCosts& CriteriaSubject::known() const {
   if (known_ != nullptr) return *known_;
