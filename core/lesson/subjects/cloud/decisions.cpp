@@ -137,7 +137,7 @@ std::optional<Answer> widest_pair(const Asked& asked, const Run& run) {
 
 // ---- the next point outside ---------------------------------------------------------------------------------
 
-const char* offer_next_outside(Asked& asked, const Run& run) {
+const char* offer_points_or_none(Asked& asked, const Run& run) {
   asked.add_choice("none");
   for (Index i = 0; i < count_of(run); ++i) asked.add_choice(asked.subject->name_of(i), {i});
   asked.on_stage = true;

@@ -22,9 +22,10 @@ double axis_margin(const Asked& asked, const Run& run);
 std::optional<Answer> nearest_pair(const Asked& asked, const Run& run);
 std::optional<Answer> widest_pair(const Asked& asked, const Run& run);
 
-/// "next_outside": which point is the next in the list that lies outside the ball; the choices are the points, and
-/// none.
-const char* offer_next_outside(Asked& asked, const Run& run);
+/// The choices are the points, and none.
+const char* offer_points_or_none(Asked& asked, const Run& run);
+
+/// "next_outside": which point is the next in the list that lies outside the ball.
 Truth next_outside_truth(const Asked& asked, const Run& run);
 double next_outside_margin(const Asked& asked, const Run& run);
 std::optional<Answer> farthest_outside(const Asked& asked, const Run& run);
@@ -96,7 +97,7 @@ inline constexpr QuestionKind kFarthest{.name = "farthest",
                                         .margin = &farthest_margin,
                                         .rules = kFarthestRules};
 inline constexpr QuestionKind kNextOutside{.name = "next_outside",
-                                           .offer = &offer_next_outside,
+                                           .offer = &offer_points_or_none,
                                            .truth = &next_outside_truth,
                                            .figure = "outside",
                                            .margin = &next_outside_margin,

@@ -28,12 +28,6 @@ Truth pass_truth(double radius, double best) {
   return no("It ends at " + own + ", larger" + than_best);
 }
 
-void offer_points_or_none(Asked& asked, const FitRun& run) {
-  asked.add_choice("none");
-  for (Index i = 0; i < fit::count_of(run.points()); ++i) asked.add_choice(asked.subject->name_of(i), {i});
-  asked.on_stage = true;
-}
-
 }  // namespace
 
 const char* offer_axes(Asked& asked, const Run& run) {
@@ -157,8 +151,7 @@ const char* offer_first_wrong(Asked& asked, const Run& run) {
   const FitRun& own = fit_run(run);
   if (own.wrong() == nullptr || asked.fact + 1 != own.steps())
     return "\"first_wrong\" can only be asked of the last step of a naive algorithm's run";
-  offer_points_or_none(asked, own);
-  return nullptr;
+  return offer_points_or_none(asked, run);
 }
 
 /// A tap on the stage cannot tell points in the same place apart, so all of them are right.
@@ -195,8 +188,7 @@ const char* offer_left_outside(Asked& asked, const Run& run) {
   const FitRun& own = fit_run(run);
   if (!left_by(own.points(), own.recording().result) || asked.fact + 1 != own.steps())
     return "\"outside\" can only be asked of the last step of a sphere's run, or of a hull's in the plane";
-  offer_points_or_none(asked, own);
-  return nullptr;
+  return offer_points_or_none(asked, run);
 }
 
 Truth left_outside_truth(const Asked& asked, const Run& run) {

@@ -18,12 +18,10 @@ Truth better_truth(const Asked& asked, const Run& run);
 /// "holds": how many points support the ball.
 const char* offer_counts(Asked& asked, const Run& run);
 Truth holds_truth(const Asked& asked, const Run& run);
-/// "outside": which point the finished sphere leaves outside, in exact arithmetic; the choices are the points, and
-/// none.
+/// "outside": which point the finished sphere leaves outside, in exact arithmetic.
 const char* offer_left_outside(Asked& asked, const Run& run);
 Truth left_outside_truth(const Asked& asked, const Run& run);
-/// "first_wrong": which point is the first that a naive algorithm's rounded test is wrong about; the choices are the
-/// points, and none.
+/// "first_wrong": which point is the first that a naive algorithm's rounded test is wrong about.
 const char* offer_first_wrong(Asked& asked, const Run& run);
 Truth first_wrong_truth(const Asked& asked, const Run& run);
 /// The place after the step; for a point forced onto the boundary, after the end of its recursion.
