@@ -65,15 +65,14 @@ bool next_mark(AppState& s, std::string_view) {
   });
 }
 
-bool back(AppState& s, std::string_view) {
+/// Goes back, or in one's own run by a step.
+bool go_back(AppState& s, int step) {
   if (shows_own_run(s)) return s.sitting->step_own(*s.session, -1), stop(s);
-  return go(s, [&] { s.session->go(s.session->player().step() - 1); });
+  return go(s, [&] { s.session->go(step); });
 }
 
-bool previous_mark(AppState& s, std::string_view) {
-  if (shows_own_run(s)) return s.sitting->step_own(*s.session, -1), stop(s);
-  return go(s, [&] { s.session->go(s.session->player().previous_mark()); });
-}
+bool back(AppState& s, std::string_view) { return go_back(s, s.session->player().step() - 1); }
+bool previous_mark(AppState& s, std::string_view) { return go_back(s, s.session->player().previous_mark()); }
 
 bool first(AppState& s, std::string_view) {
   return go(s, [&] { s.session->go(0); });
@@ -177,14 +176,10 @@ bool push(AppState& s, std::string_view) {
 }
 
 bool scatter(AppState& s, std::string_view) {
-  s.session->stage().scatter(s.session->stage().subject().origin().seed + 1);
-  return true;
+  return s.session->stage().scatter(s.session->stage().subject().origin().seed + 1).has_value();
 }
 
-bool reset_points(AppState& s, std::string_view) {
-  s.session->stage().reset();
-  return true;
-}
+bool reset_points(AppState& s, std::string_view) { return s.session->stage().reset().has_value(); }
 
 /// Does with an effect of the scene what Player::toggle does.
 bool turn(AppState& s, std::string_view effect) {

@@ -88,6 +88,7 @@ class Stage {
   void press(lesson::Session& session, const Look& look);
   void drag(lesson::Session& session);
   void release(lesson::Session& session);
+  void let_go();
   void tap(lesson::Session& session);
   [[nodiscard]] Index meant_at(const lesson::Session& session, float x, float y, float reach) const;
   [[nodiscard]] Index grabbed(const lesson::Session& session, const Look& look, float x, float y) const;

@@ -29,8 +29,7 @@ void Stage::take(lesson::Session& session, const Look& look, const Rect& rect) {
   if (pressed_ != kNoIndex) hands_.hovered = pressed_;
   if (ImGui::IsItemActivated()) press(session, look);
   // A key may have deleted the handle meanwhile; and any edit by one ends a drag.
-  if (pressed_ >= session.stage().subject().size() || (hands_.dragging && !session.stage().dragging()))
-    pressing_ = hands_.dragging = panning_ = false, pressed_ = tapped_ = kNoIndex;
+  if (pressed_ >= session.stage().subject().size() || (hands_.dragging && !session.stage().dragging())) let_go();
   // Also in the frame in which it ends, because a whole drag can happen between two slow frames.
   if (pressing_ && ImGui::IsMousePosValid()) drag(session);
   if (pressing_ && !ImGui::IsItemActive()) release(session);
@@ -111,6 +110,11 @@ void Stage::release(lesson::Session& session) {
   } else if (!travelled_) {
     tap(session);
   }
+  let_go();
+}
+
+/// The hand is off the stage.
+void Stage::let_go() {
   pressing_ = hands_.dragging = panning_ = false;
   pressed_ = tapped_ = kNoIndex;
 }

@@ -98,7 +98,7 @@ std::string choose(int slot, const std::string& name) {
 }
 
 void select_point(int point) {
-  if (session()) door().app->select(point >= 0 && point < session()->stage().subject().size() ? point : kNoIndex);
+  if (door().app) door().app->select(point);
 }
 
 std::string move_point(int point, double x, double y, double z) {

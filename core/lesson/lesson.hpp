@@ -177,10 +177,10 @@ struct Slider {
   bool sound = true;                // as of questions
 };
 
-/// "Make it fail" or "construct it": graded on what stands on the stage.
 /// The "model" of a task of an exercise: each instance has its own, which a search finds.
 inline constexpr std::string_view kSearch = "search";
 
+/// "Make it fail" or "construct it": graded on what stands on the stage.
 struct Task {
   std::string prompt;
   std::string algorithm;          // shown when the task is started, and graded where a requirement names no other

@@ -111,6 +111,8 @@ std::vector<DoneTask> Session::done_tasks() const {
 
 bool Session::tasks_done() const { return !lesson_->tasks.empty() && done_tasks().size() == lesson_->tasks.size(); }
 
+std::size_t Session::tasks_listed() const { return stage_->conduct().builds ? 0 : lesson_->tasks.size(); }
+
 tl::expected<Grade, InputError> Session::solve_task(std::size_t task, const Rows& answer) {
   stage_->start_task(task);
   if (Done made = stage_->set_rows(answer); !made) return tl::unexpected(std::move(made.error()));
@@ -146,6 +148,7 @@ void Session::take_up(const std::vector<DoneTask>& tasks, std::vector<std::strin
   log_->take_up(tasks, std::move(moved));
   // The student goes on with the first that is left.
   if (const std::size_t left = log_->first_to_do(); left < lesson_->tasks.size()) stage_->task_ = left;
+  ++stage_->revision_;
 }
 
 void Session::forget_answers() {

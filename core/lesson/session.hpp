@@ -58,6 +58,8 @@ class Session {
   [[nodiscard]] bool was_done(std::size_t task) const;
   [[nodiscard]] std::vector<DoneTask> done_tasks() const;
   [[nodiscard]] bool tasks_done() const;
+  /// How many tasks are listed: none where something is built, which has a card of its own.
+  [[nodiscard]] std::size_t tasks_listed() const;
   /// Starts a task and places an answer, such as its model. Errors: those of the subject.
   tl::expected<Grade, InputError> solve_task(std::size_t task, const Rows& answer);
   /// Whether a task is not solved now, and it is known what it was done by; places that.

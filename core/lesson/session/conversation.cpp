@@ -83,20 +83,20 @@ bool Conversation::can_practise() const {
 bool Conversation::practise() {
   constexpr std::uint64_t kMostTried = 100;
   if (!can_practise()) return false;
-  const std::uint64_t practised = practice_, from = stage_->subject().origin().seed;
-  const AtOnce at_once(*stage_);
+  const Method& method = *player_->method(0);
+  const std::uint64_t from = stage_->subject().origin().seed;
   for (std::uint64_t next = from + 1; next <= from + kMostTried; ++next) {
-    practice_ = next;
-    stage_->scatter(next);
-    if (stage_->subject().origin().seed != next) break;
-    if (!asked_.empty()) {
-      summary_closed_ = false;
-      set_step(0);
-      return true;
-    }
-    stage_->undo();
+    const auto there = stage_->scattered(next);
+    if (!there || !there->subject->suits(method)) continue;
+    const auto run = there->subject->run(method, nullptr);
+    if (asked_on(*lesson_, name_in(*lesson_, method), *there->subject, *run, false).empty()) continue;
+    const std::uint64_t practised = std::exchange(practice_, next);
+    const AtOnce at_once(*stage_);
+    if (!stage_->scatter(next)) return practice_ = practised, false;
+    summary_closed_ = false;
+    set_step(0);
+    return true;
   }
-  practice_ = practised;
   return false;
 }
 
@@ -469,9 +469,13 @@ void Conversation::take_as_asked() {
 }
 
 void Conversation::judge_again() {
-  for (const Asked& asked : asked_)
-    if (asked.step == Asked::kAnytime)
-      log_->judge_again(asked.question->id, [&](const Answer& given) { return judged(asked, given); });
+  for (const Asked& asked : asked_) {
+    const Outcome* const known = outcome_of(asked);
+    if (asked.step != Asked::kAnytime || known == nullptr) continue;
+    Outcome anew = judged(asked, known->given);
+    anew.tries = known->tries;
+    log_->add(std::move(anew));
+  }
   ++revision_;
 }
 

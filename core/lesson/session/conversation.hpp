@@ -48,9 +48,9 @@ class Conversation final : public PlayerFollower {
   bool practise();
 
   // ---- the answer: chosen by hand, then given ---------------------------------------------------------------
-  /// Chooses an answer; choosing it again gives it. If a question takes many choices, selects or deselects one. Returns
+  /// Chooses an answer; choosing it again gives it. If a question takes many choices, selects or deselects one. gives:
+  /// whether an exercise takes it at once, as it takes a tap; a key that goes through the answers does not. Returns
   /// false if nothing is asked, or if this cannot be an answer: answer_says then tells what can.
-  /// gives: whether an exercise takes it at once, as it takes a tap; a key that goes through the answers does not.
   bool pick(const Answer& answer, bool gives = true);
   /// The same for a handle by its typed name ("B2", "p7").
   bool pick(std::string_view name);
@@ -59,10 +59,11 @@ class Conversation final : public PlayerFollower {
   void unpick();
   /// Gives the chosen answer, as a first one. Returns false if none is chosen.
   bool commit();
-  /// Gives an answer, or none, which skips the question: the player goes to the step that decides it, so that
-  /// prediction and result can be compared. for_good: at once, and without a second try; else a wrong first answer may
-  /// only be called wrong, and a door that plays the way (play_answers) is left to play it. Returns false, and changes
-  /// nothing, if nothing is asked or if this cannot be an answer (a handle that is no choice).
+  /// Gives an answer, or skips the question: the player goes to the step that decides it, so that prediction and result
+  /// can be compared. for_good: without a second try, and to that step at once. Otherwise a first answer that is wrong
+  /// may only be called wrong, and where the app plays the steps (play_answers) the player stays for it to do so.
+  /// Returns false, and changes nothing, if nothing is asked or if this cannot be an answer (a handle that is no
+  /// choice).
   bool give(const Answer& given, bool for_good = true);
   /// The "next" key at a question: the first press announces that a second one skips the question, the second skips it.
   /// Returns false if nothing is asked.

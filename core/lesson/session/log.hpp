@@ -37,7 +37,7 @@ class Log {
   [[nodiscard]] const std::vector<Outcome>& outcomes() const { return outcomes_; }
   /// The outcome of a question on an instance (Conversation::instance); null for none.
   [[nodiscard]] const Outcome* outcome_of(std::string_view question, std::uint64_t on) const;
-  /// Every answer that was given, in order; those to a question that was taken back are not among them.
+  /// Every answer that was given, in order, without those that were taken back.
   [[nodiscard]] const std::vector<Given>& given() const { return given_; }
   /// The situations besides this one that still have open questions, on whatever points.
   [[nodiscard]] std::vector<std::string> situations_waiting(std::string_view besides) const;
@@ -51,6 +51,7 @@ class Log {
 
   /// Adds an outcome, or puts it in the place of the question's earlier one. Returns its place among outcomes.
   std::size_t add(Outcome outcome);
+  /// Adds an answer that was given.
   void add(std::string_view question, const Answer& answer, bool right);
   /// Takes back the last given answer, and the outcome of its question, of which it was the only one.
   void take_back();
@@ -58,12 +59,6 @@ class Log {
   void add_done(std::size_t task, const Subject& by);
   /// Notes a slider that was moved.
   void add_moved(const Slider& slider);
-  /// Decides the outcomes of a question again, by the given function of the answer.
-  template <class Judge>
-  void judge_again(const std::string& question, Judge judge) {
-    for (Outcome& outcome : outcomes_)
-      if (outcome.question == question) outcome = judge(outcome.given);
-  }
   /// Takes over what is known of an earlier session, without unknown questions and tasks.
   void take_up(std::vector<Outcome> outcomes);
   void take_up(const std::vector<DoneTask>& tasks, std::vector<std::string> moved);

@@ -52,13 +52,23 @@ Done Stage::edit(auto edit) {
   return become(std::move(next));
 }
 
-/// The same for an edit that brings something new, over which the sliders begin again.
-Done Stage::edit_anew(auto edit) {
+/// What an edit that brings something new leads to: the sliders begin again over it.
+tl::expected<Snapshot, InputError> Stage::anew(auto edit) const {
   auto next = now_->clone();
-  if (Done done = edit(*next); !done) return done;
-  auto begun = with_sliders(*lesson_, std::move(next), false);
-  if (!begun) return tl::unexpected(std::move(begun.error()));
-  return become(*std::move(begun));
+  if (Done done = edit(*next); !done) return tl::unexpected(std::move(done.error()));
+  return with_sliders(*lesson_, std::move(next), false);
+}
+
+Done Stage::become(tl::expected<Snapshot, InputError> next) {
+  return next ? become(*std::move(next)) : tl::unexpected(std::move(next.error()));
+}
+
+/// Makes an edit that keeps to the task whatever it changes.
+Done Stage::keeping_task(auto edit) {
+  const bool started = task_started_;
+  Done done = edit();
+  if (done) (waiting_ != nullptr ? waiting_keeps_ : task_started_) = started;
+  return done;
 }
 
 Done Stage::become(std::unique_ptr<Subject> next) {
@@ -158,12 +168,7 @@ Done Stage::move(Index i, const Point3& to) {
   if (i < 0 || i >= now_->size()) return tl::unexpected(InputError{.what = "there is no point " + std::to_string(i)});
   if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   if (!may_move(i)) return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
-  if (!drag_.subject) {
-    const bool started = task_started_;
-    Done moved = edit([&](Subject& next) { return next.move(i, to); });
-    keep_task(started);
-    return moved;
-  }
+  if (!drag_.subject) return keeping_task([&] { return edit([&](Subject& next) { return next.move(i, to); }); });
   if (Done moved = now_->move(i, to); !moved) return moved;
   follow_edit(*lesson_, slid_, *now_);
   drag_moved_ = true;
@@ -188,17 +193,17 @@ Done Stage::remove(Index i) {
 
 Done Stage::load(const io::PointFile& file, std::string_view name) {
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
-  return edit_anew([&](Subject& next) -> Done {
+  return become(anew([&](Subject& next) -> Done {
     return next.with_points() != nullptr ? next.with_points()->load(file, name) : no_points();
-  });
+  }));
 }
 
 Done Stage::set_generator(std::string_view kind, int count, int dim, std::uint64_t seed) {
   if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
-  return edit_anew([&](Subject& next) -> Done {
+  return become(anew([&](Subject& next) -> Done {
     HasPoints* const points = next.with_points();
     return points != nullptr ? points->set_generator(kind, count, dim, seed, own()) : no_points();
-  });
+  }));
 }
 
 Done Stage::set_numbers(std::size_t group, std::size_t row, std::span<const double> values) {
@@ -221,10 +226,7 @@ Done Stage::set_float(bool in_float) {
     next.slid.base = std::move(base);
   }
   if (Done set = scalar->set_float(in_float); !set) return set;
-  const bool started = task_started_;
-  Done done = become(std::move(next));
-  keep_task(started);
-  return done;
+  return keeping_task([&] { return become(std::move(next)); });
 }
 
 Done Stage::call_for(std::string_view name, bool called) {
@@ -247,14 +249,17 @@ Done Stage::set_file(std::string text) {
   return set;
 }
 
-void Stage::scatter(std::uint64_t seed) {
-  if (conduct_.builds) return;
-  static_cast<void>(edit_anew([&](Subject& next) { return next.scatter(seed, own()), Done(); }));
+tl::expected<Snapshot, InputError> Stage::scattered(std::uint64_t seed) const {
+  if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
+  return anew([&](Subject& next) { return next.scatter(seed, own()), Done(); });
 }
 
-void Stage::reset() {
-  if (conduct_.builds) start_task(task_);
-  else static_cast<void>(become(opened().clone()));
+Done Stage::scatter(std::uint64_t seed) { return become(scattered(seed)); }
+
+Done Stage::reset() {
+  if (!conduct_.builds) return become(opened().clone());
+  start_task(task_);
+  return {};
 }
 
 void Stage::settle() {
@@ -348,9 +353,7 @@ Done Stage::slide(std::size_t slider, double value) {
     return tl::unexpected(InputError{.what = only_text(lesson_->tasks[task_])});
   std::vector<double> values = slid_.values;
   values[slider] = value;
-  const bool started = task_started_;
-  Done done = set_sliders(std::move(values));
-  keep_task(started);
+  Done done = keeping_task([&] { return set_sliders(std::move(values)); });
   if (done) log_->add_moved(lesson_->sliders[slider]);
   return done;
 }
@@ -363,6 +366,7 @@ Done Stage::slide_to_place(std::size_t slider, int place) {
 }
 
 Done Stage::set_sliders(std::vector<double> values) {
+  if (conduct_.decides) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
   if (values.size() != slid_.values.size()) return tl::unexpected(InputError{.what = "there are no such sliders"});
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))

@@ -106,11 +106,13 @@ class Stage {
   /// is one entry of undo.
   Done set_file(std::string text);
   void end_typing() { typing_ = false; }
-  void scatter(std::uint64_t seed);
+  Done scatter(std::uint64_t seed);
+  /// What that would put on the stage.
+  [[nodiscard]] tl::expected<Snapshot, InputError> scattered(std::uint64_t seed) const;
   /// Replaces the subject by another of the same kind.
   Done become(std::unique_ptr<Subject> next);
   /// Restores the lesson's own; where something is built, what the task begins with.
-  void reset();
+  Done reset();
   /// Takes what stands there for the lesson's own, from which tasks begin and to which reset goes back.
   void settle();
   void begin_drag();
@@ -155,12 +157,12 @@ class Stage {
   [[nodiscard]] tl::unexpected<InputError> refusal(const Subject& next) const;
   [[nodiscard]] const std::vector<std::string>& only() const { return lesson_->tasks[task_].only; }
   Done edit(auto edit);
-  Done edit_anew(auto edit);
+  Done keeping_task(auto edit);
+  [[nodiscard]] tl::expected<Snapshot, InputError> anew(auto edit) const;
   Done become(Snapshot next);
+  Done become(tl::expected<Snapshot, InputError> next);
   /// Whether it differs from what stands on the stage only in what the task in hand leaves to be moved.
   [[nodiscard]] bool keeps_to_task(const Subject& next) const;
-  /// After an edit that keeps it whatever it changed.
-  void keep_task(bool started) { (waiting_ != nullptr ? waiting_keeps_ : task_started_) = started; }
   Done prepare(Snapshot next, Way way);
   void take_over(Way way, Snapshot next, Preparation* ready = nullptr);
   Snapshot exchange(Snapshot next, Preparation* ready = nullptr);

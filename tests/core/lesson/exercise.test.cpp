@@ -226,8 +226,11 @@ TEST_CASE("a tap decides, a key only chooses, nothing can be skipped, and the st
   CHECK(sat.sitting.at(sat.session) == 0);
   CHECK_FALSE(sat.session.stage().move(0, Point3(1, 1, 0)));
   CHECK_FALSE(sat.session.stage().may_move(0));
-  sat.session.stage().scatter(99);
-  sat.session.stage().reset();
+  CHECK_FALSE(sat.session.stage().scatter(99));
+  CHECK_FALSE(sat.session.stage().reset());
+  sat.session.stage().begin_drag();
+  CHECK_FALSE(sat.session.stage().set_sliders(sat.session.stage().slider_values()));
+  CHECK(sat.session.stage().end_drag());
   CHECK_FALSE(sat.session.stage().can_undo());
   CHECK(sat.session.stage().subject().rows() == rows);
   REQUIRE(sat.session.conversation().pick(right));

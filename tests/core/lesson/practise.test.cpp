@@ -74,3 +74,31 @@ TEST_CASE("what is changed by hand is asked nothing anew") {
   session.stage().undo();
   CHECK(session.conversation().instance() == session.stage().subject().origin().seed);
 }
+
+TEST_CASE("practising where no points raise the question changes nothing, and forgets nothing that was undone") {
+  // Each of the corners lies outside the circle so far, which rarely happens six times to ten points.
+  std::string text = test::small_lesson_with(
+      "[[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]",
+      "[[-2, 0], [2, 0], [0, 1.9], [0, -1.9], [1.5, 1.5], [-1.6, -1.6], [1.7, -1.7], [-1.8, 1.8], [1.9, 1.9], "
+      "[-1.95, -1.95]]");
+  text.resize(text.find("[[question]]"));
+  text += R"([[question]]
+id = "sixth"
+algorithm = "ritter"
+before = "ball_grown"
+nth = 6
+asks = "point"
+prompt = "Which point?"
+because = "It lies outside."
+)";
+  Session session = test::open(text);
+  REQUIRE(session.conversation().can_practise());
+  REQUIRE(session.stage().move(2, {0, 1.8, 0}).has_value());
+  session.stage().undo();
+  REQUIRE(session.stage().can_redo());
+  const Rows rows = session.stage().subject().rows();
+  CHECK_FALSE(session.conversation().practise());
+  CHECK(session.stage().subject().rows() == rows);
+  CHECK(session.stage().can_redo());
+  CHECK(session.conversation().instance() == 0);
+}
