@@ -221,6 +221,7 @@ void AppState::open(lesson::Session next, bool anew) {
   if (session && !sitting) answers[session->lesson().id] = lesson::answers_of(*session);
   sitting.reset();
   session.emplace(std::move(next));
+  ++opened;
   session->stage().give_way(platform.gives_way);
   subject = &subject_of(session->lesson());
   view = subject->view();
@@ -253,6 +254,9 @@ void App::measure(double budget) {
   if (state_->cover) state_->cover->work(*state_->session, budget);
 }
 
+App::SessionRevision App::session_revision() const {
+  return {state_->opened, state_->session ? state_->session->revision() : 0};
+}
 lesson::Session* App::session() { return state_->session ? &*state_->session : nullptr; }
 Settings& App::settings() { return state_->settings; }
 const Look& App::look() const { return state_->look; }

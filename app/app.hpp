@@ -132,6 +132,12 @@ class App {
   void measure(double budget);
   /// Null before the first open.
   [[nodiscard]] lesson::Session* session();
+  /// Which session is open, counted from 1, and its revision: whatever it tells changes with them.
+  struct SessionRevision {
+    std::uint64_t session = 0, revision = 0;
+    bool operator==(const SessionRevision&) const = default;
+  };
+  [[nodiscard]] SessionRevision session_revision() const;
 
   [[nodiscard]] Settings& settings();
   /// The fonts and palette of the last frame, for a door that draws more (app/look.hpp).

@@ -26,6 +26,7 @@ struct AppState {
   std::array<std::string, 4> font_bytes;  // ImGui reads glyphs from them on demand
   Look look;
   std::optional<lesson::Session> session;
+  std::uint64_t opened = 0;                            // how many sessions were
   std::optional<lesson::Sitting> sitting;              // at the exercise that is open
   std::map<std::string, lesson::KeptAnswers> answers;  // those of lessons that were left, by id
   const SubjectRow* subject = nullptr;                 // the session's subject, and its view

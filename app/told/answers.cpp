@@ -138,8 +138,7 @@ Log log_of(const lesson::Session& session) {
 Tasks tasks_of(const lesson::Session& session) {
   Tasks told{.task = session.stage().task(), .tasks_done = session.tasks_done()};
   if (const auto grade = session.grade()) told.grade = grade_of(*grade);
-  const std::size_t count = session.stage().conduct().builds ? 0 : session.lesson().tasks.size();  // as in Lesson
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < session.tasks_listed(); ++i) {
     TaskGrade task{grade_of(session.grade(i)), session.was_done(i), session.can_solve_again(i)};
     task.says = lesson::task_says(session, i);
     told.tasks.push_back(std::move(task));

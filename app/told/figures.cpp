@@ -10,23 +10,28 @@
 
 namespace snug::app::told {
 
-Figures figures_of(const App& app, const lesson::Session& session) {
+Figures figures_of(const lesson::Session& session) {
   Figures told;
   for (lesson::Figure& figure : session.telling().figures()) {
     if (figure.known) told.readout.emplace_back(figure.key, figure.value);
     told.figures.push_back({std::move(figure.key), std::move(figure.name), std::move(figure.text)});
   }
+  lesson::ProseFigures figures(session.conversation());
+  for (const lesson::RunFigure& figure : session.lesson().figures) {
+    const lesson::FigureNow& now = figures.of(figure);
+    told.prose_figures.push_back({name_of(figure), {now.text, now.says, now.says != lesson::kFigureUnknown}});
+  }
+  return told;
+}
+
+Panels panels_of(const App& app) {
+  Panels told;
   for (PanelWords& panel : app.panel_words())
     told.panels.push_back({.title = std::move(panel.table.title),
                            .head = std::move(panel.table.head),
                            .rows = std::move(panel.table.rows),
                            .says = std::move(panel.says),
                            .button = std::move(panel.button)});
-  lesson::ProseFigures figures(session.conversation());
-  for (const lesson::RunFigure& figure : session.lesson().figures) {
-    const lesson::FigureNow& now = figures.of(figure);
-    told.prose_figures.push_back({name_of(figure), {now.text, now.says, now.says != lesson::kFigureUnknown}});
-  }
   return told;
 }
 

@@ -24,6 +24,13 @@ struct ProseFigure {
   SNUG_FIELDS(text, says, known);
 };
 
+struct Figures {
+  ByName<double> readout;
+  List<ShownFigure> figures;
+  ByName<ProseFigure> prose_figures;  // those of the lesson's texts
+  SNUG_FIELDS(readout, figures, prose_figures);
+};
+
 /// What a panel tells beyond the figures.
 struct Panel {
   std::string title;
@@ -34,12 +41,9 @@ struct Panel {
   SNUG_FIELDS(title, head, rows, says, button);
 };
 
-struct Figures {
-  ByName<double> readout;
-  List<ShownFigure> figures;
+struct Panels {
   List<Panel> panels;
-  ByName<ProseFigure> prose_figures;  // those of the lesson's texts
-  SNUG_FIELDS(readout, figures, panels, prose_figures);
+  SNUG_FIELDS(panels);
 };
 
 struct Rival {
@@ -59,7 +63,8 @@ struct Algorithms {
   SNUG_FIELDS(algorithm, beside, code_title, code, line, rivals);
 };
 
-[[nodiscard]] Figures figures_of(const App& app, const lesson::Session& session);
+[[nodiscard]] Figures figures_of(const lesson::Session& session);
+[[nodiscard]] Panels panels_of(const App& app);
 [[nodiscard]] Algorithms algorithms_of(const lesson::Session& session);
 
 }  // namespace snug::app::told

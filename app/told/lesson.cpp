@@ -39,8 +39,7 @@ Lesson lesson_of(const lesson::Session& session) {
       told.situations.push_back({points_of(lesson::points_in(own, name)), name, lesson::situation_title(own, name)});
   told.dim = own.points.dim, told.seed = own.seed;
   told.meshes = own.meshes, told.generators = own.generators, told.compare = own.compare;
-  const std::size_t count = session.stage().conduct().builds ? 0 : own.tasks.size();  // what is built has its own card
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < session.tasks_listed(); ++i) {
     const lesson::Task& task = own.tasks[i];
     told.tasks.push_back({.heading = lesson::task_heading(i, own.tasks.size()),
                           .prompt = prompt_of(task.prompt),

@@ -14,21 +14,26 @@
 
 namespace snug::app::told {
 
-/// Calls see(part) for each part of what is told of the open lesson. Two parts have no key of the same name.
+/// What a part is told from: the session alone, so that it changes only with App::session_revision, or the app as well.
+enum class From { kSession, kApp };
+
+/// Calls see(from, part) for each part of what is told of the open lesson, where part() makes it. Two parts have no key
+/// of the same name.
 template <class See>
 void see_parts(App& app, See&& see) {
   const lesson::Session& session = *app.session();
-  see(player_of(app, session));
-  see(Frames{app.frames_drawn()});
-  see(algorithms_of(session));
-  see(conversation_of(session));
-  see(log_of(session));
-  see(tasks_of(session));
-  see(exercise_of(app));
-  see(figures_of(app, session));
-  see(points_of(app, session));
-  see(parts_of(session));
-  see(cover_of(app));
+  see(From::kApp, [&] { return player_of(app, session); });
+  see(From::kApp, [&] { return Frames{app.frames_drawn()}; });
+  see(From::kSession, [&] { return algorithms_of(session); });
+  see(From::kSession, [&] { return conversation_of(session); });
+  see(From::kSession, [&] { return log_of(session); });
+  see(From::kSession, [&] { return tasks_of(session); });
+  see(From::kApp, [&] { return exercise_of(app); });
+  see(From::kSession, [&] { return figures_of(session); });
+  see(From::kApp, [&] { return panels_of(app); });
+  see(From::kApp, [&] { return points_of(app, session); });
+  see(From::kSession, [&] { return parts_of(session); });
+  see(From::kApp, [&] { return cover_of(app); });
 }
 
 /// All of it.
@@ -41,7 +46,8 @@ class Changes {
   [[nodiscard]] std::string tell(App& app);
 
  private:
-  std::vector<std::string> last_;  // the texts of the parts
+  std::vector<std::string> last_;    // the texts of the parts
+  App::SessionRevision revision_{};  // when they were told
 };
 
 }  // namespace snug::app::told

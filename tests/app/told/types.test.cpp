@@ -26,8 +26,8 @@ std::string all_types(App& app) {
   Types types;
   types.add(std::string(kHead));
   std::string parts;
-  see_parts(app, [&](const auto& part) {
-    using Part = std::remove_cvref_t<decltype(part)>;
+  see_parts(app, [&](From, const auto& part) {
+    using Part = decltype(part());
     types.declare<Part>();
     parts += (parts.empty() ? "" : ", ") + name_of_type<Part>();
   });

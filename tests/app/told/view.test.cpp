@@ -63,7 +63,7 @@ TEST_CASE("of every lesson what is told is words that the page knows and numbers
     CHECK_MESSAGE(faults(lesson_of(bench.session())) == 0, id);
     for (const bool at_end : {false, true}) {
       if (at_end) bench.session().jump(bench.session().player().steps());
-      see_parts(bench.app, [&](const auto& part) { CHECK_MESSAGE(faults(part) == 0, id); });
+      see_parts(bench.app, [&](From, const auto& part) { CHECK_MESSAGE(faults(part()) == 0, id); });
       CHECK_MESSAGE(Json::parse(view_text(bench.app), nullptr, false).is_object(), id);
     }
   }
@@ -72,8 +72,8 @@ TEST_CASE("of every lesson what is told is words that the page knows and numbers
 TEST_CASE("no two parts tell a key of the same name") {
   Bench bench(course_lesson("sphere-ritter"));
   std::set<std::string> keys;
-  see_parts(bench.app, [&](const auto& part) {
-    const Json told = Json::parse(json_of(part));
+  see_parts(bench.app, [&](From, const auto& part) {
+    const Json told = Json::parse(json_of(part()));
     for (const auto& [key, value] : told.items()) CHECK_MESSAGE(keys.insert(key).second, key);
   });
 }
@@ -118,6 +118,44 @@ TEST_CASE("only parts that have changed are told, and put together they are all 
   bench.app.select(0);
   const Json selected = tell();
   CHECK(selected.at("coordinates") == Json{0.25, 0.0});
+}
+
+TEST_CASE("in every lesson what has changed is all that there is to tell, whatever is done") {
+  for (lesson::Lesson& lesson : all_lessons()) {
+    const std::string id = lesson.id;
+    auto mesh = mesh_of(lesson.points.mesh);
+    Bench bench(std::move(lesson), {.stage = {0, 0, 800, 440}, .timeline = {0, 440, 800, 160}}, std::move(mesh));
+    Changes changes;
+    Json view = Json::object();
+    const auto check = [&](const char* after) {
+      view.update(Json::parse(changes.tell(bench.app)));
+      CHECK_MESSAGE(view == Json::parse(view_text(bench.app)), id, " after ", after);
+    };
+    check("it is opened");
+    for (const char* const command : {"step", "step", "select_next", "move_up", "next_mark", "step", "undo", "last",
+                                      "redo", "first", "pass_questions", "next_mark", "toggle_optimum"}) {
+      bench.app.command(command);
+      check(command);
+    }
+    if (bench.session().conversation().asked() != nullptr) {
+      static_cast<void>(bench.session().conversation().pick(lesson::OneChoice{0}));
+      check("a choice");
+    }
+    bench.session().stage().begin_drag();
+    static_cast<void>(
+        bench.session().stage().move(0, bench.session().stage().subject().at(0) + lesson::Point3(0.25, 0, 0)));
+    check("a drag's move");
+    static_cast<void>(bench.session().stage().end_drag());
+    check("a drag");
+    if (!bench.session().lesson().tasks.empty()) {
+      bench.session().stage().start_task(0);
+      check("a task's start");
+      static_cast<void>(bench.session().solve_task(0, bench.session().lesson().tasks[0].model));
+      check("a task");
+    }
+    bench.app.forget_answers();
+    check("forgetting");
+  }
 }
 
 TEST_CASE("a seed of the address is told to its last digit") {
