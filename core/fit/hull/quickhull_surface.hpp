@@ -1,4 +1,7 @@
 // The closed surface that Quickhull grows in space: triangles with their neighbours, each with the points that it sees.
+// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996, for facets with
+// neighbours and outside sets; D. Gregorius, "Implementing QuickHull", Game Developers Conference, 2014, for the
+// horizon and the cone in code, there with half-edges.
 #pragma once
 
 #include <array>
