@@ -12,8 +12,12 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 6> kClassifyCornersPseudocode{
-    "for each plane n, d of the frustum", "  for each vertex of the box",   "    is n · vertex + d > 0?",
-    "  outside if so for all of them",    "  crosses ← yes if so for some", "intersecting if crosses, else inside",
+    "for each plane n, d of the frustum",  //
+    "  for each vertex of the box",
+    "    is n · vertex + d > 0?",  //
+    "  outside if so for all of them",
+    "  crosses ← yes if so for some",  //
+    "intersecting if crosses, else inside",
 };
 
 /// normal . vertex + d, rounded or exact. bits: 1 for +x, 2 for +y, 4 for +z.

@@ -12,8 +12,12 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 6> kClassifySpherePseudocode{
-    "crosses ← no",           "for each plane n, d of the frustum", "  v ← n · c + d",
-    "  outside if v − r > 0", "  crosses ← yes if v + r > 0",       "intersecting if so, else inside",
+    "crosses ← no",  //
+    "for each plane n, d of the frustum",
+    "  v ← n · c + d",
+    "  outside if v − r > 0",
+    "  crosses ← yes if v + r > 0",
+    "intersecting if so, else inside",
 };
 /// The line of kClassifySpherePseudocode that a step of classify belongs to.
 [[nodiscard]] constexpr int line_of_sphere(int line) { return line == ClassifyLine::kVerdict ? 5 : line - 1; }

@@ -80,14 +80,24 @@ template <class Scalar, int Dim>
 }
 
 inline constexpr std::array<std::string_view, 7> kSatPseudocode2{
-    "R, t ← B in A's frame",        "for each face axis of A",         "  apart if distance > r_A + r_B",
-    "for each face axis of B",      "  apart if distance > r_A + r_B", "decide what rounding left open",
-    "overlap if no axis separates",
+    "R, t ← B in A's frame",  //
+    "for each face axis of A",
+    "  apart if distance > r_A + r_B",  //
+    "for each face axis of B",
+    "  apart if distance > r_A + r_B",  //
+    "decide what rounding left open",
+    "overlap if no axis separates",  //
 };
 inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
-    "R, t ← B in A's frame",          "for each face axis of A",         "  apart if distance > r_A + r_B",
-    "for each face axis of B",        "  apart if distance > r_A + r_B", "for each edge of A × edge of B",
-    "  no axis if they are parallel", "  apart if distance > r_A + r_B", "decide what rounding left open",
+    "R, t ← B in A's frame",  //
+    "for each face axis of A",
+    "  apart if distance > r_A + r_B",  //
+    "for each face axis of B",
+    "  apart if distance > r_A + r_B",  //
+    "for each edge of A × edge of B",
+    "  no axis if they are parallel",  //
+    "  apart if distance > r_A + r_B",
+    "decide what rounding left open",  //
     "overlap if no axis separates",
 };
 
