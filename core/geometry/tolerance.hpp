@@ -30,13 +30,13 @@ inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kSquaresCompared = 12 * kRoundoff<Scalar>;
 
-/// The least difference between a squared distance d^2 and the squared sum r^2 of the radii that decides a pair at a
-/// glance, in units of the sum Q of d^2, r^2 and all squared edges or half extents (at most four). Let L be d + r plus
+/// The least difference between a squared distance d^2 and the squared sum r^2 of the radii at which the filter decides
+/// a pair, in units of the sum Q of d^2, r^2 and all squared edges or half extents (at most four). Let L be d + r plus
 /// twice the edges: no length in the test is larger, and L^2 <= 18 Q. So d differs from r by more than k Q / (d + r) >=
 /// k L / 36. Rounding takes 20u of L, and the whole test calls volumes touching that are up to 64u of L apart; k =
-/// 4096u makes 113u of L. Tested by "a verdict at a glance is that of the whole test".
+/// 4096u makes 113u of L. Tested by "the filter's verdict is that of the whole test".
 template <class Scalar>
-inline constexpr Scalar kGlance = 4096 * kRoundoff<Scalar>;
+inline constexpr Scalar kDistanceFilter = 4096 * kRoundoff<Scalar>;
 
 /// The error of |p - c|^2 - r^2 in twice the digits, relative to r^2, with |p - c| near the radius r: the differences,
 /// r^2 and each sum are exact except for what is summed separately, and there each of twelve roundings is at most 2^-53
@@ -160,7 +160,19 @@ inline constexpr Scalar kParallelAxes = 32 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kSatGap = 320 * kRoundoff<Scalar>;
 
-/// The same for the true normals in double, whatever the axes: 4u for the cross product, 8u for the distance, 10u for
+/// How many times the error bound kSatGap two boxes must penetrate each other along all axes but those of parallel
+/// edges to overlap, where edges i of A and j of B count as parallel if the other two entries of column j of R,
+/// rounded, sum up to no more than kParallelAxes. The proof: those entries are dot products, each off by 4u of
+/// rounding, and A's axes are perpendicular within 24u; so the sine of the angle is at most 32u + 8u + 24 sqrt(2) u <
+/// 74u. Replace each such edge direction of B by the parallel one of A, which moves it by at most 74u. Then its axis
+/// vanishes, and the boxes overlap if they do along the others. These axes turn by at most 148u, where both edges of a
+/// face of B are replaced, and each edge's own direction by 74u, so that no gap grows by more than 222u of the size;
+/// back in B's place, its points move by at most 74u of its extents. So 296u of penetration beyond the error of 320u
+/// are enough: twice kSatGap. Tested by "boxes with parallel edges are decided by the filter, and rightly".
+template <class Scalar>
+inline constexpr Scalar kSatParallelDepth = 2;
+
+/// As kSatGap for the true normals in double, whatever the axes: 4u for the cross product, 8u for the distance, 10u for
 /// the radii.
 inline constexpr double kSatInDouble = 16 * kRoundoff<double>;
 

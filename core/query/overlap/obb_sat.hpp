@@ -1,9 +1,9 @@
 // The separating-axis test (SAT) of two oriented boxes: they are apart exactly if their projections onto one of 15 axes
 // are (in the plane 4): the normals of A's faces, those of B's, and the cross products of an edge of each.
-// apart_at_a_glance is the test in plain lines. obb_sat, below it, is the same test with its steps; exact arithmetic
-// decides what rounding leaves open.
+// apart_filter is the test in plain lines. obb_sat, below it, is the same test with its steps; exact arithmetic decides
+// what rounding leaves open.
 // Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference detection",
-// 1996; the table of axes as in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
+// 1996; the axes in the order of table 4.1 in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,13 @@
 
 namespace snug::query {
 
-/// Whether two boxes are apart, by the 15 axes in the order of the lecture's table; none where rounding may decide. On
-/// each axis the distance of the centres stands against the sum of the projected radii. off: how far both boxes' bounds
-/// together may be from the intended ones, along any direction.
+/// Whether two boxes are apart; none where rounding may decide (a floating-point filter). On each axis the distance of
+/// the centres stands against the sum of the projected radii. Axes of parallel edges are left out: they separate
+/// nothing, and boxes overlap if they do so on all other axes, by twice the error bound (tolerance::kSatParallelDepth
+/// has the proof). off: how far both boxes' bounds together may be from the intended ones, along any direction.
 template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
-                                                                  std::type_identity_t<Scalar> off = 0) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                             std::type_identity_t<Scalar> off = 0) {
   const Vector<Scalar, Dim> offset = b.center - a.center;
   const Vector<Scalar, Dim>&e = a.half_extents, &f = b.half_extents;
   const Scalar doubt = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
@@ -64,18 +65,23 @@ template <class Scalar, int Dim>
     if (apart(distance, radii)) return true;
   }
   // Edge i of A times edge j of B: in A's frame a unit vector times a column of R, which leaves two terms of each sum.
+  Scalar needed = doubt;  // the penetration that proves overlap
   if constexpr (Dim == 3) {
     for (int i = 0; i < 3; ++i) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
       for (int j = 0; j < 3; ++j) {
         const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        if (s[i1][j] + s[i2][j] <= tolerance::kParallelAxes<Scalar>) {
+          needed = tolerance::kSatParallelDepth<Scalar> * doubt;
+          continue;
+        }
         if (apart(t[i2] * r[i1][j] - t[i1] * r[i2][j],
                   e[i1] * s[i2][j] + e[i2] * s[i1][j] + (f[j1] * s[i][j2] + f[j2] * s[i][j1])))
           return true;
       }
     }
   }
-  if (widest < -doubt) return false;
+  if (widest < -needed) return false;
   return std::nullopt;
 }
 
@@ -108,7 +114,7 @@ struct SatLine {
   static constexpr int kExactly = Dim == 2 ? 5 : 8, kVerdict = kExactly + 1;
 };
 
-/// B in A's frame, and the projections of both boxes onto the axes of the lecture's table.
+/// B in A's frame, and the projections of both boxes onto the axes of Ericson's table 4.1.
 template <class Scalar, int Dim>
 class ObbFrames {
  public:
@@ -159,7 +165,7 @@ class ObbFrames {
   /// Decides exactly whether one of the axes in doubt separates the boxes, and which. The other axes certainly do not.
   /// If only axes of parallel edges are in doubt, they cannot separate the boxes; but beside others in doubt they are
   /// tested, for their edges may be parallel only within rounding.
-  [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> settle(AxisSet in_doubt) const {
+  [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> decide_exactly(AxisSet in_doubt) const {
     for (int place = 0; place < kSatAxes<Dim>; ++place)
       if ((in_doubt >> place & 1) != 0 && !parallel(place)) return separating_exactly(a_, b_, in_doubt);
     return std::nullopt;
@@ -245,7 +251,7 @@ class ObbSat {
       return judge(place, std::abs(offset), radius_a, radius_b);
     });
     result_.overlap = !apart_;
-    if (!apart_ && in_doubt_ != 0) settle();
+    if (!apart_ && in_doubt_ != 0) decide_exactly();
     if (extent_ == SatExtent::kAll && result_.overlap) result_.axis.gap = std::min(result_.axis.gap, Scalar(0));
     observe_(Step{line_of_verdict(), Verdict<Scalar, Dim>{result_}});
     return result_;
@@ -294,8 +300,8 @@ class ObbSat {
     result_.axis = frames_.axis(place, gap);
   }
 
-  void settle() {
-    const auto separating = frames_.settle(in_doubt_);
+  void decide_exactly() {
+    const auto separating = frames_.decide_exactly(in_doubt_);
     result_.overlap = !separating;
     if (separating) result_.axis = *separating;
     observe_(Step{Line::kExactly, LookedCloser{std::popcount(in_doubt_), result_.overlap}});
@@ -334,7 +340,7 @@ class ObbSat {
 
 /// Whether two oriented boxes share a point; touching boxes do. The verdict is exact on the numbers as they are, where
 /// a box is the set of all center + sum s_i h_i u_i with |s_i| <= 1; that includes flat boxes, segments and points. The
-/// lecture's test decides as far as its error bound allows, and exact arithmetic decides the rest.
+/// test of table 4.1 decides as far as its error bound allows, and exact arithmetic decides the rest.
 /// a, b: axes unit and perpendicular within tolerance::kObbAxes; coordinates finite, and small enough that their sums
 /// are. extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll tests all: boxes
 /// that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
@@ -347,7 +353,7 @@ SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>
 /// The verdict of obb_sat, if nothing else is needed.
 template <class Scalar, int Dim>
 [[nodiscard]] bool obbs_overlap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
-  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+  if (const auto apart = apart_filter(a, b)) [[likely]]
     return !*apart;
   return obb_sat(a, b).overlap;
 }
