@@ -120,8 +120,8 @@ inline constexpr double kLostToUnderflow = 0x1p-1070;
 /// that they are compared with adds as much as one of them. Tested by "a box on given axes holds every point exactly".
 inline constexpr double kExtremeProjection = 32 * kRoundoff<double>;
 
-/// A projection in about 106 bits, of coordinates scaled to 4 or below, carries at most 2^-99: with this doubt, the
-/// verdict is certain. Tested by the same.
+/// A projection in about 106 bits, of coordinates scaled to 4 or below, carries at most 2^-99: with this error bound,
+/// the verdict is certain. Tested by the same.
 inline constexpr double kWideProjection = 0x1p-96;
 
 /// The sine of the angle below which a direction is too nearly parallel to a first one to give a second axis: what is
@@ -137,8 +137,8 @@ inline constexpr double kFlatBox = 16 * kRoundoff<double>;
 /// two edges of the facet and |.| their largest coordinate, the determinant carries 24u (|e| + |f|) + 12u |e||f| from
 /// these, 8u |e||f| in each of the normal's coordinates, which a point at a distance of up to 2 makes 48u, and 48u
 /// |e||f| from the two dot products. As |e||f| <= |e| + |f|, 132u of that sum covers all of these, and 160u terms in
-/// u^2 and the doubt's own rounding as well. Times |e| + |f| + u, since edges may vanish but for their rounding. Tested
-/// by "near-flat clouds keep just their extreme points".
+/// u^2 and the error bound's own rounding as well. Times |e| + |f| + u, since edges may vanish but for their rounding.
+/// Tested by "near-flat clouds keep just their extreme points".
 inline constexpr double kFacetPlane = 160 * kRoundoff<double>;
 
 /// How far the axes of a box may be from unit and perpendicular: each of their dot products is off by no more. A
@@ -176,8 +176,8 @@ inline constexpr Scalar kSatParallelDepth = 2;
 /// the radii.
 inline constexpr double kSatInDouble = 16 * kRoundoff<double>;
 
-/// A sum of up to three coordinates carries 5u of the largest, and 3u more once a bound is moved by that doubt. Tested
-/// by "a k-DOP's bounds are the exact projections, rounded outwards".
+/// A sum of up to three coordinates carries 5u of the largest, and 3u more once a bound is moved by that error bound.
+/// Tested by "a k-DOP's bounds are the exact projections, rounded outwards".
 template <class Scalar>
 inline constexpr Scalar kKdopProjection = 10 * kRoundoff<Scalar>;
 
@@ -199,8 +199,8 @@ inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
 inline constexpr double kSameBox = 0x1p-16;
 
 /// A turned coordinate is a sum of three products, of which each carries up to 3u: 4u of the sum of their sizes with
-/// room for terms in u^2. Walks uphill (fit/hull/hill_climb.hpp) compare it with a doubt of twice that, and 2u more for
-/// the doubt's own rounding. Tested by "hill climbing gives the box that rebuilding gives, bit for bit".
+/// room for terms in u^2. Walks uphill (fit/hull/hill_climb.hpp) compare it with an error bound of twice that, and 2u
+/// more for the error bound's own rounding. Tested by "hill climbing gives the box that rebuilding gives, bit for bit".
 template <class Scalar>
 inline constexpr Scalar kClimb = 10 * kRoundoff<Scalar>;
 
@@ -275,10 +275,10 @@ inline constexpr double kOnOutline = 0x1p-40;
 
 /// How far normal . p + d, over the points of a volume, may be from rounded, in units of the sum of the normal's sizes
 /// times the volume's size (plane_reach.hpp) plus |d|: an OBB's normal carries 3u in the box's frame, its radius 4u
-/// more; the centre's value 4u; their difference u. Axes a tenth too long and the rounding of size and doubt: 16u cover
-/// 12u of them. A sphere's radius carries 5u; a k-DOP's weights 2u, the sums of their products 3u, the division u.
-/// Tested by "a million grazing boxes and spheres are classified as exact arithmetic does" and "the rounded reach stays
-/// within its doubt".
+/// more; the centre's value 4u; their difference u. Axes a tenth too long and the rounding of size and error bound: 16u
+/// cover 12u of them. A sphere's radius carries 5u; a k-DOP's weights 2u, the sums of their products 3u, the division
+/// u. Tested by "a million grazing boxes and spheres are classified as exact arithmetic does" and "the rounded reach
+/// stays within its error bound".
 template <class Scalar>
 inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
 

@@ -19,7 +19,7 @@ struct Facet {
   std::array<Index, 3> across{kNoIndex, kNoIndex, kNoIndex};    // the facet over the edge from vertex i to the next
   Vector<double, 3> normal;
   double offset = 0;
-  double doubt = 0;
+  double error_bound = 0;
   double height = 0;          // of the farthest point, as the plane measures it
   Index farthest = kNoIndex;  // the head of its list of outside points
   Index count = 0;            // how many outside points it has

@@ -40,8 +40,8 @@ template <class Number, class Scalar, int Dim>
 template <class Scalar, int Dim, class Box>
 [[nodiscard]] bool corner_is_outside(const Plane<Scalar, Dim>& plane, const Box& box, int bits) {
   const Scalar value = value_at_corner<Scalar>(plane, box, bits);
-  const Scalar doubt = doubt_of(plane, magnitude_of(box));
-  if (std::abs(value) > doubt) return value > 0;
+  const Scalar error_bound = error_bound_of(plane, magnitude_of(box));
+  if (std::abs(value) > error_bound) return value > 0;
   return value_at_corner<Dyadic>(plane, box, bits).sign() > 0;
 }
 

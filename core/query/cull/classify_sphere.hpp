@@ -48,7 +48,7 @@ CullResult wrong_sphere_sign(const Frustum<Scalar, Dim>& frustum, const Sphere<S
       fact.plane = at;
       fact.p_distance = span.high / length_of(plane);
       fact.n_distance = span.low / length_of(plane);
-      fact.doubt = doubt_of(plane, span_size(ball)) / length_of(plane);
+      fact.doubt = error_bound_of(plane, span_size(ball)) / length_of(plane);
       fact.side = fact.so_far = result.verdict;
       observe(Step{2, fact});
     }

@@ -35,14 +35,14 @@ template <class Scalar, int Dim>
                                                              std::type_identity_t<Scalar> off = 0) {
   const Vector<Scalar, Dim> offset = b.center - a.center;
   const Vector<Scalar, Dim>&e = a.half_extents, &f = b.half_extents;
-  const Scalar doubt = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
-                       std::numeric_limits<Scalar>::min();
+  const Scalar error_bound = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
+                             std::numeric_limits<Scalar>::min();
   Scalar r[Dim][Dim], s[Dim][Dim], t[Dim];  // B in A's frame: the axes, their sizes, the centre
   Scalar widest = -std::numeric_limits<Scalar>::infinity();
   const auto apart = [&](Scalar distance, Scalar radii) {
     const Scalar gap = std::abs(distance) - radii;
     widest = std::max(widest, gap);
-    return gap > doubt;
+    return gap > error_bound;
   };
   // The normals of A's faces, and on the way R and t.
   for (int i = 0; i < Dim; ++i) {
@@ -65,14 +65,14 @@ template <class Scalar, int Dim>
     if (apart(distance, radii)) return true;
   }
   // Edge i of A times edge j of B: in A's frame a unit vector times a column of R, which leaves two terms of each sum.
-  Scalar needed = doubt;  // the penetration that proves overlap
+  Scalar needed = error_bound;  // the penetration that proves overlap
   if constexpr (Dim == 3) {
     for (int i = 0; i < 3; ++i) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
       for (int j = 0; j < 3; ++j) {
         const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
         if (s[i1][j] + s[i2][j] <= tolerance::kParallelAxes<Scalar>) {
-          needed = tolerance::kSatParallelDepth<Scalar> * doubt;
+          needed = tolerance::kSatParallelDepth<Scalar> * error_bound;
           continue;
         }
         if (apart(t[i2] * r[i1][j] - t[i1] * r[i2][j],
@@ -120,7 +120,7 @@ class ObbFrames {
  public:
   ObbFrames(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) : a_(a), b_(b), offset_(b.center - a.center) {
     const Scalar size = offset_.template lpNorm<1>() + a.half_extents.sum() + b.half_extents.sum();
-    doubt_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
+    error_bound_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
   }
 
   /// Calls visit(place, offset, radius_a, radius_b) for each axis in the table's order until one call returns true, and
@@ -132,11 +132,11 @@ class ObbFrames {
   }
 
   /// The error bound of a gap, times the axis's length: a gap larger than this is certain.
-  [[nodiscard]] Scalar doubt() const { return doubt_; }
+  [[nodiscard]] Scalar error_bound() const { return error_bound_; }
 
   [[nodiscard]] FramesRelated<Scalar, Dim> related() {
     for (int i = 0; i < Dim; ++i) relate(i);
-    return {rotation_, translation_, doubt_};
+    return {rotation_, translation_, error_bound_};
   }
 
   /// The axis's length: 1 for a face's normal, for two edges the sine of the angle between them.
@@ -181,7 +181,7 @@ class ObbFrames {
       bool farthest = true;
       for (int axis = 0; axis < Dim; ++axis) {
         const Scalar reach = box.axes.col(axis).dot(way) * box.half_extents[axis];
-        farthest = farthest && (std::abs(reach) <= doubt_ || (reach > 0) == ((bits >> axis & 1) != 0));
+        farthest = farthest && (std::abs(reach) <= error_bound_ || (reach > 0) == ((bits >> axis & 1) != 0));
       }
       if (farthest) corners |= 1 << bits;
     }
@@ -230,7 +230,7 @@ class ObbFrames {
   const Obb<Scalar, Dim>& a_;
   const Obb<Scalar, Dim>& b_;
   Direction offset_;
-  Scalar doubt_;
+  Scalar error_bound_;
   Matrix<Scalar, Dim> rotation_;
   Direction translation_;
 };
@@ -268,8 +268,8 @@ class ObbSat {
     observe_.count(Operation::kDotProducts, dot_products(place));
     observe_.count(Operation::kComparisons, 1);
     if constexpr (kWatched<Observer>) report(place, distance, radius_a, radius_b);
-    const bool separates = gap > frames_.doubt();
-    if (!separates && !(gap < -frames_.doubt())) in_doubt_ |= AxisSet{1} << place;
+    const bool separates = gap > frames_.error_bound();
+    if (!separates && !(gap < -frames_.error_bound())) in_doubt_ |= AxisSet{1} << place;
     if (extent_ == SatExtent::kAll) keep_if_widest(place, gap);
     if (!separates) return false;
     apart_ = true;
@@ -294,7 +294,7 @@ class ObbSat {
   /// Keeps the axis if its gap is the widest, compared by the part that is certain, small for nearly parallel edges.
   void keep_if_widest(int place, Scalar gap) {
     if (frames_.parallel(place)) return;
-    const Scalar certain = (gap - frames_.doubt()) / frames_.length(place);
+    const Scalar certain = (gap - frames_.error_bound()) / frames_.length(place);
     if (result_.axis.kind != AxisKind::kNone && certain <= widest_) return;
     widest_ = certain;
     result_.axis = frames_.axis(place, gap);
@@ -315,8 +315,8 @@ class ObbSat {
       fact.distance = distance / fact.length;
       fact.radius_a = radius_a / fact.length;
       fact.radius_b = radius_b / fact.length;
-      fact.doubt = frames_.doubt() / fact.length;
-      fact.separates = gap > frames_.doubt();
+      fact.doubt = frames_.error_bound() / fact.length;
+      fact.separates = gap > frames_.error_bound();
       fact.near_a = frames_.corners_of_a(fact.axis.direction);
       fact.near_b = frames_.corners_of_b(-fact.axis.direction);
     }

@@ -29,11 +29,11 @@ template <class Scalar, int Dim>
   return apart_exactly(p.data(), static_cast<double>(radius_a), q.data(), static_cast<double>(radius_b), Dim);
 }
 
-/// Whether a squared distance exceeds a squared radius, from their difference; none within the doubt. Underflow of a
-/// square is far below the least normal number, and where one overflows nothing is certain.
+/// Whether a squared distance exceeds a squared radius, from their difference; none within the error bound. Underflow
+/// of a square is far below the least normal number, and where one overflows nothing is certain.
 template <class Scalar>
-[[nodiscard]] std::optional<bool> if_certain(Scalar excess, Scalar doubt) {
-  if (std::abs(excess) > doubt + std::numeric_limits<Scalar>::min()) return excess > 0;
+[[nodiscard]] std::optional<bool> if_certain(Scalar excess, Scalar error_bound) {
+  if (std::abs(excess) > error_bound + std::numeric_limits<Scalar>::min()) return excess > 0;
   return std::nullopt;
 }
 

@@ -120,8 +120,8 @@ class SweptFilter {
       : a_(a.edges), b_(b.edges), middle_(b.corner - a.corner + (b_[0] + b_[1] - (a_[0] + a_[1])) / 2),
         a_squares_{a_[0].squaredNorm(), a_[1].squaredNorm()}, b_squares_{b_[0].squaredNorm(), b_[1].squaredNorm()},
         radii_square_(radii * radii) {
-    doubt_ = tolerance::kDistanceFilter<Scalar> *
-             (middle_.squaredNorm() + radii_square_ + a_squares_[0] + a_squares_[1] + b_squares_[0] + b_squares_[1]);
+    error_bound_ = tolerance::kDistanceFilter<Scalar> * (middle_.squaredNorm() + radii_square_ + a_squares_[0] +
+                                                         a_squares_[1] + b_squares_[0] + b_squares_[1]);
   }
 
   /// None where the answer is within the error bound.
@@ -132,7 +132,7 @@ class SweptFilter {
       const Way on_a = nearest_point(on_b, a_, a_squares_);
       on_b = middle_ + nearest_point(on_a - middle_, b_, b_squares_);
       way = on_b - on_a;
-      if (way.squaredNorm() + doubt_ + kLeast < radii_square_) return false;
+      if (way.squaredNorm() + error_bound_ + kLeast < radii_square_) return false;
     }
     if (separates(way)) return true;
     return std::nullopt;
@@ -148,7 +148,7 @@ class SweptFilter {
     const Scalar spans =
         std::abs(a_[0].dot(way)) + std::abs(a_[1].dot(way)) + std::abs(b_[0].dot(way)) + std::abs(b_[1].dot(way));
     const Scalar gap = middle_.dot(way) - spans / 2;
-    return gap > 0 && gap * gap > (radii_square_ + doubt_) * way.squaredNorm() + kLeast;
+    return gap > 0 && gap * gap > (radii_square_ + error_bound_) * way.squaredNorm() + kLeast;
   }
 
   /// The point of a core around the origin nearest to p, up to edges that are not exactly perpendicular.
@@ -164,7 +164,7 @@ class SweptFilter {
   Edges a_, b_;
   Way middle_;  // b's centre from a's
   std::array<Scalar, 2> a_squares_, b_squares_;
-  Scalar radii_square_, doubt_;
+  Scalar radii_square_, error_bound_;
 };
 
 /// Both cores in space, relative to the first one's vertex, scaled by a power of two so that nothing is larger than 1.
