@@ -150,7 +150,7 @@ Index HullSurface<Scalar>::next_open() {
 }
 
 template <class Scalar>
-void HullSurface<Scalar>::look_from_above(Index seeing) {
+void HullSurface<Scalar>::find_horizon(Index seeing) {
   eye_ = facet(seeing).farthest;
   visible_.assign(1, seeing);
   border_.clear();

@@ -49,7 +49,7 @@ class HullSurface {
   [[nodiscard]] Index next_open();
 
   /// Finds the facets that see the farthest point of a facet, and their horizon.
-  void look_from_above(Index facet);
+  void find_horizon(Index facet);
   /// Replaces these by a cone to that point, and assigns their points to it.
   void raise_cone();
   /// The points that no facet saw when points were last assigned.
@@ -57,7 +57,7 @@ class HullSurface {
   /// Adds the facet's outside points to a list, the farthest first.
   void append_outside(Index facet, std::vector<Index>& list) const;
 
-  /// The farthest point that the last look_from_above found.
+  /// The farthest point that the last find_horizon found.
   [[nodiscard]] Index eye() const { return eye_; }
   [[nodiscard]] const std::vector<Index>& visible() const { return visible_; }
   [[nodiscard]] std::vector<Index> horizon() const;
