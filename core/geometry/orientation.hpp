@@ -23,11 +23,11 @@ int orient3d_in_doubt(P3 a, P3 b, P3 c, P3 d) noexcept;
 template <int Dim>
 int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
 
-/// The sign of value if it is certain, else 0. doubt: bounds value's error. If either has overflowed, no sign is
+/// The sign of value if it is certain, else 0. error_bound: bounds value's error. If either has overflowed, no sign is
 /// certain.
-[[nodiscard]] inline int certain_sign(double value, double doubt) noexcept {
-  if (value > doubt) return 1;
-  return value < -doubt ? -1 : 0;
+[[nodiscard]] inline int certain_sign(double value, double error_bound) noexcept {
+  if (value > error_bound) return 1;
+  return value < -error_bound ? -1 : 0;
 }
 }  // namespace detail
 
@@ -58,8 +58,8 @@ int dot_sign_exact(P<Dim> a, P<Dim> b, P<Dim> c, P<Dim> d) noexcept;
   const double size = std::abs(dx) * (std::abs(x1) + std::abs(x2)) + std::abs(dy) * (std::abs(y1) + std::abs(y2)) +
                       std::abs(dz) * (std::abs(z1) + std::abs(z2));
   const double reach = 1 + std::abs(dx) + std::abs(dy) + std::abs(dz);
-  const double doubt = tolerance::kSixTripleProducts * size + tolerance::kLostToUnderflow * reach;
-  const int sign = detail::certain_sign(value, doubt);
+  const double error_bound = tolerance::kSixTripleProducts * size + tolerance::kLostToUnderflow * reach;
+  const int sign = detail::certain_sign(value, error_bound);
   return sign != 0 ? sign : detail::orient3d_in_doubt(a, b, c, d);
 }
 

@@ -38,9 +38,9 @@ inline int side_in_double_double(const double* point, const double* center, doub
     sum = s.high;
     rest += s.low + (p.low + 2 * d.high * d.low);
   }
-  const double gap = sum + rest, doubt = tolerance::kWideSquaredDistance * square.high;
-  if (gap > doubt) return 1;
-  return gap < -doubt ? -1 : 0;
+  const double gap = sum + rest, error_bound = tolerance::kWideSquaredDistance * square.high;
+  if (gap > error_bound) return 1;
+  return gap < -error_bound ? -1 : 0;
 }
 
 /// A power of two near the square root.
@@ -78,9 +78,9 @@ int side_of_sphere(const double* point, const double* center, double radius, int
   }
   const double radius_square = radius * radius;
   if (square_is_sound(square) && square_is_sound(radius_square)) {
-    const double doubt = tolerance::kSquaredDistance<double> * std::max(square, radius_square);
-    if (square - radius_square > doubt) return 1;
-    if (radius_square - square > doubt) return -1;
+    const double error_bound = tolerance::kSquaredDistance<double> * std::max(square, radius_square);
+    if (square - radius_square > error_bound) return 1;
+    if (radius_square - square > error_bound) return -1;
     if (wide_is_sound(square) && wide_is_sound(radius_square))
       if (const int side = side_in_double_double(point, center, radius, dim); side != 0) return side;
   }

@@ -30,13 +30,13 @@ inline constexpr Scalar kSquaredDistance = 8 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kSquaresCompared = 12 * kRoundoff<Scalar>;
 
-/// The least difference between a squared distance d^2 and the squared sum r^2 of the radii that decides a pair at a
-/// glance, in units of the sum Q of d^2, r^2 and all squared edges or half extents (at most four). Let L be d + r plus
+/// The least difference between a squared distance d^2 and the squared sum r^2 of the radii at which the filter decides
+/// a pair, in units of the sum Q of d^2, r^2 and all squared edges or half extents (at most four). Let L be d + r plus
 /// twice the edges: no length in the test is larger, and L^2 <= 18 Q. So d differs from r by more than k Q / (d + r) >=
 /// k L / 36. Rounding takes 20u of L, and the whole test calls volumes touching that are up to 64u of L apart; k =
-/// 4096u makes 113u of L. Tested by "a verdict at a glance is that of the whole test".
+/// 4096u makes 113u of L. Tested by "the filter's verdict is that of the whole test".
 template <class Scalar>
-inline constexpr Scalar kGlance = 4096 * kRoundoff<Scalar>;
+inline constexpr Scalar kDistanceFilter = 4096 * kRoundoff<Scalar>;
 
 /// The error of |p - c|^2 - r^2 in twice the digits, relative to r^2, with |p - c| near the radius r: the differences,
 /// r^2 and each sum are exact except for what is summed separately, and there each of twelve roundings is at most 2^-53
@@ -120,8 +120,8 @@ inline constexpr double kLostToUnderflow = 0x1p-1070;
 /// that they are compared with adds as much as one of them. Tested by "a box on given axes holds every point exactly".
 inline constexpr double kExtremeProjection = 32 * kRoundoff<double>;
 
-/// A projection in about 106 bits, of coordinates scaled to 4 or below, carries at most 2^-99: with this doubt, the
-/// verdict is certain. Tested by the same.
+/// A projection in about 106 bits, of coordinates scaled to 4 or below, carries at most 2^-99: with this error bound,
+/// the verdict is certain. Tested by the same.
 inline constexpr double kWideProjection = 0x1p-96;
 
 /// The sine of the angle below which a direction is too nearly parallel to a first one to give a second axis: what is
@@ -137,8 +137,8 @@ inline constexpr double kFlatBox = 16 * kRoundoff<double>;
 /// two edges of the facet and |.| their largest coordinate, the determinant carries 24u (|e| + |f|) + 12u |e||f| from
 /// these, 8u |e||f| in each of the normal's coordinates, which a point at a distance of up to 2 makes 48u, and 48u
 /// |e||f| from the two dot products. As |e||f| <= |e| + |f|, 132u of that sum covers all of these, and 160u terms in
-/// u^2 and the doubt's own rounding as well. Times |e| + |f| + u, since edges may vanish but for their rounding. Tested
-/// by "near-flat clouds keep just their extreme points".
+/// u^2 and the error bound's own rounding as well. Times |e| + |f| + u, since edges may vanish but for their rounding.
+/// Tested by "near-flat clouds keep just their extreme points".
 inline constexpr double kFacetPlane = 160 * kRoundoff<double>;
 
 /// How far the axes of a box may be from unit and perpendicular: each of their dot products is off by no more. A
@@ -160,12 +160,24 @@ inline constexpr Scalar kParallelAxes = 32 * kRoundoff<Scalar>;
 template <class Scalar>
 inline constexpr Scalar kSatGap = 320 * kRoundoff<Scalar>;
 
-/// The same for the true normals in double, whatever the axes: 4u for the cross product, 8u for the distance, 10u for
+/// How many times the error bound kSatGap two boxes must penetrate each other along all axes but those of parallel
+/// edges to overlap, where edges i of A and j of B count as parallel if the other two entries of column j of R,
+/// rounded, sum up to no more than kParallelAxes. The proof: those entries are dot products, each off by 4u of
+/// rounding, and A's axes are perpendicular within 24u; so the sine of the angle is at most 32u + 8u + 24 sqrt(2) u <
+/// 74u. Replace each such edge direction of B by the parallel one of A, which moves it by at most 74u. Then its axis
+/// vanishes, and the boxes overlap if they do along the others. These axes turn by at most 148u, where both edges of a
+/// face of B are replaced, and each edge's own direction by 74u, so that no gap grows by more than 222u of the size;
+/// back in B's place, its points move by at most 74u of its extents. So 296u of penetration beyond the error of 320u
+/// are enough: twice kSatGap. Tested by "boxes with parallel edges are decided by the filter, and rightly".
+template <class Scalar>
+inline constexpr Scalar kSatParallelDepth = 2;
+
+/// As kSatGap for the true normals in double, whatever the axes: 4u for the cross product, 8u for the distance, 10u for
 /// the radii.
 inline constexpr double kSatInDouble = 16 * kRoundoff<double>;
 
-/// A sum of up to three coordinates carries 5u of the largest, and 3u more once a bound is moved by that doubt. Tested
-/// by "a k-DOP's bounds are the exact projections, rounded outwards".
+/// A sum of up to three coordinates carries 5u of the largest, and 3u more once a bound is moved by that error bound.
+/// Tested by "a k-DOP's bounds are the exact projections, rounded outwards".
 template <class Scalar>
 inline constexpr Scalar kKdopProjection = 10 * kRoundoff<Scalar>;
 
@@ -187,8 +199,8 @@ inline constexpr Scalar kLocalCoordinate = 16 * kRoundoff<Scalar>;
 inline constexpr double kSameBox = 0x1p-16;
 
 /// A turned coordinate is a sum of three products, of which each carries up to 3u: 4u of the sum of their sizes with
-/// room for terms in u^2. Walks uphill (fit/hull/hill_climb.hpp) compare it with a doubt of twice that, and 2u more for
-/// the doubt's own rounding. Tested by "hill climbing gives the box that rebuilding gives, bit for bit".
+/// room for terms in u^2. Walks uphill (fit/hull/hill_climb.hpp) compare it with an error bound of twice that, and 2u
+/// more for the error bound's own rounding. Tested by "hill climbing gives the box that rebuilding gives, bit for bit".
 template <class Scalar>
 inline constexpr Scalar kClimb = 10 * kRoundoff<Scalar>;
 
@@ -263,10 +275,10 @@ inline constexpr double kOnOutline = 0x1p-40;
 
 /// How far normal . p + d, over the points of a volume, may be from rounded, in units of the sum of the normal's sizes
 /// times the volume's size (plane_reach.hpp) plus |d|: an OBB's normal carries 3u in the box's frame, its radius 4u
-/// more; the centre's value 4u; their difference u. Axes a tenth too long and the rounding of size and doubt: 16u cover
-/// 12u of them. A sphere's radius carries 5u; a k-DOP's weights 2u, the sums of their products 3u, the division u.
-/// Tested by "a million grazing boxes and spheres are classified as exact arithmetic does" and "the rounded reach stays
-/// within its doubt".
+/// more; the centre's value 4u; their difference u. Axes a tenth too long and the rounding of size and error bound: 16u
+/// cover 12u of them. A sphere's radius carries 5u; a k-DOP's weights 2u, the sums of their products 3u, the division
+/// u. Tested by "a million grazing boxes and spheres are classified as exact arithmetic does" and "the rounded reach
+/// stays within its error bound".
 template <class Scalar>
 inline constexpr Scalar kPlaneReach = 16 * kRoundoff<Scalar>;
 

@@ -64,7 +64,7 @@ class BottomUp {
     Nearness least{};
     const auto consider = [&](const Group& other) {
       if (other.id == id) return;
-      const Nearness near{surface_of(united(own.box, other.box), layout_.dim), own.bodies + other.bodies};
+      const Nearness near{half_surface_of(united(own.box, other.box), layout_.dim), own.bodies + other.bodies};
       if (nearest != kNoIndex && least < near) return;
       if (nearest != kNoIndex && !(near < least) && (nearest == before || other.id > nearest)) return;
       least = near;
@@ -77,7 +77,7 @@ class BottomUp {
 
   void merge(Index left, Index right, Index id) {
     const Group merged{united(group(left).box, group(right).box), group(left).bodies + group(right).bodies, id};
-    merges_.push_back({left, right, surface_of(merged.box, layout_.dim)});
+    merges_.push_back({left, right, half_surface_of(merged.box, layout_.dim)});
     remove(left);
     remove(right);
     place_[id] = static_cast<Index>(groups_.size());

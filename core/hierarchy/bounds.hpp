@@ -24,10 +24,10 @@ struct Box {
   std::array<double, 3> low{}, high{};
 };
 
-/// Half of the surface area, which is left at 0 in the plane, and the sum of the edges' lengths, which decides between
-/// equal areas.
+/// A box's size, in proportion to how likely a line is to meet it. Sizes compare by area, equal areas by length.
 struct Size {
-  double area = 0, length = 0;
+  double area = 0;    // half of the surface area: x y + y z + z x
+  double length = 0;  // x + y + z: a quarter of the edges' total length, in the plane half of the perimeter
 
   friend Size operator+(const Size& a, const Size& b) { return {a.area + b.area, a.length + b.length}; }
   friend Size operator-(const Size& a, const Size& b) { return {a.area - b.area, a.length - b.length}; }
@@ -37,13 +37,13 @@ struct Size {
   friend bool operator==(const Size& a, const Size& b) = default;
 };
 
-[[nodiscard]] inline Size surface_of(const Box& box) {
+[[nodiscard]] inline Size half_surface_of(const Box& box) {
   const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
   return {x * y + y * z + z * x, x + y + z};
 }
-/// In the plane perimeters are compared, because segments have no area.
-[[nodiscard]] inline Size surface_of(const Box& box, int dim) {
-  const Size size = surface_of(box);
+/// In the plane the area is 0, so that half perimeters are compared: a line meets a segment too, which has no area.
+[[nodiscard]] inline Size half_surface_of(const Box& box, int dim) {
+  const Size size = half_surface_of(box);
   return dim == 2 ? Size{0, size.length} : size;
 }
 

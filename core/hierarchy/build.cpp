@@ -2,6 +2,9 @@
 
 namespace snug::hierarchy {
 
-SNUG_ALL_TREES()
+SNUG_TREES(, float, 2)
+SNUG_TREES(, float, 3)
+SNUG_TREES(, double, 2)
+SNUG_TREES(, double, 3)
 
 }  // namespace snug::hierarchy

@@ -1,4 +1,7 @@
 // Builds trees over volumes of any kind, in four ways, and refits them after their bodies have moved.
+// Source: C. Ericson, Real-Time Collision Detection, 2005, 6.2, for building; each way's own stands with its shape, in
+// top_down.hpp, sah.hpp, bottom_up.hpp and insertion.hpp. G. van den Bergen, "Efficient collision detection of complex
+// deformable models using AABB trees", 1997, for refitting.
 #pragma once
 
 #include <span>
@@ -24,9 +27,10 @@ struct Options {
 template <class VolumeType>
 using Volumes = std::type_identity_t<std::span<const VolumeType>>;
 
-/// Recomputes every node's volume after the bodies' volumes have changed. The tree keeps its shape, so it may get worse
-/// but never wrong. A node's volume contains those of its bodies exactly, because merging does (fit/merge/merge.hpp).
-/// O(n) merges. volumes: as many as the tree was built from. line: the pseudocode's line for its steps.
+/// Recomputes every node's volume after the bodies' volumes have changed, in one pass from the last node to the first,
+/// so that children come before their parent. The tree keeps its shape, so it may get worse but never wrong. A node's
+/// volume contains those of its bodies exactly, because merging does (fit/merge/merge.hpp). O(n) merges. volumes: as
+/// many as the tree was built from. line: the pseudocode's line for its steps.
 template <class VolumeType, StepObserver<Step> Observer = Ignore>
 void refit(Tree<VolumeType>& tree, Volumes<VolumeType> volumes, Observer&& observe = {}, int line = 1) {
   const auto body = [&](Index i) -> const VolumeType& { return volumes[tree.bodies[i]]; };
@@ -105,30 +109,22 @@ template <class VolumeType, StepObserver<Step> Observer = Ignore>
   return fill<VolumeType>(std::move(shape), volumes, 6, observe);
 }
 
-/// Trees of boxes and of spheres, with a Recorder and without an observer, are compiled only once, in build.cpp.
-#define SNUG_TREES(extern_or_not, VolumeType, Observer)                                                                \
-  extern_or_not template void refit(Tree<VolumeType>&, Volumes<VolumeType>, Observer, int);                            \
-  extern_or_not template Tree<VolumeType> build_median<VolumeType>(Volumes<VolumeType>, const Options&, Observer);     \
-  extern_or_not template Tree<VolumeType> build_surface_area<VolumeType>(Volumes<VolumeType>, const Options&,          \
-                                                                         Observer);                                    \
-  extern_or_not template Tree<VolumeType> build_bottom_up<VolumeType>(Volumes<VolumeType>, Observer);                  \
-  extern_or_not template Tree<VolumeType> build_by_insertion<VolumeType>(Volumes<VolumeType>, Observer);
-#define SNUG_TREES_OF(extern_or_not, Kind, Scalar, Dim)                                                                \
-  namespace instances {                                                                                                \
-  using Kind##Scalar##Dim = Kind<Scalar, Dim>;                                                                         \
-  }                                                                                                                    \
-  SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Ignore&&)                                                    \
-  SNUG_TREES(extern_or_not, instances::Kind##Scalar##Dim, Recorder<Step>&)
-#define SNUG_ALL_TREES(extern_or_not)                                                                                  \
-  SNUG_TREES_OF(extern_or_not, Aabb, float, 2)                                                                         \
-  SNUG_TREES_OF(extern_or_not, Aabb, float, 3)                                                                         \
-  SNUG_TREES_OF(extern_or_not, Aabb, double, 2)                                                                        \
-  SNUG_TREES_OF(extern_or_not, Aabb, double, 3)                                                                        \
-  SNUG_TREES_OF(extern_or_not, Sphere, float, 2)                                                                       \
-  SNUG_TREES_OF(extern_or_not, Sphere, float, 3)                                                                       \
-  SNUG_TREES_OF(extern_or_not, Sphere, double, 2)                                                                      \
-  SNUG_TREES_OF(extern_or_not, Sphere, double, 3)
-
-SNUG_ALL_TREES(extern)
+// Trees of boxes and of spheres, with a Recorder and without an observer, are compiled once, in build.cpp. The volume's
+// type comes last, since its comma makes it two arguments.
+#define SNUG_TREES_OF(EXTERN, Observer, ...)                                                                           \
+  EXTERN template void refit(Tree<__VA_ARGS__>&, Volumes<__VA_ARGS__>, Observer, int);                                 \
+  EXTERN template Tree<__VA_ARGS__> build_median<__VA_ARGS__>(Volumes<__VA_ARGS__>, const Options&, Observer);         \
+  EXTERN template Tree<__VA_ARGS__> build_surface_area<__VA_ARGS__>(Volumes<__VA_ARGS__>, const Options&, Observer);   \
+  EXTERN template Tree<__VA_ARGS__> build_bottom_up<__VA_ARGS__>(Volumes<__VA_ARGS__>, Observer);                      \
+  EXTERN template Tree<__VA_ARGS__> build_by_insertion<__VA_ARGS__>(Volumes<__VA_ARGS__>, Observer);
+#define SNUG_TREES(EXTERN, Scalar, Dim)                                                                                \
+  SNUG_TREES_OF(EXTERN, Ignore&&, Aabb<Scalar, Dim>)                                                                   \
+  SNUG_TREES_OF(EXTERN, Recorder<Step>&, Aabb<Scalar, Dim>)                                                            \
+  SNUG_TREES_OF(EXTERN, Ignore&&, Sphere<Scalar, Dim>)                                                                 \
+  SNUG_TREES_OF(EXTERN, Recorder<Step>&, Sphere<Scalar, Dim>)
+SNUG_TREES(extern, float, 2)
+SNUG_TREES(extern, float, 3)
+SNUG_TREES(extern, double, 2)
+SNUG_TREES(extern, double, 3)
 
 }  // namespace snug::hierarchy

@@ -17,8 +17,8 @@ template <class VolumeType>
   for (const auto& node : tree.nodes) volumes.push_back(node.volume);
   const Layout layout = layout_of(std::span<const VolumeType>(volumes));
   const auto size = [&](std::size_t node) {
-    const Size own = surface_of(layout.boxes[node], layout.dim);
-    return surface_of(layout.boxes[0], layout.dim).area > 0 ? own.area : own.length;
+    const Size own = half_surface_of(layout.boxes[node], layout.dim);
+    return half_surface_of(layout.boxes[0], layout.dim).area > 0 ? own.area : own.length;
   };
   double cost = 0;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

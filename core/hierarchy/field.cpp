@@ -71,7 +71,7 @@ struct OneByOne {
         outside += value > 0 ? 1 : 0;
         nearest = std::min(nearest, std::abs(value));
       }
-      if (nearest <= query::doubt_of(frustum[at], size)) outside = outside_exactly(frustum[at], box);
+      if (nearest <= query::error_bound_of(frustum[at], size)) outside = outside_exactly(frustum[at], box);
       if (outside == kVertices && result.rejected_by < 0) result.rejected_by = at;
       if (outside > 0 && result.verdict == Culling::kInside) result.verdict = Culling::kIntersecting;
     }

@@ -21,7 +21,7 @@ class Insertion {
     groups_.reserve(2 * groups_.size());
     for (std::size_t i = 0; i < layout.boxes.size(); ++i) {
       groups_[i].box = layout.boxes[i];
-      groups_[i].size = surface_of(layout.boxes[i], layout.dim);
+      groups_[i].size = half_surface_of(layout.boxes[i], layout.dim);
     }
   }
 
@@ -36,7 +36,7 @@ class Insertion {
  private:
   [[nodiscard]] Branch& at(Index i) { return groups_[i]; }
   [[nodiscard]] bool is_body(Index i) { return at(i).children[0] == kNoIndex; }
-  [[nodiscard]] Size size_with(Index i, const Box& box) { return surface_of(united(at(i).box, box), layout_.dim); }
+  [[nodiscard]] Size size_with(Index i, const Box& box) { return half_surface_of(united(at(i).box, box), layout_.dim); }
 
   void insert(Index body) {
     if (root_ == kNoIndex) {
@@ -96,7 +96,7 @@ class Insertion {
     Branch& group = at(i);
     const Branch &left = at(group.children[0]), &right = at(group.children[1]);
     group.box = united(left.box, right.box);
-    group.size = surface_of(group.box, layout_.dim);
+    group.size = half_surface_of(group.box, layout_.dim);
     group.bodies = left.bodies + right.bodies;
   }
 

@@ -18,12 +18,12 @@ Bins fill_bins(const Layout& layout, std::span<const Index> bodies, const Box& c
   return bins;
 }
 
-Split best_split(const Layout& layout, std::span<const Index> bodies, const Box& all, const Box& centers,
-                 std::vector<double>* costs) {
-  const bool by_length = surface_of(all, layout.dim).area == 0;  // for boxes without area, and in the plane
-  const auto size = [&](const Box& box) { return by_length ? surface_of(box).length : surface_of(box).area; };
+BinSplit best_split(const Layout& layout, std::span<const Index> bodies, const Box& all, const Box& centers,
+                    std::vector<double>* costs) {
+  const bool by_length = half_surface_of(all, layout.dim).area == 0;  // for boxes without area, and in the plane
+  const auto size = [&](const Box& box) { return by_length ? half_surface_of(box).length : half_surface_of(box).area; };
   const auto cost_of = [&](const Bin& bin) { return size(bin.box) * bin.count; };
-  Split best;
+  BinSplit best;
   for (int axis = 0; axis < layout.dim; ++axis) {
     if (!(centers.low[axis] < centers.high[axis])) continue;
     const Bins bins = fill_bins(layout, bodies, centers, axis);
@@ -47,7 +47,7 @@ Split best_split(const Layout& layout, std::span<const Index> bodies, const Box&
   return best;
 }
 
-void reorder(const Layout& layout, std::span<Index> bodies, const Box& centers, const Split& split) {
+void reorder(const Layout& layout, std::span<Index> bodies, const Box& centers, const BinSplit& split) {
   std::partition(bodies.begin(), bodies.end(),
                  [&](Index body) { return bin_of(layout, body, centers, split.axis) < split.border; });
 }

@@ -1,5 +1,6 @@
 // The surface-area heuristic (SAH): divides a node's bodies where a traversal is expected to be cheapest, at one of 15
-// borders between 16 bins along each axis. Three functions do it: fill_bins, best_split, reorder.
+// borders between 16 bins along each axis. Below are its three functions, for one node: best_split, which calls
+// fill_bins for each axis, then reorder. top_down.cpp calls them, and builds the tree.
 // Source: J. Goldsmith, J. Salmon, "Automatic creation of object hierarchies for ray tracing", 1987; I. Wald, "On fast
 // construction of SAH-based bounding volume hierarchies", 2007, for the bins.
 #pragma once
@@ -16,7 +17,7 @@ namespace snug::hierarchy {
 
 inline constexpr std::array<std::string_view, 6> kSurfaceAreaPseudocode{
     "node ← all bodies",
-    "few, and no split is cheaper: a leaf",
+    "a leaf, if few and no split costs less",
     "for each axis and split between bins",
     "  cost ← 2 + (area n, left + right) / area",
     "split at the least cost; likewise below",
@@ -40,8 +41,8 @@ struct Bin {
 };
 using Bins = std::array<Bin, kBins>;
 
-/// The bodies whose bins come before a border of an axis go left.
-struct Split {
+/// A split at the border between two bins of an axis: the bodies in the bins before the border go left.
+struct BinSplit {
   int axis = kNoIndex;  // none if all centres are in one place
   int border = 0;
   double position = 0;  // the border's coordinate in the layout
@@ -56,11 +57,11 @@ struct Split {
 /// The border of least cost, in tests of a body: 2 for the children's volumes, and each child's bodies times the
 /// chance that a line which meets the node meets the child, the ratio of their surface areas. all: the box around the
 /// bodies. costs: null, or kBorders for each axis, where the cost at every border is put.
-[[nodiscard]] Split best_split(const Layout& layout, std::span<const Index> bodies, const Box& all, const Box& centers,
-                               std::vector<double>* costs);
+[[nodiscard]] BinSplit best_split(const Layout& layout, std::span<const Index> bodies, const Box& all,
+                                  const Box& centers, std::vector<double>* costs);
 
 /// Puts the bodies that go left before those that go right.
-void reorder(const Layout& layout, std::span<Index> bodies, const Box& centers, const Split& split);
+void reorder(const Layout& layout, std::span<Index> bodies, const Box& centers, const BinSplit& split);
 
 }  // namespace sah
 }  // namespace snug::hierarchy

@@ -9,7 +9,7 @@
 namespace snug::hierarchy {
 namespace {
 
-// From this depth on every node is split in half, so that no scene makes a deep tree.
+// From this depth on every node that is no leaf is split in half, so that no scene makes a deep tree.
 constexpr int kMostUneven = 40;
 
 /// A node's bodies: from begin to end.
@@ -20,8 +20,9 @@ struct Part {
   [[nodiscard]] Index count() const { return end - begin; }
 };
 
-/// How a node's bodies are divided. position: a centre's coordinate in the layout.
-struct Split {
+/// How a node's bodies are divided between its children, by either rule. position: a coordinate in the layout, of the
+/// first centre on the right (median) or of the border between bins.
+struct NodeSplit {
   int axis = kNoIndex;
   double position = 0;
   Index left = 0;
@@ -59,14 +60,15 @@ class TopDown {
   [[nodiscard]] auto end_of(const Part& part) { return bodies_.begin() + part.end; }
 
   /// Divides a node's bodies, the left child's first; nothing if it becomes a leaf.
-  std::optional<Split> divide(const Part& part) {
+  std::optional<NodeSplit> divide(const Part& part) {
     const bool few = part.count() <= most_in_leaf_;
-    if (part.count() == 1 || (few && rule_ == SplitRule::kMedian)) return std::nullopt;
+    const bool by_median = rule_ == SplitRule::kMedian || part.depth >= kMostUneven;
+    if (part.count() == 1 || (few && by_median)) return std::nullopt;
     const Box centers = centers_of(part);
-    if (rule_ == SplitRule::kMedian || part.depth >= kMostUneven) return halve(part, centers);
+    if (by_median) return halve(part, centers);
     sah::Bin all;
     for (const Index body : bodies_of(part)) all.take({layout_.boxes[body], 1});
-    const Split best = cheapest(part, all.box, centers);
+    const NodeSplit best = cheapest(part, all.box, centers);
     if (few && part.count() <= best.cost) return std::nullopt;
     return best.axis != kNoIndex ? best : halve(part, centers);
   }
@@ -83,7 +85,7 @@ class TopDown {
   }
 
   /// Splits at the median along the axis where the centres spread most, equal ones by index. This is always possible.
-  Split halve(const Part& part, const Box& centers) {
+  NodeSplit halve(const Part& part, const Box& centers) {
     const auto spread = [&](int axis) { return centers.high[axis] - centers.low[axis]; };
     int axis = 0;
     for (int i = 1; i < layout_.dim; ++i)
@@ -97,10 +99,10 @@ class TopDown {
   }
 
   /// The split that the surface-area heuristic rates cheapest. Its axis is kNoIndex if all centres are in one place.
-  Split cheapest(const Part& part, const Box& all, const Box& centers) {
+  NodeSplit cheapest(const Part& part, const Box& all, const Box& centers) {
     std::vector<double> costs;
     if (facts_ != nullptr) costs.assign(static_cast<std::size_t>(layout_.dim * sah::kBorders), sah::kInfinity);
-    const sah::Split best =
+    const sah::BinSplit best =
         sah::best_split(layout_, bodies_of(part), all, centers, facts_ != nullptr ? &costs : nullptr);
     if (best.axis == kNoIndex) return {};
     if (facts_ != nullptr) facts_->push_back(priced(part.node, best.axis, best.border, centers, std::move(costs)));
@@ -124,7 +126,7 @@ class TopDown {
     if (facts_ != nullptr) facts_->push_back(LeafMade{part.node, part.count()});
   }
 
-  void make_children(const Part& part, const Split& split, std::vector<Part>& open) {
+  void make_children(const Part& part, const NodeSplit& split, std::vector<Part>& open) {
     const auto left = static_cast<Index>(shape_.nodes.size());
     const Index middle = part.begin + split.left;
     shape_.nodes[part.node] = {left, 0};

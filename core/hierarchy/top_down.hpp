@@ -1,4 +1,5 @@
 // Trees built from the root down: all bodies, divided again and again.
+// Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.2.1; sah.hpp has that of the surface-area heuristic.
 #pragma once
 
 #include <array>
@@ -12,7 +13,6 @@
 
 namespace snug::hierarchy {
 
-/// Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.2.1.
 inline constexpr std::array<std::string_view, 6> kMedianPseudocode{
     "node ← all bodies",
     "few bodies: node is a leaf",
@@ -29,8 +29,8 @@ using TopDownFacts = std::vector<std::variant<SplitsPriced, SplitChosen, LeafMad
 
 /// Bodies are divided by their boxes' centres, or by index if a node's centres are all in one place. The surface-area
 /// heuristic (sah.hpp) divides at the cheapest border between 16 bins per axis, which cover the node's centres; from
-/// depth 40 on it splits in half, so that no tree is much deeper. most_in_leaf: >= 1. facts: null, or where the steps'
-/// facts are appended. O(n log n) time.
+/// depth 40 on its nodes are split at the median, and become leaves where the median's would, so that no tree is much
+/// deeper. most_in_leaf: >= 1. facts: null, or where the steps' facts are appended. O(n log n) time.
 [[nodiscard]] Shape lay_out_top_down(const Layout& layout, SplitRule rule, Index most_in_leaf,
                                      TopDownFacts* facts = nullptr);
 

@@ -1,4 +1,5 @@
-// Traverses a tree against itself: which of its bodies overlap one another.
+// Traverses a tree against itself: which of its bodies overlap one another. Its steps name the lines of
+// kTreePairsPseudocode (broad_phase/broad_phase.hpp).
 // Source: C. Ericson, "Real-Time Collision Detection", 2005, 6.3.
 #pragma once
 
@@ -52,13 +53,13 @@ Counts overlapping_pairs_within(const Tree<VolumeType>& tree, std::type_identity
     if (pair.a != pair.b && !single) {
       const bool overlap = query::overlaps(a.volume, b.volume);
       ++counts.node_tests;
-      observe(Step{overlap ? 1 : 2, PairTested{pair.a, pair.b, false, overlap}});
+      observe(Step{2, PairTested{pair.a, pair.b, false, overlap}});
       if (!overlap) continue;
     }
     if (a.is_leaf() && b.is_leaf()) bodies_of(pair);
     else open_children(pair);
   }
-  observe(Step{1, Done{counts.nodes_visited, counts.volume_tests()}});
+  observe(Step{2, Done{counts.nodes_visited, counts.volume_tests()}});
   return counts;
 }
 

@@ -1,5 +1,6 @@
 #include "scene/world.hpp"
 
+#include "geometry/tolerance.hpp"
 #include "number/bits.hpp"
 #include "number/fnv.hpp"
 #include "scene/shape.hpp"
@@ -42,6 +43,12 @@ std::uint64_t World::hash() const {
                  impulse.owed);
   }
   return hash.value();
+}
+
+Aabb<double, 3> with_room(const Aabb<double, 3>& aabb, double margin) {
+  const double room =
+      margin + tolerance::kPlaced<double> * (aabb.min.cwiseAbs().maxCoeff() + aabb.max.cwiseAbs().maxCoeff());
+  return {aabb.min - V3::Constant(room), aabb.max + V3::Constant(room)};
 }
 
 World world_of(const Declaration& declaration) {

@@ -100,6 +100,10 @@ struct World : physics::System {
   [[nodiscard]] std::uint64_t hash() const;
 };
 
+/// The box that a broad phase tests for a body: the AABB, with room for points that rounding may have put outside it,
+/// and for a margin that the body may move until the next test.
+[[nodiscard]] Aabb<double, 3> with_room(const Aabb<double, 3>& aabb, double margin);
+
 /// declaration: one that check accepts.
 [[nodiscard]] World world_of(const Declaration& declaration);
 

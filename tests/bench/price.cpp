@@ -118,7 +118,7 @@ Pairs<A, B> pairs_of(bool near) {
 /// stored.
 template <class A, class B>
 std::string left_open() {
-  if constexpr (requires(const A& a, const B& b) { query::apart_at_a_glance(a, b); }) {
+  if constexpr (requires(const A& a, const B& b) { query::apart_filter(a, b); }) {
     using Scalar = typename query::VolumeKind<A>::Scalar;
     constexpr int kDrawn = 1'000'000;
     Random random(11);
@@ -128,7 +128,7 @@ std::string left_open() {
       A a;
       B b;
       maker.make(a), maker.make(b);
-      open += query::apart_at_a_glance(a, moved<Scalar, 3>(b, maker.place(1.2))).has_value() ? 0 : 1;
+      open += query::apart_filter(a, moved<Scalar, 3>(b, maker.place(1.2))).has_value() ? 0 : 1;
     }
     return std::to_string(open) + " of a million";
   } else {

@@ -1,4 +1,4 @@
-// The lecture's table of axes: one row for each, filled in as they are tested, with the current one lit.
+// The table of axes (Ericson's table 4.1): one row for each, filled in as they are tested, with the current one lit.
 #pragma once
 
 #include <string>

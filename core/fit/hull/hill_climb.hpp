@@ -55,10 +55,11 @@ class HillClimb {
   /// Where the last walk in the direction ended: the vertex of greatest value.
   [[nodiscard]] Index end(int direction) const { return ends_[direction]; }
 
-  /// Starts where the last walk in this direction ended. value(v): a linear function, evaluated at vertex v; doubt: at
-  /// least twice its greatest error. walk: null, or a vector that receives what the walk did at each vertex.
+  /// Starts where the last walk in this direction ended. value(v): a linear function, evaluated at vertex v;
+  /// error_bound: at least twice its greatest error. walk: null, or a vector that receives what the walk did at each
+  /// vertex.
   template <class Value, class Walk = std::nullptr_t>
-  Climbed<Scalar> climb(int direction, Value&& value, Scalar doubt, [[maybe_unused]] Walk walk = nullptr) {
+  Climbed<Scalar> climb(int direction, Value&& value, Scalar error_bound, [[maybe_unused]] Walk walk = nullptr) {
     constexpr bool kSeen = !std::is_null_pointer_v<Walk>;
     Index& best = ends_[direction];
     Climbed<Scalar> climbed{value(best), 1};
@@ -68,14 +69,14 @@ class HillClimb {
     while (!open_.empty()) {
       const Open from = open_.back();
       open_.pop_back();
-      if (from.value < climbed.value - doubt) continue;
+      if (from.value < climbed.value - error_bound) continue;
       if constexpr (kSeen) walk->push_back({from.vertex, {}, best});
       for (const Index v : neighbors_.of(from.vertex)) {
         if (!mark(v)) continue;
         const Scalar here = value(v);
         if constexpr (kSeen) walk->back().neighbors.push_back(v);
         ++climbed.looked_at;
-        if (here < climbed.value - doubt) continue;
+        if (here < climbed.value - error_bound) continue;
         open_.push_back({v, here});
         if (here <= climbed.value) continue;
         climbed.value = here;

@@ -1,6 +1,8 @@
 // Quickhull in space: the point farthest outside a facet replaces all facets that it sees by a cone.
 // Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996. They thicken
 // facets by the rounding error; here sides are decided exactly, and coplanar facets are merged at the end.
+// This file runs the algorithm and tells its steps. The work is done by spanning_simplex (quickhull_simplex.hpp), by
+// HullSurface::start, find_horizon and raise_cone (quickhull_surface.hpp), and by merge_faces (quickhull_faces.hpp).
 #pragma once
 
 #include <array>
@@ -82,7 +84,7 @@ class Quickhull3 {
 
   void add_farthest(HullSurface<Scalar>& surface, Index f) {
     if constexpr (kWatched<Observer>) tell(4, eye_of(facet(surface, f), f));
-    surface.look_from_above(f);
+    surface.find_horizon(f);
     count_tests(surface);
     if constexpr (kWatched<Observer>) tell(5, HorizonFound{surface.eye(), surface.visible(), surface.horizon()});
     surface.raise_cone();

@@ -1,4 +1,6 @@
 // Turns Quickhull's surface into the hull: coplanar facets become one face, and only extreme points stay.
+// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996, merge facets as
+// the hull grows, within the rounding error; here they are merged once at the end, where they are coplanar exactly.
 #pragma once
 
 #include <vector>

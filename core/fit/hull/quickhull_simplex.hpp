@@ -1,4 +1,6 @@
 // Quickhull's first simplex in space: points that span as many dimensions as the whole set does.
+// Source: D. Gregorius, "Implementing QuickHull", Game Developers Conference, 2014, for the choice of the four points;
+// here their independence is decided exactly.
 #pragma once
 
 #include <vector>

@@ -43,7 +43,7 @@ void HullSurface<Scalar>::put_plane(Facet& facet) const {
   facet.normal = cross(e, f);
   facet.offset = -(facet.normal[0] * a[0] + facet.normal[1] * a[1] + facet.normal[2] * a[2]);
   const double size = e.cwiseAbs().maxCoeff() + f.cwiseAbs().maxCoeff();
-  facet.doubt = tolerance::kFacetPlane * (size + tolerance::kRoundoff<double>);
+  facet.error_bound = tolerance::kFacetPlane * (size + tolerance::kRoundoff<double>);
 }
 
 template <class Scalar>
@@ -54,8 +54,8 @@ double HullSurface<Scalar>::height(const Facet& facet, Index point) const {
 
 template <class Scalar>
 bool HullSurface<Scalar>::sees(const Facet& facet, double height, Index point) const {
-  if (height > facet.doubt) return true;
-  return height >= -facet.doubt && side_exact(facet, point) > 0;
+  if (height > facet.error_bound) return true;
+  return height >= -facet.error_bound && side_exact(facet, point) > 0;
 }
 
 template <class Scalar>
@@ -71,7 +71,7 @@ bool HullSurface<Scalar>::flat(Index f, int edge) const {
   const Index from = facet(f).vertices[edge];
   const auto at = static_cast<std::size_t>(facet(g).corner_of(from));
   const Index apex = corners[(at + 1) % 3];  // g has the edge the other way round, ending at from
-  return height(facet(f), apex) >= -facet(f).doubt && side_exact(facet(f), apex) == 0;
+  return height(facet(f), apex) >= -facet(f).error_bound && side_exact(facet(f), apex) == 0;
 }
 
 template <class Scalar>
@@ -150,7 +150,7 @@ Index HullSurface<Scalar>::next_open() {
 }
 
 template <class Scalar>
-void HullSurface<Scalar>::look_from_above(Index seeing) {
+void HullSurface<Scalar>::find_horizon(Index seeing) {
   eye_ = facet(seeing).farthest;
   visible_.assign(1, seeing);
   border_.clear();

@@ -1,4 +1,7 @@
 // The closed surface that Quickhull grows in space: triangles with their neighbours, each with the points that it sees.
+// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex hulls", 1996, for facets with
+// neighbours and outside sets; D. Gregorius, "Implementing QuickHull", Game Developers Conference, 2014, for the
+// horizon and the cone in code, there with half-edges.
 #pragma once
 
 #include <array>
@@ -16,7 +19,7 @@ struct Facet {
   std::array<Index, 3> across{kNoIndex, kNoIndex, kNoIndex};    // the facet over the edge from vertex i to the next
   Vector<double, 3> normal;
   double offset = 0;
-  double doubt = 0;
+  double error_bound = 0;
   double height = 0;          // of the farthest point, as the plane measures it
   Index farthest = kNoIndex;  // the head of its list of outside points
   Index count = 0;            // how many outside points it has
@@ -46,7 +49,7 @@ class HullSurface {
   [[nodiscard]] Index next_open();
 
   /// Finds the facets that see the farthest point of a facet, and their horizon.
-  void look_from_above(Index facet);
+  void find_horizon(Index facet);
   /// Replaces these by a cone to that point, and assigns their points to it.
   void raise_cone();
   /// The points that no facet saw when points were last assigned.
@@ -54,7 +57,7 @@ class HullSurface {
   /// Adds the facet's outside points to a list, the farthest first.
   void append_outside(Index facet, std::vector<Index>& list) const;
 
-  /// The farthest point that the last look_from_above found.
+  /// The farthest point that the last find_horizon found.
   [[nodiscard]] Index eye() const { return eye_; }
   [[nodiscard]] const std::vector<Index>& visible() const { return visible_; }
   [[nodiscard]] std::vector<Index> horizon() const;

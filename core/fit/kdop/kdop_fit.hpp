@@ -28,20 +28,20 @@ inline constexpr std::array<std::string_view, 4> kKdopPseudocode{
 template <class Scalar, int Dim>
 [[nodiscard]] SlabFound slab_of(const KdopAxis<Dim>& axis, PointSpan<Scalar, Dim> points, Scalar size, Scalar& min,
                                 Scalar& max) {
-  const Scalar doubt = tolerance::kKdopProjection<Scalar> * size;
+  const Scalar error_bound = tolerance::kKdopProjection<Scalar> * size;
   SlabFound found{.least = 0, .greatest = 0};
   min = project_down<Scalar, Dim>(axis, points[0]);
   max = project_up<Scalar, Dim>(axis, points[0]);
   for (Index i = 1; i < points.size(); ++i) {
     const Scalar plain = project<Scalar, Dim>(axis, points[i]);
-    if (plain < min + doubt) {
+    if (plain < min + error_bound) {
       const Scalar bound = project_down<Scalar, Dim>(axis, points[i]);
       if (bound < min) {
         min = bound;
         found.least = i;
       }
     }
-    if (plain > max - doubt) {
+    if (plain > max - error_bound) {
       const Scalar bound = project_up<Scalar, Dim>(axis, points[i]);
       if (bound > max) {
         max = bound;

@@ -118,9 +118,9 @@ class Around {
     const double middle = turn_.row(axis).dot(to_center);
     const double most = std::max(all_.greatest[axis] - middle, middle - all_.least[axis]);
     // Twice the error bound of the projections.
-    const double doubt =
+    const double error_bound =
         tolerance::kExtremeProjection * (size_ + to_center.norm()) + 16 * std::numeric_limits<double>::denorm_min();
-    const auto near = [&](double projection) { return std::abs(projection - middle) >= most - doubt; };
+    const auto near = [&](double projection) { return std::abs(projection - middle) >= most - error_bound; };
 
     Slab<Scalar, Dim> slab(found_.box.center, found_.box.axes.col(axis), std::max(size_, to_center.norm()));
     Index least = kNoIndex, greatest = kNoIndex;

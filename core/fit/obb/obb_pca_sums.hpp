@@ -21,8 +21,13 @@ inline constexpr std::array<std::string_view, 7> kObbPcaSumsPseudocode{
 };
 
 inline constexpr std::array<std::string_view, 7> kObbPcaOnePassPseudocode{
-    "for each point p",         "  add p to s, and p p^T to the sum",      "m ← s / n",  "C ← sum / n − m m^T",
-    "axes ← eigenvectors of C", "extents ← least and greatest along each", "return box",
+    "for each point p",  //
+    "  add p to s, and p p^T to the sum",
+    "m ← s / n",
+    "C ← sum / n − m m^T",
+    "axes ← eigenvectors of C",
+    "extents ← least and greatest along each",
+    "return box",
 };
 
 /// The box along the principal axes, as obb_pca's to the last bit. points: n >= 1 finite points, scene units. O(n)

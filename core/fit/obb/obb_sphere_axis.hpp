@@ -16,9 +16,12 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kObbSphereAxisPseudocode{
-    "sphere ← smallest around the points",  "u ← along the farthest two of its support",
-    "circle ← smallest, projected along u", "v ← along the farthest two of its support",
-    "extents ← along u, v and across both", "return box",
+    "sphere ← smallest around the points",  //
+    "u ← along the farthest two of its support",
+    "circle ← smallest, projected along u",
+    "v ← along the farthest two of its support",
+    "extents ← along u, v and across both",
+    "return box",
 };
 
 /// The smallest ball around points, and the two points of its support set that are farthest apart.

@@ -11,8 +11,12 @@
 namespace snug::fit {
 
 inline constexpr std::array<std::string_view, 6> kRitterPseudocode{
-    "find the extreme points along each axis", "S ← farthest pair as diameter", "for each point p",
-    "  if p lies outside S: grow S to p",      "test all points, exactly",      "return S",
+    "find the extreme points along each axis",  //
+    "S ← farthest pair as diameter",
+    "for each point p",
+    "  if p lies outside S: grow S to p",
+    "test all points, exactly",
+    "return S",
 };
 
 /// The ball with two points as its diameter.

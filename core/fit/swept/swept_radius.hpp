@@ -115,17 +115,17 @@ SweptRadius hold_all(VolumeType& volume, PointSpan<Scalar, Dim> points) {
   SweptRadius result{static_cast<Index>(most - distances.begin()), false};
 
   constexpr double kLeast = std::numeric_limits<double>::denorm_min();
-  const double doubt = tolerance::kSweptDistance * (*most + 2 * core.size()) + 16 * kLeast;
+  const double error_bound = tolerance::kSweptDistance * (*most + 2 * core.size()) + 16 * kLeast;
   volume.radius = static_cast<Scalar>(*most);
   std::vector<Index> candidates;
   for (Index i = 0; i < points.size(); ++i)
-    if (distances[i] + doubt >= static_cast<double>(volume.radius)) candidates.push_back(i);
+    if (distances[i] + error_bound >= static_cast<double>(volume.radius)) candidates.push_back(i);
   if (candidates.size() > kSweptCandidates) {
-    const Scalar bound = static_cast<Scalar>(*most + doubt);
+    const Scalar bound = static_cast<Scalar>(*most + error_bound);
     volume.radius = std::nextafter(bound, std::numeric_limits<Scalar>::max());
     return {result.farthest, true};
   }
-  const auto least_step = static_cast<Scalar>(doubt * tolerance::kRoundoff<Scalar>);
+  const auto least_step = static_cast<Scalar>(error_bound * tolerance::kRoundoff<Scalar>);
   for (const Index i : candidates)
     if (widen_swept<VolumeType, Scalar, Dim>(volume, points[i], least_step)) result.widened = true;
   return result;

@@ -35,14 +35,14 @@ Updated<Aabb<Scalar, Dim>> update_hill_climb(HillClimb<Scalar, Dim>& climb, cons
     const bool greatest = side % 2 == 1;
     const Vector<Scalar, Dim> row = pose.rotation.row(axis).transpose();
     const Scalar size = row.cwiseAbs().dot(climb.largest());
-    const Scalar doubt = tolerance::kClimb<Scalar> * size + 8 * std::numeric_limits<Scalar>::denorm_min();
+    const Scalar error_bound = tolerance::kClimb<Scalar> * size + 8 * std::numeric_limits<Scalar>::denorm_min();
     const auto value = [&](Index v) {
       const Scalar along = turned_coordinate<Scalar, Dim>(pose.rotation, axis, climb.vertex(v));
       return greatest ? along : -along;
     };
     ExtremeClimbed fact{axis, greatest, {}, 0};
-    const Climbed<Scalar> found = climb_watched(climb, side, value, doubt, box, fact, observe);
-    const Scalar bound = climb.all_points() ? found.value : found.value + doubt;
+    const Climbed<Scalar> found = climb_watched(climb, side, value, error_bound, box, fact, observe);
+    const Scalar bound = climb.all_points() ? found.value : found.value + error_bound;
     (greatest ? box.max : box.min)[axis] = (greatest ? bound : -bound) + pose.translation[axis];
     observe.count(Operation::kPointsTouched, found.looked_at);
     observe.count(Operation::kDotProducts, found.looked_at);

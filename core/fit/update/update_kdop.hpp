@@ -49,17 +49,17 @@ template <class Scalar, int Dim, class Points>
   return bounds;
 }
 
-/// Sets each slab to what bounds_along(axis) says, moved out by doubt. points: how many each slab examines.
+/// Sets each slab to what bounds_along(axis) says, moved out by error_bound. points: how many each slab examines.
 template <class Scalar, int Dim, class Observer, class Bounds>
-Updated<Kdop<Scalar, Dim>> update_slabs(int k, Scalar doubt, std::int64_t points, Bounds bounds_along,
+Updated<Kdop<Scalar, Dim>> update_slabs(int k, Scalar error_bound, std::int64_t points, Bounds bounds_along,
                                         Observer& observe) {
   using Step = UpdateStep<Kdop<Scalar, Dim>>;
   Kdop<Scalar, Dim> kdop{.k = k};
   const auto axes = kdop_axes<Dim>(k);
   for (std::size_t slab = 0; slab < axes.size(); ++slab) {
     const auto [least, greatest] = bounds_along(axes[slab]);
-    kdop.min[slab] = least - doubt;
-    kdop.max[slab] = greatest + doubt;
+    kdop.min[slab] = least - error_bound;
+    kdop.max[slab] = greatest + error_bound;
     observe.count(Operation::kPointsTouched, points);
     observe.count(Operation::kDotProducts, points * (Dim + 1));  // placed, then projected
     observe.count(Operation::kComparisons, 2 * points);
@@ -81,15 +81,15 @@ Updated<Kdop<Scalar, Dim>> update_slabs(int k, Scalar doubt, std::int64_t points
 template <class Scalar, int Dim, StepObserver<UpdateStep<Kdop<Scalar, Dim>>> Observer = Ignore>
 Updated<Kdop<Scalar, Dim>> update_kdop_loose(Scalar reach, int k, const Pose<Scalar, Dim>& pose,
                                              Observer&& observe = {}) {
-  const Scalar doubt = 2 * tolerance::kPlaced<Scalar> * (reach + pose.translation.cwiseAbs().maxCoeff()) +
-                       16 * std::numeric_limits<Scalar>::denorm_min();
+  const Scalar error_bound = 2 * tolerance::kPlaced<Scalar> * (reach + pose.translation.cwiseAbs().maxCoeff()) +
+                             16 * std::numeric_limits<Scalar>::denorm_min();
   const auto around_pivot = [&](const KdopAxis<Dim>& axis) {
     Scalar square = 0;
     for (const int part : axis) square += static_cast<Scalar>(part * part);
     const Scalar middle = project<Scalar, Dim>(axis, pose.translation), half = reach * std::sqrt(square);
     return std::pair{middle - half, middle + half};
   };
-  return update_slabs<Scalar, Dim>(k, doubt, 0, around_pivot, observe);
+  return update_slabs<Scalar, Dim>(k, error_bound, 0, around_pivot, observe);
 }
 
 /// The tightest k-DOP, from every point for every slab. O(k n) time. points: in the local frame.
@@ -107,10 +107,10 @@ Updated<Kdop<Scalar, Dim>> update_kdop_rebuild(PointSpan<Scalar, Dim> points, in
 template <class Scalar, int Dim, StepObserver<UpdateStep<Kdop<Scalar, Dim>>> Observer = Ignore>
 Updated<Kdop<Scalar, Dim>> update_kdop_rotated(std::span<const Vector<Scalar, Dim>> vertices, Scalar size, int k,
                                                const Pose<Scalar, Dim>& pose, Observer&& observe = {}) {
-  const Scalar doubt = 8 * tolerance::kPlaced<Scalar> * (size + pose.translation.cwiseAbs().maxCoeff()) +
-                       16 * std::numeric_limits<Scalar>::denorm_min();
+  const Scalar error_bound = 8 * tolerance::kPlaced<Scalar> * (size + pose.translation.cwiseAbs().maxCoeff()) +
+                             16 * std::numeric_limits<Scalar>::denorm_min();
   return update_slabs<Scalar, Dim>(
-      k, doubt, std::ssize(vertices),
+      k, error_bound, std::ssize(vertices),
       [&](const KdopAxis<Dim>& axis) { return placed_bounds<Scalar, Dim>(axis, vertices, pose); }, observe);
 }
 

@@ -44,11 +44,11 @@ Updated<Kdop<Scalar, Dim>> update_kdop_climb(HillClimb<Scalar, Dim>& climb, int 
       sizes[i] = std::abs(outward[i]);
     }
     const Scalar size = project<Scalar, Dim>(sizes, reach);
-    const Scalar doubt = tolerance::kClimbKdop<Scalar> * size + 16 * std::numeric_limits<Scalar>::denorm_min();
+    const Scalar error_bound = tolerance::kClimbKdop<Scalar> * size + 16 * std::numeric_limits<Scalar>::denorm_min();
     const auto value = [&](Index v) { return project_up<Scalar, Dim>(outward, placed(pose, climb.vertex(v))); };
     ExtremeClimbed fact{static_cast<int>(slab), greatest, {}, 0};
-    const Climbed<Scalar> found = climb_watched(climb, side, value, doubt, kdop, fact, observe);
-    const Scalar bound = climb.all_points() ? found.value : found.value + doubt;
+    const Climbed<Scalar> found = climb_watched(climb, side, value, error_bound, kdop, fact, observe);
+    const Scalar bound = climb.all_points() ? found.value : found.value + error_bound;
     (greatest ? kdop.max : kdop.min)[slab] = greatest ? bound : 0 - bound;
     observe.count(Operation::kPointsTouched, found.looked_at);
     observe.count(Operation::kDotProducts, found.looked_at * (Dim + 1));  // placed, then projected

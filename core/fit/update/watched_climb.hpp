@@ -9,18 +9,18 @@
 
 namespace snug::fit {
 
-/// Climbs along a side of an axis, the greater end or the lesser one. value, doubt: as of HillClimb::climb. An observer
-/// sees each vertex of the walk before fact is filled with all of it; so_far: the volume in the meantime.
+/// Climbs along a side of an axis, the greater end or the lesser one. value, error_bound: as of HillClimb::climb. An
+/// observer sees each vertex of the walk before fact is filled with all of it; so_far: the volume in the meantime.
 template <class VolumeType, class Scalar, int Dim, class Value, class Observer>
-Climbed<Scalar> climb_watched(HillClimb<Scalar, Dim>& climb, int side, Value&& value, Scalar doubt,
+Climbed<Scalar> climb_watched(HillClimb<Scalar, Dim>& climb, int side, Value&& value, Scalar error_bound,
                               [[maybe_unused]] const VolumeType& so_far, [[maybe_unused]] ExtremeClimbed& fact,
                               [[maybe_unused]] Observer& observe) {
   if constexpr (!kWatched<Observer>) {
-    return climb.climb(side, value, doubt);
+    return climb.climb(side, value, error_bound);
   } else {
     constexpr int kWalkLine = 2;
     std::vector<WalkStep> walk;
-    const Climbed<Scalar> found = climb.climb(side, value, doubt, &walk);
+    const Climbed<Scalar> found = climb.climb(side, value, error_bound, &walk);
     fact.path = {walk.front().vertex};
     fact.looked_at = found.looked_at;
     for (WalkStep& at : walk) {

@@ -7,7 +7,7 @@
 namespace snug::hierarchy {
 namespace {
 
-constexpr double kMostCells = 64;  // along an axis: a box much larger than the others must not reach into too many
+constexpr double kMostCells = 64;  // along an axis
 
 /// A body in a cell of the grid, which its box reaches into.
 struct InCell {
@@ -22,16 +22,27 @@ std::uint64_t key_of(const Grid::Cell& cell) {
   return key;
 }
 
-std::vector<InCell> boxes_in_cells(std::span<const Aabb<double, 3>> boxes, const Grid& grid) {
-  std::vector<InCell> all;
+/// Where the boxes go.
+struct CellsFilled {
+  std::vector<InCell> cells;  // by cell, then by body
+  std::vector<Index> large;   // the bodies whose boxes reach into too many cells, rising
+};
+
+CellsFilled fill_cells(const Grid& grid, std::span<const Aabb<double, 3>> boxes) {
+  CellsFilled filled;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const auto body = static_cast<Index>(i);
     const Grid::Cell from = grid.cell_of(boxes[i].min), to = grid.cell_of(boxes[i].max);
+    if ((to[0] - from[0] + 1) * (to[1] - from[1] + 1) * (to[2] - from[2] + 1) > kMostCellsOfBox) {
+      filled.large.push_back(body);
+      continue;
+    }
     for (std::int64_t x = from[0]; x <= to[0]; ++x)
       for (std::int64_t y = from[1]; y <= to[1]; ++y)
-        for (std::int64_t z = from[2]; z <= to[2]; ++z) all.push_back({key_of({x, y, z}), static_cast<Index>(i)});
+        for (std::int64_t z = from[2]; z <= to[2]; ++z) filled.cells.push_back({key_of({x, y, z}), body});
   }
-  std::sort(all.begin(), all.end());
-  return all;
+  std::sort(filled.cells.begin(), filled.cells.end());
+  return filled;
 }
 
 }  // namespace
@@ -57,21 +68,26 @@ Grid grid_of(std::span<const Aabb<double, 3>> boxes) {
   return grid;
 }
 
-/// Two boxes may share several cells. They are compared in the first of these, where the later of both begins.
 PairsFound pairs_by_grid(std::span<const Aabb<double, 3>> boxes, std::vector<BodyPair>* seen) {
   PairsFound found;
   if (boxes.empty()) return found;
   const Grid grid = grid_of(boxes);
-  const std::vector<InCell> all = boxes_in_cells(boxes, grid);
+  const auto [cells, large] = fill_cells(grid, boxes);
+  found.cells = std::ssize(cells);
+  const auto compare = [&](Index a, Index b) {
+    ++found.compared;
+    if (seen != nullptr) seen->push_back(BodyPair::of(a, b));
+    if (query::aabbs_overlap(boxes[a], boxes[b])) found.pairs.push_back(BodyPair::of(a, b));
+  };
+  // Two boxes may share several cells. They are compared in the first of these, where the later of both begins.
   const auto first_shared = [&](Index i, Index j) { return key_of(grid.cell_of(boxes[i].min.cwiseMax(boxes[j].min))); };
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = i + 1; j < all.size() && all[j].key == all[i].key; ++j) {
-      const Index a = all[i].body, b = all[j].body;
-      if (first_shared(a, b) != all[i].key) continue;
-      ++found.compared;
-      if (seen != nullptr) seen->push_back(BodyPair::of(a, b));
-      if (query::aabbs_overlap(boxes[a], boxes[b])) found.pairs.push_back(BodyPair::of(a, b));
-    }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t j = i + 1; j < cells.size() && cells[j].key == cells[i].key; ++j)
+      if (first_shared(cells[i].body, cells[j].body) == cells[i].key) compare(cells[i].body, cells[j].body);
+  // Two large boxes are compared once, when the first of them meets the second.
+  for (const Index a : large)
+    for (Index b = 0; b < static_cast<Index>(boxes.size()); ++b)
+      if (b > a || !std::binary_search(large.begin(), large.end(), b)) compare(a, b);
   return found;
 }
 

@@ -12,6 +12,9 @@
 
 namespace snug::hierarchy {
 
+/// A box that reaches into more cells than this is put into none: it is compared with every other box instead.
+inline constexpr std::int64_t kMostCellsOfBox = 512;
+
 inline constexpr std::array<std::string_view, 6> kGridPairsPseudocode{
     "cell ← twice the mean extents of the AABBs",
     "put each AABB into every cell that it reaches into",

@@ -1,5 +1,6 @@
 #include "hierarchy/broad_phase/sweep_and_prune.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace snug::hierarchy {
@@ -44,16 +45,38 @@ std::int64_t sort_by_insertion(std::vector<Begin>& order) {
   return swaps;
 }
 
+/// Sorts by merging, for an order that says nothing about this frame: insertion would take O(n^2) time. Returns the
+/// number of swaps that insertion would make, one for each two that stand the wrong way round.
+std::int64_t sort_by_merging(std::vector<Begin>& order) {
+  std::int64_t swaps = 0;
+  const std::size_t n = order.size();
+  std::vector<Begin> merged(n);
+  for (std::size_t width = 1; width < n; width *= 2) {
+    for (std::size_t begin = 0; begin < n; begin += 2 * width) {
+      const std::size_t middle = std::min(begin + width, n), end = std::min(begin + 2 * width, n);
+      std::size_t left = begin, right = middle;
+      for (std::size_t to = begin; to < end; ++to) {
+        const bool take_right = left == middle || (right < end && order[right] < order[left]);
+        if (take_right) swaps += static_cast<std::int64_t>(middle - left);
+        merged[to] = order[take_right ? right++ : left++];
+      }
+    }
+    order.swap(merged);
+  }
+  return swaps;
+}
+
 /// Brings the last order up to date. Without one along this axis, it sorts the bodies' own order.
 std::vector<Begin> sorted(std::span<const Aabb<double, 3>> boxes, SweepOrder& sweep, int axis, std::int64_t& swaps) {
-  if (sweep.axis != axis || sweep.bodies.size() != boxes.size()) {
+  const bool has_order = sweep.axis == axis && sweep.bodies.size() == boxes.size();
+  if (!has_order) {
     sweep = {axis, std::vector<Index>(boxes.size())};
     std::iota(sweep.bodies.begin(), sweep.bodies.end(), Index{0});
   }
   std::vector<Begin> order;
   order.reserve(boxes.size());
   for (const Index body : sweep.bodies) order.push_back({boxes[body].min[axis], body});
-  swaps = sort_by_insertion(order);
+  swaps = has_order ? sort_by_insertion(order) : sort_by_merging(order);
   for (std::size_t i = 0; i < order.size(); ++i) sweep.bodies[i] = order[i].body;
   return order;
 }

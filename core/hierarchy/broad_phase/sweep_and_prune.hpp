@@ -12,7 +12,8 @@
 
 namespace snug::hierarchy {
 
-/// The code has no active list: it compares each AABB with those after it that begin before it ends.
+/// The code has no active list: it compares each AABB with those after it that begin before it ends. If there is no
+/// last order, it sorts by merging.
 inline constexpr std::array<std::string_view, 7> kSweepAndPrunePseudocode{
     "axis ← where the AABBs spread most",
     "sort the last frame's order by insertion",

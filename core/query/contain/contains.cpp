@@ -99,12 +99,12 @@ template <int Dim>
 std::optional<bool> within_by_double(const Swept<Dim>& swept) {
   const Vector<double, Dim> direction = from_nearest(swept);
   const double distance = direction.norm();
-  const double doubt =
+  const double error_bound =
       tolerance::kSweptDistance * (swept.point.norm() + swept.edge.norm() + swept.other_edge.norm() + swept.radius);
-  if (distance + doubt < swept.radius) return true;
+  if (distance + error_bound < swept.radius) return true;
   const double least = direction.dot(swept.point) - std::max(0.0, direction.dot(swept.edge)) -
                        std::max(0.0, direction.dot(swept.other_edge));
-  if (distance > doubt && least > (swept.radius + doubt) * distance) return false;
+  if (distance > error_bound && least > (swept.radius + error_bound) * distance) return false;
   return std::nullopt;
 }
 

@@ -66,8 +66,8 @@ class Classify {
     }
     const Plane<Scalar, Dim>& plane = frustum_[at];
     const Span<Scalar> span = span_of(plane, volume_);
-    const Scalar doubt = doubt_of(plane, size_);
-    const auto [side, looked_closer] = sided(plane, span, doubt);
+    const Scalar error_bound = error_bound_of(plane, size_);
+    const auto [side, looked_closer] = sided(plane, span, error_bound);
     ++result_.planes_tested;
     observe_.count(Operation::kOrientationTests, kOneVertex || side == Culling::kOutside ? 1 : 2);
     if (side == Culling::kIntersecting) result_.crossing |= PlaneSet{1} << at;
@@ -79,7 +79,7 @@ class Classify {
       fact.plane = at;
       fact.p_distance = span.high / length;
       fact.n_distance = span.low / length;
-      fact.doubt = doubt / length;
+      fact.doubt = error_bound / length;
       fact.looked_closer = looked_closer;
       fact.side = side;
       fact.so_far = result_.verdict;
@@ -89,10 +89,10 @@ class Classify {
   }
 
   /// Decided by rounded numbers where no rounding can change the answer, and exactly otherwise (signs_of).
-  [[nodiscard]] Sided sided(const Plane<Scalar, Dim>& plane, const Span<Scalar>& span, Scalar doubt) const {
-    if (span.low > doubt) return {Culling::kOutside, false};
-    if (span.high < -doubt) return {Culling::kInside, false};
-    if (span.low < -doubt && span.high > doubt) return {Culling::kIntersecting, false};
+  [[nodiscard]] Sided sided(const Plane<Scalar, Dim>& plane, const Span<Scalar>& span, Scalar error_bound) const {
+    if (span.low > error_bound) return {Culling::kOutside, false};
+    if (span.high < -error_bound) return {Culling::kInside, false};
+    if (span.low < -error_bound && span.high > error_bound) return {Culling::kIntersecting, false};
     const Span<int> signs = signs_of(plane, volume_);
     Culling side = Culling::kInside;
     if (signs.low > 0) side = Culling::kOutside;

@@ -12,8 +12,12 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 6> kClassifyCornersPseudocode{
-    "for each plane n, d of the frustum", "  for each vertex of the box",   "    is n · vertex + d > 0?",
-    "  outside if so for all of them",    "  crosses ← yes if so for some", "intersecting if crosses, else inside",
+    "for each plane n, d of the frustum",  //
+    "  for each vertex of the box",
+    "    is n · vertex + d > 0?",  //
+    "  outside if so for all of them",
+    "  crosses ← yes if so for some",  //
+    "intersecting if crosses, else inside",
 };
 
 /// normal . vertex + d, rounded or exact. bits: 1 for +x, 2 for +y, 4 for +z.
@@ -36,8 +40,8 @@ template <class Number, class Scalar, int Dim>
 template <class Scalar, int Dim, class Box>
 [[nodiscard]] bool corner_is_outside(const Plane<Scalar, Dim>& plane, const Box& box, int bits) {
   const Scalar value = value_at_corner<Scalar>(plane, box, bits);
-  const Scalar doubt = doubt_of(plane, magnitude_of(box));
-  if (std::abs(value) > doubt) return value > 0;
+  const Scalar error_bound = error_bound_of(plane, magnitude_of(box));
+  if (std::abs(value) > error_bound) return value > 0;
   return value_at_corner<Dyadic>(plane, box, bits).sign() > 0;
 }
 

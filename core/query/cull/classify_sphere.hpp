@@ -12,8 +12,12 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 6> kClassifySpherePseudocode{
-    "crosses ← no",           "for each plane n, d of the frustum", "  v ← n · c + d",
-    "  outside if v − r > 0", "  crosses ← yes if v + r > 0",       "intersecting if so, else inside",
+    "crosses ← no",  //
+    "for each plane n, d of the frustum",
+    "  v ← n · c + d",
+    "  outside if v − r > 0",
+    "  crosses ← yes if v + r > 0",
+    "intersecting if so, else inside",
 };
 /// The line of kClassifySpherePseudocode that a step of classify belongs to.
 [[nodiscard]] constexpr int line_of_sphere(int line) { return line == ClassifyLine::kVerdict ? 5 : line - 1; }
@@ -44,7 +48,7 @@ CullResult wrong_sphere_sign(const Frustum<Scalar, Dim>& frustum, const Sphere<S
       fact.plane = at;
       fact.p_distance = span.high / length_of(plane);
       fact.n_distance = span.low / length_of(plane);
-      fact.doubt = doubt_of(plane, span_size(ball)) / length_of(plane);
+      fact.doubt = error_bound_of(plane, span_size(ball)) / length_of(plane);
       fact.side = fact.so_far = result.verdict;
       observe(Step{2, fact});
     }

@@ -26,7 +26,8 @@ class Culler {
   }
 
   [[nodiscard, gnu::flatten]] Culling operator()(const Sphere<Scalar, Dim>& sphere) const {
-    const Scalar doubt = doubt_of(magnitude_of(sphere)), most = sphere.radius + doubt, least = sphere.radius - doubt;
+    const Scalar error_bound = error_bound_of(magnitude_of(sphere)), most = sphere.radius + error_bound,
+                 least = sphere.radius - error_bound;
     Culling verdict = Culling::kInside;
     for (const Plane<Scalar, Dim>& plane : planes_) {
       const Scalar value = plane.normal.dot(sphere.center) + plane.d;
@@ -40,7 +41,7 @@ class Culler {
   }
 
   [[nodiscard, gnu::flatten]] Culling operator()(const Aabb<Scalar, Dim>& box) const {
-    const Scalar doubt = doubt_of(magnitude_of(box));
+    const Scalar error_bound = error_bound_of(magnitude_of(box));
     Culling verdict = Culling::kInside;
     for (const Plane<Scalar, Dim>& plane : planes_) {
       Scalar low = plane.d, high = plane.d;
@@ -49,9 +50,9 @@ class Culler {
         low += plane.normal[i] * (towards_max ? box.min[i] : box.max[i]);
         high += plane.normal[i] * (towards_max ? box.max[i] : box.min[i]);
       }
-      if (low > doubt) return Culling::kOutside;
-      if (high < -doubt) continue;
-      if (!(low < -doubt && high > doubt)) [[unlikely]]
+      if (low > error_bound) return Culling::kOutside;
+      if (high < -error_bound) continue;
+      if (!(low < -error_bound && high > error_bound)) [[unlikely]]
         return closely(box);
       verdict = Culling::kIntersecting;
     }
@@ -60,7 +61,7 @@ class Culler {
 
  private:
   /// The error bound of a value at any of the planes.
-  [[nodiscard]] Scalar doubt_of(Scalar size) const {
+  [[nodiscard]] Scalar error_bound_of(Scalar size) const {
     return tolerance::kUnitPlaneReach<Scalar> * (2 * size + farthest_) + std::numeric_limits<Scalar>::min();
   }
 

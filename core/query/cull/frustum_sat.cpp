@@ -27,7 +27,7 @@ struct Axis {
 };
 
 /// If an error bound is below this, no sum in it came near to the largest double.
-constexpr double kSoundDoubt = tolerance::kFrustumGap * (std::numeric_limits<double>::max() / 64);
+constexpr double kSoundErrorBound = tolerance::kFrustumGap * (std::numeric_limits<double>::max() / 64);
 
 constexpr int kPairsOfSides = 12;  // in space: pairs of a frustum's planes that meet in an edge
 template <int Dim>
@@ -125,10 +125,10 @@ bool FrustumSat<Scalar, Dim>::overlaps_any(const auto& given) const {
       high = std::max(high, value);
     }
     const double gap = std::max(low - span.high, span.low - high);
-    const double doubt = tolerance::kFrustumGap * axis.size * size + std::numeric_limits<double>::min();
-    const bool sound = doubt < kSoundDoubt;
-    if (sound && gap > doubt) return false;
-    if (!sound || !(gap < -doubt)) open[count++] = place;
+    const double error_bound = tolerance::kFrustumGap * axis.size * size + std::numeric_limits<double>::min();
+    const bool sound = error_bound < kSoundErrorBound;
+    if (sound && gap > error_bound) return false;
+    if (!sound || !(gap < -error_bound)) open[count++] = place;
   }
   if (count == 0) return true;
   const BoxOf<Dyadic, Dim> exact(given);

@@ -69,7 +69,7 @@ template <class Shape>
 
 /// The error bound of both ends of span_of. size: span_size of the volume.
 template <class Scalar, int Dim>
-[[nodiscard]] Scalar doubt_of(const Plane<Scalar, Dim>& plane, Scalar size) {
+[[nodiscard]] Scalar error_bound_of(const Plane<Scalar, Dim>& plane, Scalar size) {
   Scalar sizes = std::abs(plane.normal[0]);
   for (int i = 1; i < Dim; ++i) sizes += std::abs(plane.normal[i]);
   return tolerance::kPlaneReach<Scalar> * (sizes * size + std::abs(plane.d)) + std::numeric_limits<Scalar>::min();
@@ -82,7 +82,7 @@ template <class Scalar, int Dim>
 }
 
 /// The signs of both ends of the whole volume's span, exactly. If only its support mapping is known, they are those of
-/// a volume that lies on both sides, so that nothing within the doubt is said to be outside or inside.
+/// a volume that lies on both sides, so that nothing within the error bound is said to be outside or inside.
 template <class Shape, class Scalar, int Dim>
 [[nodiscard]] Span<int> signs_of(const Plane<Scalar, Dim>& plane, const Shape& volume) {
   if constexpr (!ReachesExactly<Shape, Plane<Scalar, Dim>>) {

@@ -8,10 +8,10 @@ namespace {
 /// The vertex, and every other one joined to it by edges along which the plane's value is constant within rounding.
 template <class Scalar, int Dim, class Box>
 int corners_like(int corner, const Plane<Scalar, Dim>& plane, const Vector<Scalar, Dim>& normal, const Box& box) {
-  const Scalar doubt = doubt_of(plane, magnitude_of(box));
+  const Scalar error_bound = error_bound_of(plane, magnitude_of(box));
   int ties = 0;
   for (int i = 0; i < Dim; ++i)
-    if (std::abs(normal[i]) * (corner_of(box, 1 << i) - corner_of(box, 0)).norm() <= doubt) ties |= 1 << i;
+    if (std::abs(normal[i]) * (corner_of(box, 1 << i) - corner_of(box, 0)).norm() <= error_bound) ties |= 1 << i;
   int corners = 0;
   for (int bits = 0; bits < 1 << Dim; ++bits)
     if (((bits ^ corner) & ~ties) == 0) corners |= 1 << bits;

@@ -5,10 +5,10 @@
 namespace snug::query {
 
 template class Gjk<Ignore>;
-SNUG_GJK(float, 2)
-SNUG_GJK(float, 3)
-SNUG_GJK(double, 2)
-SNUG_GJK(double, 3)
+SNUG_GJK(, float, 2)
+SNUG_GJK(, float, 3)
+SNUG_GJK(, double, 2)
+SNUG_GJK(, double, 3)
 
 template <class Scalar, int Dim>
 Cores<Scalar, Dim> cores_of(const Volume<Scalar, Dim>& a, const Volume<Scalar, Dim>& b) {

@@ -24,10 +24,14 @@
 namespace snug::query {
 
 inline constexpr std::array<std::string_view, 9> kGjkPseudocode{
-    "simplex ← a vertex of a - a vertex of b",  "repeat",
-    "  v ← point of the simplex nearest to 0",  "  keep the vertices that support v",
-    "  if |v| is only rounding error: overlap", "  w ← vertex of a - b farthest along -v",
-    "  if w · v / |v| = |v|: distance found",   "  add w to the simplex",
+    "simplex ← a vertex of a - a vertex of b",  //
+    "repeat",
+    "  v ← point of the simplex nearest to 0",
+    "  keep the vertices that support v",
+    "  if |v| is only rounding error: overlap",
+    "  w ← vertex of a - b farthest along -v",
+    "  if w · v / |v| = |v|: distance found",
+    "  add w to the simplex",
     "if v came no nearer: twice the digits",
 };
 
@@ -327,18 +331,22 @@ std::optional<Separation<Scalar, Dim>> separation_of(GrownCore a, GrownCore b, c
   return result;
 }
 
-#define SNUG_GJK(Scalar, Dim)                                                                                          \
-  template std::optional<Separation<Scalar, Dim>> separation_of(GrownCore, GrownCore, const Vector<Scalar, Dim>&,      \
-                                                                bool, Ignore&, KeptSimplex*);
-extern SNUG_GJK(float, 2) extern SNUG_GJK(float, 3) extern SNUG_GJK(double, 2) extern SNUG_GJK(double, 3)
+// Compiled once, in gjk.cpp.
+#define SNUG_GJK(EXTERN, Scalar, Dim)                                                                                  \
+  EXTERN template std::optional<Separation<Scalar, Dim>> separation_of(                                                \
+      GrownCore, GrownCore, const Vector<Scalar, Dim>&, bool, Ignore&, KeptSimplex*);
+SNUG_GJK(extern, float, 2)
+SNUG_GJK(extern, float, 3)
+SNUG_GJK(extern, double, 2)
+SNUG_GJK(extern, double, 3)
 
-    /// The distance between two volumes. None if one is empty. only_whether: only the overlap is wanted, not the
-    /// distance. kept: of the run before between the same two, if they have moved little since then.
-    template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
-              StepObserver<GjkStep> Observer = Ignore>
-    [[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
-                                                             bool only_whether = false, Observer&& observe = {},
-                                                             KeptSimplex* kept = nullptr) {
+/// The distance between two volumes. None if one is empty. only_whether: only the overlap is wanted, not the
+/// distance. kept: of the run before between the same two, if they have moved little since then.
+template <template <class, int> class A, template <class, int> class B, class Scalar, int Dim,
+          StepObserver<GjkStep> Observer = Ignore>
+[[nodiscard]] std::optional<Separation<Scalar, Dim>> gjk(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b,
+                                                         bool only_whether = false, Observer&& observe = {},
+                                                         KeptSimplex* kept = nullptr) {
   const Vector<Scalar, Dim> origin = anchor(a) / 2 + anchor(b) / 2;  // the same for either order
   return separation_of<Scalar, Dim>(grown_core(a, origin), grown_core(b, origin), origin, only_whether, observe, kept);
 }

@@ -1,9 +1,9 @@
 // The separating-axis test (SAT) of two oriented boxes: they are apart exactly if their projections onto one of 15 axes
 // are (in the plane 4): the normals of A's faces, those of B's, and the cross products of an edge of each.
-// apart_at_a_glance is the test in plain lines. obb_sat, below it, is the same test with its steps; exact arithmetic
-// decides what rounding leaves open.
+// apart_filter is the test in plain lines. obb_sat, below it, is the same test with its steps; exact arithmetic decides
+// what rounding leaves open.
 // Source: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A hierarchical structure for rapid interference detection",
-// 1996; the table of axes as in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
+// 1996; the axes in the order of table 4.1 in C. Ericson, Real-Time Collision Detection, 2005, 4.4.1.
 #pragma once
 
 #include <algorithm>
@@ -26,22 +26,23 @@
 
 namespace snug::query {
 
-/// Whether two boxes are apart, by the 15 axes in the order of the lecture's table; none where rounding may decide. On
-/// each axis the distance of the centres stands against the sum of the projected radii. off: how far both boxes' bounds
-/// together may be from the intended ones, along any direction.
+/// Whether two boxes are apart; none where rounding may decide (a floating-point filter). On each axis the distance of
+/// the centres stands against the sum of the projected radii. Axes of parallel edges are left out: they separate
+/// nothing, and boxes overlap if they do so on all other axes, by twice the error bound (tolerance::kSatParallelDepth
+/// has the proof). off: how far both boxes' bounds together may be from the intended ones, along any direction.
 template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
-                                                                  std::type_identity_t<Scalar> off = 0) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
+                                                             std::type_identity_t<Scalar> off = 0) {
   const Vector<Scalar, Dim> offset = b.center - a.center;
   const Vector<Scalar, Dim>&e = a.half_extents, &f = b.half_extents;
-  const Scalar doubt = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
-                       std::numeric_limits<Scalar>::min();
+  const Scalar error_bound = tolerance::kSatGap<Scalar> * (offset.template lpNorm<1>() + e.sum() + f.sum()) + off +
+                             std::numeric_limits<Scalar>::min();
   Scalar r[Dim][Dim], s[Dim][Dim], t[Dim];  // B in A's frame: the axes, their sizes, the centre
   Scalar widest = -std::numeric_limits<Scalar>::infinity();
   const auto apart = [&](Scalar distance, Scalar radii) {
     const Scalar gap = std::abs(distance) - radii;
     widest = std::max(widest, gap);
-    return gap > doubt;
+    return gap > error_bound;
   };
   // The normals of A's faces, and on the way R and t.
   for (int i = 0; i < Dim; ++i) {
@@ -64,30 +65,45 @@ template <class Scalar, int Dim>
     if (apart(distance, radii)) return true;
   }
   // Edge i of A times edge j of B: in A's frame a unit vector times a column of R, which leaves two terms of each sum.
+  Scalar needed = error_bound;  // the penetration that proves overlap
   if constexpr (Dim == 3) {
     for (int i = 0; i < 3; ++i) {
       const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
       for (int j = 0; j < 3; ++j) {
         const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        if (s[i1][j] + s[i2][j] <= tolerance::kParallelAxes<Scalar>) {
+          needed = tolerance::kSatParallelDepth<Scalar> * error_bound;
+          continue;
+        }
         if (apart(t[i2] * r[i1][j] - t[i1] * r[i2][j],
                   e[i1] * s[i2][j] + e[i2] * s[i1][j] + (f[j1] * s[i][j2] + f[j2] * s[i][j1])))
           return true;
       }
     }
   }
-  if (widest < -doubt) return false;
+  if (widest < -needed) return false;
   return std::nullopt;
 }
 
 inline constexpr std::array<std::string_view, 7> kSatPseudocode2{
-    "R, t ← B in A's frame",        "for each face axis of A",         "  apart if distance > r_A + r_B",
-    "for each face axis of B",      "  apart if distance > r_A + r_B", "decide what rounding left open",
-    "overlap if no axis separates",
+    "R, t ← B in A's frame",  //
+    "for each face axis of A",
+    "  apart if distance > r_A + r_B",  //
+    "for each face axis of B",
+    "  apart if distance > r_A + r_B",  //
+    "decide what rounding left open",
+    "overlap if no axis separates",  //
 };
 inline constexpr std::array<std::string_view, 10> kSatPseudocode3{
-    "R, t ← B in A's frame",          "for each face axis of A",         "  apart if distance > r_A + r_B",
-    "for each face axis of B",        "  apart if distance > r_A + r_B", "for each edge of A × edge of B",
-    "  no axis if they are parallel", "  apart if distance > r_A + r_B", "decide what rounding left open",
+    "R, t ← B in A's frame",  //
+    "for each face axis of A",
+    "  apart if distance > r_A + r_B",  //
+    "for each face axis of B",
+    "  apart if distance > r_A + r_B",  //
+    "for each edge of A × edge of B",
+    "  no axis if they are parallel",  //
+    "  apart if distance > r_A + r_B",
+    "decide what rounding left open",  //
     "overlap if no axis separates",
 };
 
@@ -98,13 +114,13 @@ struct SatLine {
   static constexpr int kExactly = Dim == 2 ? 5 : 8, kVerdict = kExactly + 1;
 };
 
-/// B in A's frame, and the projections of both boxes onto the axes of the lecture's table.
+/// B in A's frame, and the projections of both boxes onto the axes of Ericson's table 4.1.
 template <class Scalar, int Dim>
 class ObbFrames {
  public:
   ObbFrames(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) : a_(a), b_(b), offset_(b.center - a.center) {
     const Scalar size = offset_.template lpNorm<1>() + a.half_extents.sum() + b.half_extents.sum();
-    doubt_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
+    error_bound_ = tolerance::kSatGap<Scalar> * size + std::numeric_limits<Scalar>::min();
   }
 
   /// Calls visit(place, offset, radius_a, radius_b) for each axis in the table's order until one call returns true, and
@@ -116,11 +132,11 @@ class ObbFrames {
   }
 
   /// The error bound of a gap, times the axis's length: a gap larger than this is certain.
-  [[nodiscard]] Scalar doubt() const { return doubt_; }
+  [[nodiscard]] Scalar error_bound() const { return error_bound_; }
 
   [[nodiscard]] FramesRelated<Scalar, Dim> related() {
     for (int i = 0; i < Dim; ++i) relate(i);
-    return {rotation_, translation_, doubt_};
+    return {rotation_, translation_, error_bound_};
   }
 
   /// The axis's length: 1 for a face's normal, for two edges the sine of the angle between them.
@@ -149,7 +165,7 @@ class ObbFrames {
   /// Decides exactly whether one of the axes in doubt separates the boxes, and which. The other axes certainly do not.
   /// If only axes of parallel edges are in doubt, they cannot separate the boxes; but beside others in doubt they are
   /// tested, for their edges may be parallel only within rounding.
-  [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> settle(AxisSet in_doubt) const {
+  [[nodiscard]] std::optional<SatAxis<Scalar, Dim>> decide_exactly(AxisSet in_doubt) const {
     for (int place = 0; place < kSatAxes<Dim>; ++place)
       if ((in_doubt >> place & 1) != 0 && !parallel(place)) return separating_exactly(a_, b_, in_doubt);
     return std::nullopt;
@@ -165,7 +181,7 @@ class ObbFrames {
       bool farthest = true;
       for (int axis = 0; axis < Dim; ++axis) {
         const Scalar reach = box.axes.col(axis).dot(way) * box.half_extents[axis];
-        farthest = farthest && (std::abs(reach) <= doubt_ || (reach > 0) == ((bits >> axis & 1) != 0));
+        farthest = farthest && (std::abs(reach) <= error_bound_ || (reach > 0) == ((bits >> axis & 1) != 0));
       }
       if (farthest) corners |= 1 << bits;
     }
@@ -214,7 +230,7 @@ class ObbFrames {
   const Obb<Scalar, Dim>& a_;
   const Obb<Scalar, Dim>& b_;
   Direction offset_;
-  Scalar doubt_;
+  Scalar error_bound_;
   Matrix<Scalar, Dim> rotation_;
   Direction translation_;
 };
@@ -235,7 +251,7 @@ class ObbSat {
       return judge(place, std::abs(offset), radius_a, radius_b);
     });
     result_.overlap = !apart_;
-    if (!apart_ && in_doubt_ != 0) settle();
+    if (!apart_ && in_doubt_ != 0) decide_exactly();
     if (extent_ == SatExtent::kAll && result_.overlap) result_.axis.gap = std::min(result_.axis.gap, Scalar(0));
     observe_(Step{line_of_verdict(), Verdict<Scalar, Dim>{result_}});
     return result_;
@@ -252,8 +268,8 @@ class ObbSat {
     observe_.count(Operation::kDotProducts, dot_products(place));
     observe_.count(Operation::kComparisons, 1);
     if constexpr (kWatched<Observer>) report(place, distance, radius_a, radius_b);
-    const bool separates = gap > frames_.doubt();
-    if (!separates && !(gap < -frames_.doubt())) in_doubt_ |= AxisSet{1} << place;
+    const bool separates = gap > frames_.error_bound();
+    if (!separates && !(gap < -frames_.error_bound())) in_doubt_ |= AxisSet{1} << place;
     if (extent_ == SatExtent::kAll) keep_if_widest(place, gap);
     if (!separates) return false;
     apart_ = true;
@@ -278,14 +294,14 @@ class ObbSat {
   /// Keeps the axis if its gap is the widest, compared by the part that is certain, small for nearly parallel edges.
   void keep_if_widest(int place, Scalar gap) {
     if (frames_.parallel(place)) return;
-    const Scalar certain = (gap - frames_.doubt()) / frames_.length(place);
+    const Scalar certain = (gap - frames_.error_bound()) / frames_.length(place);
     if (result_.axis.kind != AxisKind::kNone && certain <= widest_) return;
     widest_ = certain;
     result_.axis = frames_.axis(place, gap);
   }
 
-  void settle() {
-    const auto separating = frames_.settle(in_doubt_);
+  void decide_exactly() {
+    const auto separating = frames_.decide_exactly(in_doubt_);
     result_.overlap = !separating;
     if (separating) result_.axis = *separating;
     observe_(Step{Line::kExactly, LookedCloser{std::popcount(in_doubt_), result_.overlap}});
@@ -299,8 +315,8 @@ class ObbSat {
       fact.distance = distance / fact.length;
       fact.radius_a = radius_a / fact.length;
       fact.radius_b = radius_b / fact.length;
-      fact.doubt = frames_.doubt() / fact.length;
-      fact.separates = gap > frames_.doubt();
+      fact.doubt = frames_.error_bound() / fact.length;
+      fact.separates = gap > frames_.error_bound();
       fact.near_a = frames_.corners_of_a(fact.axis.direction);
       fact.near_b = frames_.corners_of_b(-fact.axis.direction);
     }
@@ -324,7 +340,7 @@ class ObbSat {
 
 /// Whether two oriented boxes share a point; touching boxes do. The verdict is exact on the numbers as they are, where
 /// a box is the set of all center + sum s_i h_i u_i with |s_i| <= 1; that includes flat boxes, segments and points. The
-/// lecture's test decides as far as its error bound allows, and exact arithmetic decides the rest.
+/// test of table 4.1 decides as far as its error bound allows, and exact arithmetic decides the rest.
 /// a, b: axes unit and perpendicular within tolerance::kObbAxes; coordinates finite, and small enough that their sums
 /// are. extent: kFirst ends at the first axis that separates, and overlapping boxes get no axis. kAll tests all: boxes
 /// that are apart get the axis of the widest gap, overlapping ones that of the least penetration.
@@ -337,7 +353,7 @@ SatResult<Scalar, Dim> obb_sat(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>
 /// The verdict of obb_sat, if nothing else is needed.
 template <class Scalar, int Dim>
 [[nodiscard]] bool obbs_overlap(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
-  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+  if (const auto apart = apart_filter(a, b)) [[likely]]
     return !*apart;
   return obb_sat(a, b).overlap;
 }

@@ -88,10 +88,10 @@ AxisSet still_open(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b, AxisSet
   const Pair<double, Dim> pair(a, b);
   const double size = (b.center.template cast<double>() - a.center.template cast<double>()).template lpNorm<1>() +
                       a.half_extents.template cast<double>().sum() + b.half_extents.template cast<double>().sum();
-  const double doubt = tolerance::kSatInDouble * size + std::numeric_limits<double>::min();
+  const double error_bound = tolerance::kSatInDouble * size + std::numeric_limits<double>::min();
   AxisSet open = 0;
   for_each_axis<Dim>(axes, [&](int place) {
-    if (!(pair.along(place).gap < -doubt)) open |= AxisSet{1} << place;
+    if (!(pair.along(place).gap < -error_bound)) open |= AxisSet{1} << place;
   });
   return open;
 }

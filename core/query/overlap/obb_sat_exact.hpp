@@ -9,7 +9,7 @@
 
 namespace snug::query {
 
-/// The entry at an index of the lecture's table, counted from 0: A's faces, B's faces, edges of A x edges of B.
+/// The entry at an index of Ericson's table 4.1, counted from 0: A's faces, B's faces, edges of A x edges of B.
 struct AxisAt {
   AxisKind kind;
   int i, j;  // -1 for none

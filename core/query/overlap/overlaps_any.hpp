@@ -74,10 +74,10 @@ template <class Scalar, int Dim, class Observer>
                                                            Observer& observe) {
   const OverlapResult<Scalar, Dim> slabs = by_slabs(a, b, observe);
   if (!slabs.overlap) return slabs;
-  OverlapResult<Scalar, Dim> settled = by_gjk(a, b, observe);
-  settled.tests += slabs.tests;
-  settled.distance.reset();
-  return settled;
+  OverlapResult<Scalar, Dim> exact = by_gjk(a, b, observe);
+  exact.tests += slabs.tests;
+  exact.distance.reset();
+  return exact;
 }
 
 }  // namespace any_pair

@@ -22,16 +22,15 @@ template <class Scalar, int Dim>
 /// The axis-aligned box's centre and extents, rounded as they come, are off by 2u of its bounds, and those of obb_of by
 /// as much the other way; a direction has up to three coordinates, and the sums here round once more.
 template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Aabb<Scalar, Dim>& a,
-                                                                  const Obb<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
   const Obb<Scalar, Dim> box{a.min / 2 + a.max / 2, Matrix<Scalar, Dim>::Identity(), a.max / 2 - a.min / 2};
   const Scalar bounds = a.min.template lpNorm<1>() + a.max.template lpNorm<1>();
-  return apart_at_a_glance(box, b, 16 * tolerance::kRoundoff<Scalar> * bounds);
+  return apart_filter(box, b, 16 * tolerance::kRoundoff<Scalar> * bounds);
 }
 
 template <class Scalar, int Dim>
 [[nodiscard]] bool boxes_overlap(const Aabb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b) {
-  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+  if (const auto apart = apart_filter(a, b)) [[likely]]
     return !*apart;
   return obb_sat(obb_of(a), b).overlap;
 }

@@ -125,7 +125,7 @@ template <class Scalar, int Dim>
 [[nodiscard, gnu::flatten]] bool slabs_overlap(const Aabb<Scalar, Dim>& a, const Kdop<Scalar, Dim>& b) {
   const auto axes = kdop_axes<Dim>(b.k);
   const Scalar size = std::max(a.min.cwiseAbs().maxCoeff(), a.max.cwiseAbs().maxCoeff());
-  const Scalar doubt = tolerance::kKdopProjection<Scalar> * size + std::numeric_limits<Scalar>::min();
+  const Scalar error_bound = tolerance::kKdopProjection<Scalar> * size + std::numeric_limits<Scalar>::min();
   bool in_doubt = false;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     Scalar least = 0, greatest = 0;
@@ -135,8 +135,8 @@ template <class Scalar, int Dim>
       greatest += axes[i][j] > 0 ? a.max[j] : -a.min[j];
     }
     const Scalar gap = std::max(b.min[i] - greatest, least - b.max[i]);
-    if (gap > doubt) return false;
-    in_doubt = in_doubt || gap > -doubt;
+    if (gap > error_bound) return false;
+    in_doubt = in_doubt || gap > -error_bound;
   }
   return !in_doubt || test_slabs(a, b).overlap;
 }

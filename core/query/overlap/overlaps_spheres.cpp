@@ -12,8 +12,9 @@ bool apart_exactly(const double* a, double radius_a, const double* b, double rad
   const double radii = radius_a + radius_b;
   const double larger = std::max(square, radii * radii);
   // The sum of the radii is rounded once, which adds 2u once it is squared.
-  const double doubt = (tolerance::kSquaredDistance<double> + 4 * tolerance::kRoundoff<double>)*larger;
-  if (larger > 0x1p-900 && larger < 0x1p1000 && std::abs(square - radii * radii) > doubt) return square > radii * radii;
+  const double error_bound = (tolerance::kSquaredDistance<double> + 4 * tolerance::kRoundoff<double>)*larger;
+  if (larger > 0x1p-900 && larger < 0x1p1000 && std::abs(square - radii * radii) > error_bound)
+    return square > radii * radii;
   ExactSum sum;
   for (int i = 0; i < dim; ++i) {
     sum.add_product(a[i], a[i]);

@@ -29,20 +29,20 @@ template <class Scalar, int Dim>
   return apart_exactly(p.data(), static_cast<double>(radius_a), q.data(), static_cast<double>(radius_b), Dim);
 }
 
-/// Whether a squared distance exceeds a squared radius, from their difference; none within the doubt. Underflow of a
-/// square is far below the least normal number, and where one overflows nothing is certain.
+/// Whether a squared distance exceeds a squared radius, from their difference; none within the error bound. Underflow
+/// of a square is far below the least normal number, and where one overflows nothing is certain.
 template <class Scalar>
-[[nodiscard]] std::optional<bool> if_certain(Scalar excess, Scalar doubt) {
-  if (std::abs(excess) > doubt + std::numeric_limits<Scalar>::min()) return excess > 0;
+[[nodiscard]] std::optional<bool> if_certain(Scalar excess, Scalar error_bound) {
+  if (std::abs(excess) > error_bound + std::numeric_limits<Scalar>::min()) return excess > 0;
   return std::nullopt;
 }
 
-// ---- Whether a pair is apart; none where rounding could change the answer. All of it is inlined, even where the
-// compiler optimizes for size: a call for each coordinate would cost more than the test.
+// ---- The filters: whether a pair is apart; none where rounding could change the answer. All of it is inlined, even
+// where the compiler optimizes for size: a call for each coordinate would cost more than the test.
 
 template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& a,
-                                                                  const Sphere<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Sphere<Scalar, Dim>& a,
+                                                             const Sphere<Scalar, Dim>& b) {
   const Scalar radii = a.radius + b.radius, square = radii * radii;
   return if_certain((b.center - a.center).squaredNorm() - square, tolerance::kSquaresCompared<Scalar> * square);
 }
@@ -53,8 +53,8 @@ template <class Scalar, int Dim>
 }
 
 template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere,
-                                                                  const Aabb<Scalar, Dim>& box) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Sphere<Scalar, Dim>& sphere,
+                                                             const Aabb<Scalar, Dim>& box) {
   Scalar square = 0;
   for (int i = 0; i < Dim; ++i) {
     const Scalar beyond = std::max(std::max(box.min[i] - sphere.center[i], sphere.center[i] - box.max[i]), Scalar(0));
@@ -65,8 +65,8 @@ template <class Scalar, int Dim>
 }
 
 template <class Scalar, int Dim>
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const Sphere<Scalar, Dim>& sphere,
-                                                                  const Obb<Scalar, Dim>& box) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Sphere<Scalar, Dim>& sphere,
+                                                             const Obb<Scalar, Dim>& box) {
   const Vector<Scalar, Dim> between = sphere.center - box.center;
   Scalar square = 0;
   for (int i = 0; i < Dim; ++i) {
@@ -75,7 +75,7 @@ template <class Scalar, int Dim>
   }
   const Scalar radius_square = sphere.radius * sphere.radius;
   const Scalar sizes = square + box.half_extents.squaredNorm() + radius_square;
-  return if_certain(square - radius_square, tolerance::kGlance<Scalar> * sizes);
+  return if_certain(square - radius_square, tolerance::kDistanceFilter<Scalar> * sizes);
 }
 
 // ---- The verdicts.
@@ -84,7 +84,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard, gnu::always_inline]] inline bool spheres_overlap(const Sphere<Scalar, Dim>& a,
                                                               const Sphere<Scalar, Dim>& b) {
-  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+  if (const auto apart = apart_filter(a, b)) [[likely]]
     return !*apart;
   return !apart_exactly<Scalar, Dim>(a.center, a.radius, b.center, b.radius);
 }
@@ -93,7 +93,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard, gnu::always_inline]] inline bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere,
                                                                  const Aabb<Scalar, Dim>& box) {
-  if (const auto apart = apart_at_a_glance(sphere, box)) [[likely]]
+  if (const auto apart = apart_filter(sphere, box)) [[likely]]
     return !*apart;
   return !apart_exactly<Scalar, Dim>(sphere.center, sphere.radius, nearest_of(box, sphere.center), 0);
 }
@@ -117,7 +117,7 @@ template <class Scalar, int Dim>
 template <class Scalar, int Dim>
 [[nodiscard, gnu::always_inline]] inline bool sphere_box_overlap(const Sphere<Scalar, Dim>& sphere,
                                                                  const Obb<Scalar, Dim>& box) {
-  if (const auto apart = apart_at_a_glance(sphere, box)) [[likely]]
+  if (const auto apart = apart_filter(sphere, box)) [[likely]]
     return !*apart;
   return sphere_box_overlap_closely(sphere, box);
 }

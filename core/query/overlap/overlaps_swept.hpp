@@ -50,8 +50,8 @@ inline constexpr int kCoreDim<Capsule<Scalar, Dim>> = 1;
 template <class Scalar, int Dim>
 inline constexpr int kCoreDim<Lozenge<Scalar, Dim>> = 2;
 
-/// The squared distance of two cores, and the sum of that and all squared edges (see tolerance::kGlance). An edge whose
-/// square is no normal number counts as any of its points.
+/// The squared distance of two cores, and the sum of that and all squared edges (see tolerance::kDistanceFilter). An
+/// edge whose square is no normal number counts as any of its points.
 template <class Scalar>
 struct CoreDistance {
   Scalar square, sizes;
@@ -110,18 +110,18 @@ template <class Scalar, int Dim>
   return {square, square + uu + vv};
 }
 
-/// Capsules and lozenges against lozenges, at a glance: decides most pairs without scaling and without a rectangle's
+/// The filter of capsules and lozenges against lozenges: decides most pairs without scaling and without a rectangle's
 /// axes. Both answers are proven: by two points, one on each core, that are nearer than the radii together; or by a
 /// direction along which the cores are farther apart than that.
 template <class Scalar, int Dim>
-class SweptGlance {
+class SweptFilter {
  public:
-  SweptGlance(const SweptCore<Scalar, Dim>& a, const SweptCore<Scalar, Dim>& b, Scalar radii)
+  SweptFilter(const SweptCore<Scalar, Dim>& a, const SweptCore<Scalar, Dim>& b, Scalar radii)
       : a_(a.edges), b_(b.edges), middle_(b.corner - a.corner + (b_[0] + b_[1] - (a_[0] + a_[1])) / 2),
         a_squares_{a_[0].squaredNorm(), a_[1].squaredNorm()}, b_squares_{b_[0].squaredNorm(), b_[1].squaredNorm()},
         radii_square_(radii * radii) {
-    doubt_ = tolerance::kGlance<Scalar> *
-             (middle_.squaredNorm() + radii_square_ + a_squares_[0] + a_squares_[1] + b_squares_[0] + b_squares_[1]);
+    error_bound_ = tolerance::kDistanceFilter<Scalar> * (middle_.squaredNorm() + radii_square_ + a_squares_[0] +
+                                                         a_squares_[1] + b_squares_[0] + b_squares_[1]);
   }
 
   /// None where the answer is within the error bound.
@@ -132,7 +132,7 @@ class SweptGlance {
       const Way on_a = nearest_point(on_b, a_, a_squares_);
       on_b = middle_ + nearest_point(on_a - middle_, b_, b_squares_);
       way = on_b - on_a;
-      if (way.squaredNorm() + doubt_ + kLeast < radii_square_) return false;
+      if (way.squaredNorm() + error_bound_ + kLeast < radii_square_) return false;
     }
     if (separates(way)) return true;
     return std::nullopt;
@@ -148,7 +148,7 @@ class SweptGlance {
     const Scalar spans =
         std::abs(a_[0].dot(way)) + std::abs(a_[1].dot(way)) + std::abs(b_[0].dot(way)) + std::abs(b_[1].dot(way));
     const Scalar gap = middle_.dot(way) - spans / 2;
-    return gap > 0 && gap * gap > (radii_square_ + doubt_) * way.squaredNorm() + kLeast;
+    return gap > 0 && gap * gap > (radii_square_ + error_bound_) * way.squaredNorm() + kLeast;
   }
 
   /// The point of a core around the origin nearest to p, up to edges that are not exactly perpendicular.
@@ -164,7 +164,7 @@ class SweptGlance {
   Edges a_, b_;
   Way middle_;  // b's centre from a's
   std::array<Scalar, 2> a_squares_, b_squares_;
-  Scalar radii_square_, doubt_;
+  Scalar radii_square_, error_bound_;
 };
 
 /// Both cores in space, relative to the first one's vertex, scaled by a power of two so that nothing is larger than 1.
@@ -275,23 +275,23 @@ requires requires(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   swept_core(a);
   swept_core(b);
 }
-[[nodiscard, gnu::flatten]] std::optional<bool> apart_at_a_glance(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
+[[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const A<Scalar, Dim>& a, const B<Scalar, Dim>& b) {
   const Scalar radii = a.radius + b.radius;
   if constexpr (requires { core_distance(a, b); }) {
     const CoreDistance<Scalar> distance = core_distance(a, b);
     const Scalar square = radii * radii;
     // Two edges e that count as points may change d^2 by 4 d |e|, which is at most k d^2 / 4 + 16 e^2 / k.
-    constexpr Scalar k = tolerance::kGlance<Scalar>, kShortEdges = std::numeric_limits<Scalar>::min() / k;
+    constexpr Scalar k = tolerance::kDistanceFilter<Scalar>, kShortEdges = std::numeric_limits<Scalar>::min() / k;
     return if_certain(distance.square - square, k * (distance.sizes + square) + 16 * kShortEdges);
   } else {
-    return SweptGlance<Scalar, Dim>(swept_core(a), swept_core(b), radii).apart();
+    return SweptFilter<Scalar, Dim>(swept_core(a), swept_core(b), radii).apart();
   }
 }
 
 /// The verdict of SweptPair.
 template <class A, class B>
 [[nodiscard, gnu::always_inline]] inline bool swept_overlap(const A& a, const B& b) {
-  if (const auto apart = apart_at_a_glance(a, b)) [[likely]]
+  if (const auto apart = apart_filter(a, b)) [[likely]]
     return !*apart;
   return swept_overlap_closely(a, b);
 }

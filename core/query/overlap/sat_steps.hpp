@@ -38,8 +38,7 @@ struct SatResult {
   SatAxis<Scalar, Dim> axis;  // if apart, one that separates; if overlapping, that of least penetration, or kNone
 };
 
-/// B in A's frame: its axes as columns, its centre, and the error bound of the gaps, scene
-/// units.
+/// B in A's frame: its axes as columns, its centre, and the error bound of the gaps, scene units.
 template <class Scalar, int Dim>
 struct FramesRelated {
   static constexpr std::string_view kName = "frames_related";
@@ -49,8 +48,8 @@ struct FramesRelated {
   SNUG_FIELDS(rotation, translation, doubt);
 };
 
-/// Both boxes were projected onto an axis. Values are in scene units along the unit direction; the lecture's table has
-/// them times length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
+/// Both boxes were projected onto an axis. Values are in scene units along the unit direction; Ericson's table 4.1
+/// has them times length, the sine of the angle between the edges (1 for a face). gap = distance - radius_a - radius_b.
 template <class Scalar, int Dim>
 struct AxisTested {
   static constexpr std::string_view kName = "axis_tested";

@@ -1,7 +1,6 @@
 // broad_phase: finds the pairs whose AABBs overlap.
 #include <utility>
 
-#include "geometry/tolerance.hpp"
 #include "hierarchy/broad_phase/broad_phase.hpp"
 #include "scene/effect.hpp"
 
@@ -14,13 +13,7 @@ class BroadPhase final : public Effect {
 
   void run(World& world) override {
     std::vector<Aabb<double, 3>> boxes = world.state.volumes;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      // Room for points that rounding may have put outside the box, and for the body's motion until the next test.
-      const double room = world.margin(i) + tolerance::kPlaced<double> * (boxes[i].min.cwiseAbs().maxCoeff() +
-                                                                          boxes[i].max.cwiseAbs().maxCoeff());
-      boxes[i].min -= V3::Constant(room);
-      boxes[i].max += V3::Constant(room);
-    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = with_room(boxes[i], world.margin(i));
     hierarchy::PairsFound found = hierarchy::broad_phase(boxes, search_, &world.state.sweep);
     Funnel& funnel = world.state.funnel;
     funnel.compared = found.compared;

@@ -4,8 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <numeric>
 
 #include "geometry/random.hpp"
+#include "hierarchy/broad_phase/grid.hpp"
 
 using namespace snug;
 using hierarchy::PairSearch;
@@ -81,6 +84,16 @@ TEST_CASE("a much larger box does not spoil the grid, and flat boxes have one") 
   all.push_back({{-100, -100, -100}, {100, -50, 100}});
   CHECK(hierarchy::broad_phase(all, PairSearch::kGrid).pairs ==
         hierarchy::broad_phase(all, PairSearch::kAllPairs).pairs);
+  // Boxes as large as the scene are put into no cells, and are compared with each other and with all others once.
+  for (int i = 0; i < 2; ++i) all.insert(all.begin() + 70 * i, {{-100, -100, -100}, {100, 100, 100}});
+  std::vector<BodyPair> seen;
+  const auto found = hierarchy::broad_phase(all, PairSearch::kGrid, nullptr, &seen);
+  CHECK(found.pairs == hierarchy::broad_phase(all, PairSearch::kAllPairs).pairs);
+  CHECK(found.cells >= 200);
+  CHECK(found.cells < 8 * 200 + hierarchy::kMostCellsOfBox);
+  CHECK(found.compared == std::ssize(seen));
+  std::sort(seen.begin(), seen.end());
+  CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
   const std::vector<Aabb<double, 3>> points(4, Aabb<double, 3>{Vector<double, 3>::Ones(), Vector<double, 3>::Ones()});
   CHECK(hierarchy::broad_phase(points, PairSearch::kGrid).pairs.size() == 6);
 }
@@ -100,4 +113,37 @@ TEST_CASE("a sweep begins from the last order: it swaps what has changed places,
   CHECK(order.bodies == std::vector<Index>{4, 2, 3, 1, 0});
   row.pop_back();  // of another number of boxes the old order says nothing
   CHECK(swaps() == 5);
+}
+
+TEST_CASE("without a last order a sweep takes no quadratic time, and tells as many swaps as insertion makes") {
+  constexpr int kMany = 300'000;
+  std::vector<Aabb<double, 3>> row(kMany);
+  for (int i = 0; i < kMany; ++i) {
+    const Vector<double, 3> at = Vector<double, 3>::UnitX() * (kMany - i);
+    row[i] = {at, at + Vector<double, 3>::Constant(0.1)};
+  }
+  hierarchy::SweepOrder order;
+  const auto start = std::chrono::steady_clock::now();
+  const auto first = hierarchy::broad_phase(row, PairSearch::kSweepAndPrune, &order);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  CHECK(first.swaps == std::int64_t{kMany} * (kMany - 1) / 2);
+  CHECK(first.pairs.empty());
+  CHECK(std::is_sorted(order.bodies.rbegin(), order.bodies.rend()));
+  INFO(seconds.count() << " s");
+  CHECK(seconds.count() < 8);  // 0.1 as compiled for use, where insertion takes 20; more with sanitizers
+
+  // As many as insertion makes from the bodies' own order, whatever that is.
+  for (const int count : {1, 2, 3, 7, 64, 101})
+    for (const bool on_grid : {false, true}) {
+      const auto all = boxes(count, 0.3, static_cast<std::uint64_t>(count) + 40, on_grid);
+      const int axis = hierarchy::broad_phase(all, PairSearch::kSweepAndPrune).axis;
+      hierarchy::SweepOrder own{axis, std::vector<Index>(all.size())};
+      std::iota(own.bodies.begin(), own.bodies.end(), Index{0});
+      hierarchy::SweepOrder none;
+      const auto inserted = hierarchy::broad_phase(all, PairSearch::kSweepAndPrune, &own);
+      const auto merged = hierarchy::broad_phase(all, PairSearch::kSweepAndPrune, &none);
+      CHECK(merged.axis == inserted.axis);
+      CHECK(merged.swaps == inserted.swaps);
+      CHECK(none.bodies == own.bodies);
+    }
 }

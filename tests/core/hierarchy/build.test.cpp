@@ -129,6 +129,26 @@ TEST_CASE_TEMPLATE("trees stay shallow", Scalar, float, double) {
   check_dim(std::integral_constant<int, 3>{});
 }
 
+TEST_CASE("from depth 40 on, too, a node of few bodies is a leaf") {
+  constexpr Index kMostInLeaf = 4;
+  for (const auto& scene : test::hard_scenes<double, 3>(1000)) {
+    if (scene.name != "each twice as far as the last") continue;
+    const auto tree = hierarchy::build_surface_area<Aabb<double, 3>>(scene.boxes, {kMostInLeaf});
+    std::vector<int> depth(tree.nodes.size(), 0);
+    int deep_leaves = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+      const auto& node = tree.nodes[i];
+      const auto left = static_cast<std::size_t>(node.first);
+      if (!node.is_leaf()) depth[left] = depth[left + 1] = depth[i] + 1;
+      if (depth[i] < 40) continue;
+      const auto bodies = std::ssize(tree.bodies_below(static_cast<Index>(i)));
+      CHECK(node.is_leaf() == (bodies <= kMostInLeaf));
+      deep_leaves += node.is_leaf() ? 1 : 0;
+    }
+    CHECK(deep_leaves > 10);
+  }
+}
+
 TEST_CASE("bodies one inside of another are not put ever deeper: the next is beside what is no deeper than a limit") {
   std::vector<Aabb<double, 3>> nested;
   for (int i = 0; i < 2000; ++i)

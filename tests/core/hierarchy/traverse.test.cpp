@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/hierarchy/scenes.hpp"
+#include "hierarchy/broad_phase/broad_phase.hpp"
 #include "hierarchy/traverse_pair.hpp"
 #include "hierarchy/traverse_self.hpp"
 #include "query/overlap/aabb_overlap.hpp"
@@ -289,7 +290,7 @@ TEST_CASE("each step of a traversal names a line, and the last has the counts") 
     CHECK(done->volume_tests == counts.volume_tests());
     CHECK(done->nodes == counts.nodes_visited);
   };
-  Recorder<hierarchy::Step> culled, shot, paired;
+  Recorder<hierarchy::Step> culled, shot, paired, within;
   const Aabb<float, 3> window{{0, 0, 0}, {2, 2, 2}};
   const auto visit = [&](const Aabb<float, 3>& box, int) {
     return query::aabbs_overlap(box, window) ? Answer::kDescend : Answer::kPrune;
@@ -305,4 +306,14 @@ TEST_CASE("each step of a traversal names a line, and the last has the counts") 
         hierarchy::overlapping_pairs(
             tree, boxes, tree, boxes, [](Index, Index) {}, paired),
         hierarchy::kOverlapPseudocode.size());
+  check(within,
+        hierarchy::overlapping_pairs_within(
+            tree, boxes, [](Index, Index) {}, within),
+        hierarchy::kTreePairsPseudocode.size());
+  for (const auto& entry : within.entries) {
+    const auto* pair = std::get_if<hierarchy::PairTested>(&entry.step.fact);
+    const std::string_view line = hierarchy::kTreePairsPseudocode[entry.step.line];
+    CHECK(line == (pair != nullptr && pair->bodies ? "  leaves: each body with each"
+                                                   : "while a pair of nodes is open: test its AABBs"));
+  }
 }

@@ -101,7 +101,7 @@ template <class Scalar, int Dim, class Shape>
 void check_doubt(const Plane<Scalar, Dim>& plane, const Shape& volume, int times, double& most) {
   const auto rounded = query::span_of(plane, volume);
   const auto exact = core_span<Dyadic>(plane, volume);
-  const auto doubt = static_cast<double>(query::doubt_of(plane, magnitude_of(volume)));
+  const auto doubt = static_cast<double>(query::error_bound_of(plane, magnitude_of(volume)));
   const auto off = [&](Scalar own, const Dyadic& right) {
     const double error = std::abs((Dyadic(static_cast<double>(own)) * Dyadic(times) - right).approximate()) / times;
     CHECK(error <= doubt);
@@ -145,7 +145,7 @@ TEST_CASE("capsules, lozenges, hulls and k-DOPs are classified as exact arithmet
   check_all_kinds<float, 2>();
 }
 
-TEST_CASE("the rounded reach stays within its doubt") {
+TEST_CASE("the rounded reach stays within its error bound") {
   check_doubts<float>();
   check_doubts<double>();
 }

@@ -346,7 +346,7 @@ TEST_CASE("two k-DOPs' own test is that of their intervals, and calls some pairs
 }
 
 TEST_CASE_TEMPLATE(
-    "a verdict at a glance is that of the whole test, however near the volumes are and whatever their size", Scalar,
+    "the filter's verdict is that of the whole test, however near the volumes are and whatever their size", Scalar,
     float, double) {
   const auto check = [&]<int Dim>(std::integral_constant<int, Dim>) {
     VolumeMaker<Scalar, Dim> make(19);

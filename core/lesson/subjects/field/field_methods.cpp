@@ -40,14 +40,19 @@ constexpr std::array<std::string_view, 6> kLastPlaneLines{
     "  intersecting if it crosses one, else inside",
 };
 constexpr std::array<std::string_view, 6> kTreeLines{
-    "open ← root, with all six planes",       "while a node is open: for each of its planes",
-    "  skip it if the parent is inside it",   "  outside one: leave out all below",
-    "  inside all: take all below, untested", "  else open its children, or test its objects",
+    "open ← root, with all six planes",  //
+    "while a node is open: for each of its planes",
+    "  skip it if the parent is inside it",
+    "  outside one: leave out all below",
+    "  inside all: take all below, untested",
+    "  else open its children, or test its objects",
 };
 constexpr std::array<std::string_view, 5> kAtOnceLines{
-    "for every eight objects, one in each lane",   "  low ← largest n · n-vertex + d, of six planes",
-    "  outside if low > 0; done if all eight are", "  high ← largest n · p-vertex + d, of six planes",
-    "  intersecting if high > 0, else inside",
+    "for every eight objects, one in each lane",  //
+    "  low ← largest n · n-vertex + d, of six planes",
+    "  outside if low > 0; done if all eight are",  //
+    "  high ← largest n · p-vertex + d, of six planes",
+    "  intersecting if high > 0, else inside",  //
 };
 
 constexpr std::string_view kOptimized = "U. Assarsson, T. Möller, Optimized View Frustum Culling, 2000";

@@ -16,9 +16,12 @@ namespace snug::lesson {
 inline constexpr std::array<std::string_view, 2> kMatrixTests{"matrix_planes", "matrix_planes_float"};
 
 inline constexpr std::array<std::string_view, 6> kMatrixPseudocode{
-    "M ← projection · view, in rounded numbers", "for each plane: row 4 of M ± row 1, 2 or 3",
-    "  p-, n-vertex ← n's signs in the box",     "  outside if n · n-vertex + d > 0",
-    "  crosses ← yes if n · p-vertex + d > 0",   "intersecting if so, else inside",
+    "M ← projection · view, in rounded numbers",  //
+    "for each plane: row 4 of M ± row 1, 2 or 3",
+    "  p-, n-vertex ← n's signs in the box",
+    "  outside if n · n-vertex + d > 0",
+    "  crosses ← yes if n · p-vertex + d > 0",
+    "intersecting if so, else inside",
 };
 
 /// M = P V and its six planes, all in Scalar. Where near is so close to the camera that the far plane's normal is

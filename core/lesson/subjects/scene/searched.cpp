@@ -21,6 +21,9 @@ bool is_of_velocities(const scene::EffectCall& call) {
   return call.name == "fall" || call.name == "bounce" || call.name == "drag" || call.name == "move";
 }
 
+/// Bodies do not move by their velocities in the scenes shown (search_shown), so no margin is added.
+Aabb<double, 3> box_searched(const Aabb<double, 3>& aabb) { return scene::with_room(aabb, 0); }
+
 std::optional<hierarchy::PairSearch> search_asked(const Asked& asked) {
   return search_shown(as<SceneSubject>(*asked.subject)->set(), asked.question->gate.algorithm);
 }
@@ -40,9 +43,11 @@ std::optional<hierarchy::PairSearch> search_shown(const SceneSet& set, std::stri
 }
 
 std::vector<BodyPair> pairs_compared(const SceneFrame& frame, hierarchy::PairSearch search) {
+  std::vector<Aabb<double, 3>> boxes;
+  for (const Aabb<double, 3>& aabb : frame.volumes) boxes.push_back(box_searched(aabb));
   std::vector<BodyPair> compared;
   hierarchy::SweepOrder sweep{frame.swept_along, frame.swept};
-  static_cast<void>(hierarchy::broad_phase(frame.volumes, search, &sweep, &compared));
+  static_cast<void>(hierarchy::broad_phase(boxes, search, &sweep, &compared));
   return compared;
 }
 
@@ -69,7 +74,7 @@ std::vector<Index> most_compared(std::span<const BodyPair> compared, std::size_t
 std::vector<Index> active_list(const SceneFrame& frame, Index body) {
   std::vector<Index> active;
   const int axis = frame.swept_along;
-  const auto box = [&](Index i) -> const Aabb<double, 3>& { return frame.volumes[i]; };
+  const auto box = [&](Index i) { return box_searched(frame.volumes[i]); };
   for (const Index other : frame.swept) {
     if (other == body) break;
     if (box(other).max[axis] >= box(body).min[axis]) active.push_back(other);

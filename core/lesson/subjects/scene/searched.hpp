@@ -1,4 +1,5 @@
-// What a search for pairs compared in a frame: it is run again on the frame's AABBs, with an eye on each comparison.
+// What a search for pairs compared in a frame: it is run again on the same boxes, the frame's AABBs with the room that
+// the scene gave them, with an eye on each comparison.
 #pragma once
 
 #include <optional>

@@ -45,7 +45,7 @@ struct UnitPlanes {
 
   /// The error bound on the distances from the true planes. reach: no coordinate is
   /// larger.
-  [[nodiscard]] SNUG_INLINE Scalar doubt(Scalar reach) const {
+  [[nodiscard]] SNUG_INLINE Scalar error_bound(Scalar reach) const {
     return tolerance::kUnitPlaneReach<Scalar> * (2 * reach + largest_d) + std::numeric_limits<Scalar>::min();
   }
 };
@@ -101,20 +101,20 @@ struct Blocks {
   }
 
   /// Judges boxes: most need no more than their n-vertices.
-  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const Block& block, Scalar doubt,
+  SNUG_INLINE static bool judge(const UnitPlanes<Scalar>& planes, const Block& block, Scalar error_bound,
                                 Verdicts& verdicts) {
     Groups low, high;
     farthest(
         planes, block, [](const auto& plane, std::size_t i) { return plane.n_vertex[i]; }, low);
     Vec least = low[0];
     for (std::size_t g = 1; g < kGroups; ++g) least = smaller(least, low[g]);
-    if (all_above(least, doubt)) {
+    if (all_above(least, error_bound)) {
       verdicts.fill(Culling::kOutside);
       return true;
     }
     farthest(
         planes, block, [](const auto& plane, std::size_t i) { return plane.p_vertex[i]; }, high);
-    return settle(low, high, doubt, verdicts);
+    return write_verdicts(low, high, error_bound, verdicts);
   }
 
   /// Whether all lanes are greater. Selects instead of masking, because GCC 12 splits masks of 64 bytes into lanes.
@@ -128,7 +128,8 @@ struct Blocks {
   }
 
   /// Writes the verdicts, which are 0, 1 and 2. Returns whether all of them are certain despite rounding.
-  SNUG_INLINE static bool settle(const Groups& low, const Groups& high, Scalar doubt, Verdicts& verdicts) {
+  SNUG_INLINE static bool write_verdicts(const Groups& low, const Groups& high, Scalar error_bound,
+                                         Verdicts& verdicts) {
     Vec nearest{};  // the distances that are nearest to 0
     for (std::size_t g = 0; g < kGroups; ++g) {
       const Vec near = smaller(size_of_each(low[g]), size_of_each(high[g]));
@@ -137,7 +138,7 @@ struct Blocks {
       const Bytes code = __builtin_convertvector(low[g] > 0 ? Mask{} + 2 : not_outside, Bytes);
       std::memcpy(verdicts.data() + g * kLanes, &code, kLanes);
     }
-    return all_above(nearest, doubt);
+    return all_above(nearest, error_bound);
   }
 };
 
@@ -148,7 +149,7 @@ SNUG_INLINE void classify_in(const Frustum<Scalar, 3>& frustum, const AabbArray<
   const UnitPlanes<Scalar> planes(frustum);
   for (std::size_t block = 0; block < array.blocks().size(); ++block) {
     typename Own::Verdicts own;
-    const bool known = Own::judge(planes, array.blocks()[block], planes.doubt(array.reach()[block]), own);
+    const bool known = Own::judge(planes, array.blocks()[block], planes.error_bound(array.reach()[block]), own);
     const std::size_t begin = block * Own::kBlock, count = std::min(Own::kBlock, verdicts.size() - begin);
     if (!known) [[unlikely]]  // the certain ones come out the same
       for (std::size_t i = 0; i < count; ++i) own[i] = classify(frustum, array[begin + i]).verdict;

@@ -3,6 +3,7 @@
 
 #include "core/scene/declared.hpp"
 #include "geometry/random.hpp"
+#include "lesson/subjects/scene/searched.hpp"
 
 using namespace snug;
 using namespace snug::test;
@@ -83,4 +84,23 @@ TEST_CASE("frames that are not kept are taken anew, to the same bits, with effec
 TEST_CASE("a run without a scene has no frames") {
   lesson::SceneFrames none;
   CHECK(none.size() == 0);
+}
+
+TEST_CASE("a search that is run again on a frame compares what the scene's search compared, with room for rounding") {
+  const Declaration two{.bodies = {box({0.5, 0.5, 0.5}, {0, 0, 0}), box({0.5, 0.5, 0.5}, {1 + 2e-15, 0, 0})},
+                        .effects = {call("refit"), call("broad_phase"), call("narrow_phase")}};
+  for (std::size_t search = 0; search < hierarchy::kPairSearchNames.size(); ++search) {
+    INFO(hierarchy::kPairSearchNames[search]);
+    Declaration declaration = two;
+    declaration.effects[1].settings = {{"search", {}, std::string(hierarchy::kPairSearchNames[search])}};
+    lesson::SceneFrames frames(opened(declaration));
+    frames.step();
+    const lesson::SceneFrame& frame = frames[1];
+    REQUIRE(frame.volumes[0].max[0] < frame.volumes[1].min[0]);
+    const std::vector<BodyPair> pair{{0, 1}};
+    CHECK(frame.pairs == pair);
+    CHECK(lesson::pairs_compared(frame, static_cast<hierarchy::PairSearch>(search)) == pair);
+    CHECK(frames.scene().world().state.funnel.compared == 1);
+    if (frame.swept_along >= 0) CHECK(lesson::active_list(frame, 1) == std::vector<Index>{0});
+  }
 }
