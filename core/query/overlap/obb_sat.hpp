@@ -27,9 +27,9 @@
 namespace snug::query {
 
 /// Whether two boxes are apart; none where rounding may decide (a floating-point filter). On each axis the distance of
-/// the centres stands against the sum of the projected radii. Axes of parallel edges are left out: they separate
-/// nothing, and boxes overlap if they do so on all other axes, by twice the error bound (tolerance::kSatParallelDepth
-/// has the proof). off: how far both boxes' bounds together may be from the intended ones, along any direction.
+/// the centres stands against the sum of the projected radii. Parallel edges have no axis: if they leave it open, boxes
+/// still overlap where they do along all other axes, by twice the error bound (tolerance::kSatParallelDepth has the
+/// proof). off: how far both boxes' bounds together may be from the intended ones, along any direction.
 template <class Scalar, int Dim>
 [[nodiscard, gnu::flatten]] std::optional<bool> apart_filter(const Obb<Scalar, Dim>& a, const Obb<Scalar, Dim>& b,
                                                              std::type_identity_t<Scalar> off = 0) {
@@ -39,8 +39,7 @@ template <class Scalar, int Dim>
                              std::numeric_limits<Scalar>::min();
   Scalar r[Dim][Dim], s[Dim][Dim], t[Dim];  // B in A's frame: the axes, their sizes, the centre
   Scalar widest = -std::numeric_limits<Scalar>::infinity();
-  const auto apart = [&](Scalar distance, Scalar radii) {
-    const Scalar gap = std::abs(distance) - radii;
+  const auto apart = [&](Scalar gap) {
     widest = std::max(widest, gap);
     return gap > error_bound;
   };
@@ -53,7 +52,7 @@ template <class Scalar, int Dim>
       radii += f[j] * s[i][j];
     }
     t[i] = a.axes.col(i).dot(offset);
-    if (apart(t[i], radii)) return true;
+    if (apart(std::abs(t[i]) - radii)) return true;
   }
   // The normals of B's faces.
   for (int j = 0; j < Dim; ++j) {
@@ -62,26 +61,30 @@ template <class Scalar, int Dim>
       distance += t[i] * r[i][j];
       radii += e[i] * s[i][j];
     }
-    if (apart(distance, radii)) return true;
+    if (apart(std::abs(distance) - radii)) return true;
   }
-  // Edge i of A times edge j of B: in A's frame a unit vector times a column of R, which leaves two terms of each sum.
-  Scalar needed = error_bound;  // the penetration that proves overlap
-  if constexpr (Dim == 3) {
-    for (int i = 0; i < 3; ++i) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-      for (int j = 0; j < 3; ++j) {
-        const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-        if (s[i1][j] + s[i2][j] <= tolerance::kParallelAxes<Scalar>) {
-          needed = tolerance::kSatParallelDepth<Scalar> * error_bound;
-          continue;
-        }
-        if (apart(t[i2] * r[i1][j] - t[i1] * r[i2][j],
-                  e[i1] * s[i2][j] + e[i2] * s[i1][j] + (f[j1] * s[i][j2] + f[j2] * s[i][j1])))
-          return true;
-      }
-    }
+  if constexpr (Dim == 2) {
+    if (widest < -error_bound) return false;
+  } else {
+    // Edge i of A times edge j of B: in A's frame a unit vector times a column of R, so each sum has two terms.
+    const auto gap_of_edges = [&](int i, int j) {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      return std::abs(t[i2] * r[i1][j] - t[i1] * r[i2][j]) -
+             (e[i1] * s[i2][j] + e[i2] * s[i1][j] + (f[j1] * s[i][j2] + f[j2] * s[i][j1]));
+    };
+    const Scalar widest_of_faces = widest;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (apart(gap_of_edges(i, j))) return true;
+    if (widest < -error_bound) return false;
+    // Parallel edges, whose cross product is near zero, always leave it open. The other axes may decide.
+    widest = widest_of_faces;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (s[(i + 1) % 3][j] + s[(i + 2) % 3][j] > tolerance::kParallelAxes<Scalar>)
+          widest = std::max(widest, gap_of_edges(i, j));
+    if (widest < -tolerance::kSatParallelDepth<Scalar> * error_bound) return false;
   }
-  if (widest < -needed) return false;
   return std::nullopt;
 }
 
