@@ -49,7 +49,7 @@ std::optional<Asked> asked_of(const lesson::Session& session, lesson::ProseFigur
 }
 
 Outcome outcome_of(const lesson::Outcome& own, lesson::ProseFigures& figures) {
-  return {.kind = kind_of(lesson::answer_state_of(&own)),
+  return {.kind = state_word(lesson::answer_state_of(&own)),
           .tries = own.tries,
           .question = own.question,
           .on = own.on,
@@ -91,8 +91,8 @@ Grade grade_of(const lesson::Grade& own) { return {own.done, own.points, own.exc
 
 }  // namespace
 
-std::string_view kind_of(lesson::AnswerState standing) {
-  switch (standing) {
+std::string_view state_word(lesson::AnswerState state) {
+  switch (state) {
     case lesson::AnswerState::kRight: return "right";
     case lesson::AnswerState::kWrong: return "wrong";
     case lesson::AnswerState::kSkipped: return "skipped";
@@ -123,7 +123,7 @@ Log log_of(const lesson::Session& session) {
     told.predictions.push_back({.id = asked.question->id,
                                 .prompt = prompt,
                                 .short_ = std::string(lesson::short_prompt(prompt)),
-                                .kind = kind_of(lesson::answer_state_of(outcome)),
+                                .kind = state_word(lesson::answer_state_of(outcome)),
                                 .standing = lesson::answer_state_text(outcome)});
   }
   const lesson::Tally tally = now.tally();

@@ -13,7 +13,8 @@
 
 namespace snug::app::told {
 
-using Kind = Word<"right", "wrong", "skipped", "open">;
+/// The state of a question, which scripts know as its kind.
+using StateWord = Word<"right", "wrong", "skipped", "open">;
 
 /// The numbers of the choices (in the chosen order, if that is asked), and what could be typed: a handle's name,
 /// several, or a number.
@@ -41,7 +42,7 @@ struct Asked {
 };
 
 struct Outcome {
-  Kind kind;
+  StateWord kind;
   int tries = 0;
   std::string_view question;
   std::uint64_t on = 0;
@@ -71,7 +72,7 @@ struct Told : Outcome {
 struct Prediction {
   std::string_view id;
   std::string prompt, short_;
-  Kind kind;
+  StateWord kind;
   std::string_view standing;
   SNUG_FIELDS(id, prompt, short_, kind, standing);
 };
@@ -132,7 +133,7 @@ struct Tasks {
   SNUG_FIELDS(grade, tasks, task, tasks_done);
 };
 
-[[nodiscard]] std::string_view kind_of(lesson::AnswerState standing);
+[[nodiscard]] std::string_view state_word(lesson::AnswerState state);
 [[nodiscard]] Conversation conversation_of(const lesson::Session& session);
 [[nodiscard]] Log log_of(const lesson::Session& session);
 [[nodiscard]] Tasks tasks_of(const lesson::Session& session);

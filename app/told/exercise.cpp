@@ -19,7 +19,7 @@ List<ExerciseRow> rows_of(const lesson::Sitting& sitting, const lesson::Session&
     const std::string prompt = plain_now(marked.asked->prompt, figures);
     rows.push_back({.id = marked.asked->question->id,
                     .short_ = std::to_string(rows.size() + 1) + ". " + std::string(lesson::short_prompt(prompt)),
-                    .kind = kind_of(marked.standing),
+                    .kind = state_word(marked.standing),
                     .hints = marked.hints,
                     .mark = marked.mark});
   }

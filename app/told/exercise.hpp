@@ -15,7 +15,7 @@ namespace snug::app::told {
 struct ExerciseRow {
   std::string_view id;
   std::string short_;
-  Kind kind;
+  StateWord kind;
   int hints = 0;
   double mark = 0;
   SNUG_FIELDS(id, short_, kind, hints, mark);

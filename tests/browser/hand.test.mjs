@@ -83,7 +83,7 @@ test("directions of a k-DOP are added by the slider, dragged, deleted; their add
   await page.keyboard.press("Delete");
   const three = await until(page, differs, text_of(turned));
   assert.equal(number_of(three, "slabs"), 3);
-  await page.waitForTimeout(400);
+  for (let href = ""; href !== page.url(); await page.waitForTimeout(1000)) href = page.url(); // it is written later
   const again = await visit(t, new URL(page.url()).search);
   assert.equal(
     text_of(await until(again, (now) => now.figures.some(({ key, text }) => key === "slabs" && text.startsWith("3")))),

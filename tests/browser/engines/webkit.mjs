@@ -5,6 +5,7 @@ import { createServer } from "node:net";
 import { existsSync, readdirSync } from "node:fs";
 
 const kPatience = 60_000; // milliseconds
+const kReply = 4_000; // until a reply is given up for lost
 
 /** Debian keeps it in a folder named after the machine. */
 function mini_browser() {
@@ -44,11 +45,11 @@ export async function launch(width, height) {
   const ended = new Promise((resolve) => child.on("exit", resolve).on("error", resolve));
   const driver = `http://127.0.0.1:${port}`;
   await listening(driver);
-  const send = async (method, path, body) => {
+  const send = async (method, path, body, patience = kPatience) => {
     const answer = await fetch(`${driver}/session${path}`, {
       method,
       body: body && JSON.stringify(body),
-      signal: AbortSignal.timeout(kPatience),
+      signal: AbortSignal.timeout(patience),
     });
     const { value } = await answer.json();
     if (!answer.ok) throw new Error(`${value.error}: ${value.message}`);
@@ -63,14 +64,26 @@ export async function launch(width, height) {
       },
     },
   });
-  const of_session = (method, path, body) => send(method, `/${sessionId}${path}`, body);
+  const of_session = (method, path, ...rest) => send(method, `/${sessionId}${path}`, ...rest);
+  // The driver loses a reply now and then where the page's address changes meanwhile. The same is then asked again, and
+  // the page, which keeps what it found, does not do it twice.
+  let asked = 0;
   const evaluate = async (expression) => {
-    const script = `const done = arguments[arguments.length - 1];
-      (async () => JSON.stringify(await (${expression})) ?? "null")()
-        .then((value) => done({ value }), (error) => done({ error: String(error) }));`;
-    const { value, error } = await of_session("POST", "/execute/async", { script, args: [] });
-    if (error) throw new Error(error);
-    return JSON.parse(value);
+    const id = ++asked;
+    const script = `const done = arguments[arguments.length - 1], found = (window.found ??= {});
+      found[${id}] ??= (async () => JSON.stringify(await (${expression})) ?? "null")()
+        .then((value) => ({ value }), (error) => ({ error: String(error) }));
+      found[${id}].then(done);`;
+    for (const late = Date.now() + kPatience; ;) {
+      try {
+        const { value, error } = await of_session("POST", "/execute/async", { script, args: [] }, kReply);
+        if (error) throw new Error(error);
+        return JSON.parse(value);
+      } catch (cause) {
+        if (cause.name !== "TimeoutError" || Date.now() > late)
+          throw new Error(`${cause.message}, in the page: ${expression}`);
+      }
+    }
   };
   // The window has bars of its own: it grows until the page has the size.
   const [inner, rect] = [await evaluate("[innerWidth, innerHeight]"), await of_session("GET", "/window/rect")];
