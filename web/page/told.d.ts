@@ -262,6 +262,18 @@ interface ShownFigure {
   text: string;
 }
 
+interface ProseFigure {
+  text: string;
+  says: string;
+  known: boolean;
+}
+
+interface Figures {
+  readout: Record<string, number>;
+  figures: ShownFigure[];
+  proseFigures: Record<string, ProseFigure>;
+}
+
 interface CoverButton {
   command: string;
   words: string;
@@ -277,17 +289,8 @@ interface Panel {
   button: CoverButton | null;
 }
 
-interface ProseFigure {
-  text: string;
-  says: string;
-  known: boolean;
-}
-
-interface Figures {
-  readout: Record<string, number>;
-  figures: ShownFigure[];
+interface Panels {
   panels: Panel[];
-  proseFigures: Record<string, ProseFigure>;
 }
 
 interface NumberRow {
@@ -412,7 +415,7 @@ interface Covers {
 
 /** What changes while a lesson is open. */
 interface View extends
-  Player, Frames, Algorithms, Conversation, Log, Tasks, Exercise, Figures, Points, Parts, Covers {}
+  Player, Frames, Algorithms, Conversation, Log, Tasks, Exercise, Figures, Panels, Points, Parts, Covers {}
 
 interface PointSet {
   generate: string;
