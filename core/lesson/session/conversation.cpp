@@ -471,10 +471,7 @@ void Conversation::take_as_asked() {
 void Conversation::judge_again() {
   for (const Asked& asked : asked_) {
     const Outcome* const known = outcome_of(asked);
-    if (asked.step != Asked::kAnytime || known == nullptr) continue;
-    Outcome anew = judged(asked, known->given);
-    anew.tries = known->tries;
-    log_->add(std::move(anew));
+    if (asked.step == Asked::kAnytime && known != nullptr) log_->add(judged(asked, known->given));
   }
   ++revision_;
 }

@@ -76,10 +76,10 @@ TEST_CASE("what is changed by hand is asked nothing anew") {
 }
 
 TEST_CASE("practising where no points raise the question changes nothing, and forgets nothing that was undone") {
-  // Each of the corners lies outside the circle so far, which rarely happens six times to ten points.
+  // Each of the corners lies outside the circle so far, which hardly ever happens six times with ten points.
   std::string text = test::small_lesson_with(
       "[[-2, 0], [2, 0], [0, 1], [0, -1], [0, 2.5], [0.5, 0.2]]",
-      "[[-2, 0], [2, 0], [0, 1.9], [0, -1.9], [1.5, 1.5], [-1.6, -1.6], [1.7, -1.7], [-1.8, 1.8], [1.9, 1.9], "
+      "[[-2, 0], [2, 0], [0, 1.99], [0, -1.99], [1.5, 1.5], [-1.6, -1.6], [1.7, -1.7], [-1.8, 1.8], [1.9, 1.9], "
       "[-1.95, -1.95]]");
   text.resize(text.find("[[question]]"));
   text += R"([[question]]

@@ -117,21 +117,6 @@ TEST_CASE("a chart can be asked a choice of one's own, which waits for the measu
   CHECK(session->log().outcomes()[0].right);
 }
 
-TEST_CASE("who was right at the second try stays so when all is measured again") {
-  Session session = opened();
-  measured(session, rows());
-  session.conversation().ask_predictions();
-  REQUIRE(session.conversation().give(SeveralChoices{{1, 2}}));
-  REQUIRE(session.conversation().asked()->question->id == "slowest");
-  REQUIRE(session.conversation().give(OneChoice{0}, false));
-  REQUIRE(session.conversation().give(OneChoice{2}, false));
-  for (int times = 0; times < 2; ++times) {
-    CHECK(session.log().outcomes()[1].right);
-    CHECK(session.log().outcomes()[1].tries == 2);
-    measured(session, rows());
-  }
-}
-
 TEST_CASE("what is decided by counted operations speaks of them, and what is measured of time") {
   Session session = opened();
   const auto played = check::play(session);
