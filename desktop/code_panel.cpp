@@ -4,6 +4,7 @@
 #include "app/marks.hpp"
 #include "desktop/lower_panel.hpp"
 #include "desktop/prose_panel.hpp"
+#include "lesson/code_told.hpp"
 #include "lesson/say.hpp"
 #include "lesson/subjects.hpp"
 
@@ -69,10 +70,10 @@ void draw_pseudocode(Shell& shell, Column& column) {
   constexpr float kSize = 12, kLeading = 22;
   const lesson::Session& session = shell.session();
   const app::Look& look = column.look();
-  const int lit = session.player().line();
+  const auto [lines, lit] = lesson::code_told(session);
   const float advance = app::measure(look, Face::kMono, kSize, " ").x;
   int number = 0;
-  for (const std::string_view line : session.player().pseudocode(0)) {
+  for (const std::string_view line : lines) {
     const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
     const bool on = number++ == lit;
     float inset = advance * static_cast<float>(indent) + 4;

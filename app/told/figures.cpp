@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/panel_words.hpp"
+#include "lesson/code_told.hpp"
 #include "lesson/prose.hpp"
 #include "lesson/prose_figures.hpp"
 #include "lesson/say.hpp"
@@ -40,9 +41,11 @@ Algorithms algorithms_of(const lesson::Session& session) {
   const lesson::Method& own = *player.method(0);
   const lesson::Method* beside = player.method(1);
   const auto name = [&](const lesson::Method& method) { return lesson::name_in(session.lesson(), method); };
-  const auto code = player.pseudocode(0);
-  Algorithms told{
-      .algorithm = name(own), .code_title = own.title, .code = {code.begin(), code.end()}, .line = player.line()};
+  const lesson::CodeTold code = lesson::code_told(session);
+  Algorithms told{.algorithm = name(own),
+                  .code_title = own.title,
+                  .code = {code.lines.begin(), code.lines.end()},
+                  .line = code.lit};
   if (beside != nullptr) told.beside = name(*beside);
   for (const lesson::Rival& rival : player.rivals()) {
     Rival& row = told.rivals.emplace_back();

@@ -84,10 +84,14 @@ test("a number, an order and each sort of decision are given by keyboard alone, 
   for (const id of ["be-ritter", "sat-plane", "p-and-n-vertex", "radii-of-boxes", "order-of-a-sat-test"]) {
     const names = await answers_of(t, id, 3);
     const page = await visit(t, `?exercise=${id}&seed=3`);
+    const code = page.locator("#code .lines li");
+    const waits = (await code.allTextContents()).join() === "Shown once you have answered.";
+    assert.equal(waits, id === "order-of-a-sat-test", "the pseudocode would tell the order");
     await decide_all(page, names);
     const over = await until(page, (now) => now.exercise.finished);
     assert.equal(over.exercise.mark, names.length, id);
     assert.equal(await page.locator(".mark-line").textContent(), `${names.length} of ${names.length}`);
+    assert.ok((await code.count()) > 1);
   }
 });
 

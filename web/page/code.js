@@ -52,7 +52,7 @@ export class Code {
       ...options.map((option) => option.cloneNode(true)),
     );
     this.#sources = new Map(lesson.algorithms.map(({ name, source }) => [name, source]));
-    this.#shown = { algorithm: "", line: -1 }; // another lesson's algorithm may have the same name but other lines
+    this.#shown = { algorithm: "", code: "", line: -1 };
     by_id("code").scrollTop = 0;
     this.#fit();
   }
@@ -65,17 +65,18 @@ export class Code {
       const error = this.#door.choose(slot, select.value);
       if (error) notice(`That algorithm cannot be shown: ${error}.`);
     });
-    this.#shown = { algorithm: "", line: -1 };
+    this.#shown = { algorithm: "", code: "", line: -1 };
   }
 
-  #shown = { algorithm: "", line: -1 };
+  #shown = { algorithm: "", code: "", line: -1 };
   #lit = /** @type {HTMLElement | null} */ (null);
 
   update(/** @type {View} */ view) {
     if (this.#shown.algorithm !== view.algorithm || this.#main.value !== view.algorithm)
       this.#main.value = view.algorithm;
     if (this.#beside.value !== (view.beside ?? "")) this.#beside.value = view.beside ?? "";
-    if (this.#shown.algorithm !== view.algorithm) {
+    const code = view.code.join("\n"); // the same algorithm's may come later, or be another lesson's
+    if (this.#shown.algorithm !== view.algorithm || this.#shown.code !== code) {
       this.#items = view.code.map((line) => {
         const text = line.trimStart();
         const item = element("li", {}, element("code", {}, ...spelled(text)));
@@ -84,7 +85,7 @@ export class Code {
       });
       this.#lines.replaceChildren(...this.#items);
       set_text(this.#source, this.#sources.get(view.algorithm) ?? "");
-      this.#shown = { algorithm: view.algorithm, line: -1 };
+      this.#shown = { algorithm: view.algorithm, code, line: -1 };
     }
     if (this.#shown.line === view.line) return;
     this.#items[this.#shown.line]?.removeAttribute("aria-current");

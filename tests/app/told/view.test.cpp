@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <nlohmann/json.hpp>
@@ -156,6 +157,26 @@ TEST_CASE("in every lesson what has changed is all that there is to tell, whatev
     bench.app.forget_answers();
     check("forgetting");
   }
+}
+
+TEST_CASE("while lines are to be put in order, the pseudocode waits") {
+  Bench bench(course_lesson("ritter-formula"));
+  lesson::Session& session = bench.session();
+  const auto code = [&] { return Json::parse(view_text(bench.app)).at("code").size(); };
+  const std::size_t all = code();
+  REQUIRE(all > 1);
+  const auto& questions = session.conversation().questions();
+  const auto lines = std::find_if(questions.begin(), questions.end(), [](const auto& asked) { return asked.ordered; });
+  REQUIRE(lines != questions.end());
+  session.jump(lines->step);
+  CHECK(code() == 1);
+  CHECK(Json::parse(view_text(bench.app)).at("line") == -1);
+  session.go(lines->step - 1);
+  CHECK(code() == all);
+  session.go(lines->step);
+  REQUIRE(session.conversation().asked() != nullptr);
+  REQUIRE(session.conversation().give(lesson::Skipped{}));
+  CHECK(code() == all);
 }
 
 TEST_CASE("a seed of the address is told to its last digit") {
