@@ -128,7 +128,7 @@ test("two mistakes stand in the strip with their places, and the lesson is drawn
   await page.locator("#prose section[aria-current]").waitFor(); // the section at hand is marked as before
   write("mine.toml", kCloud);
   await page.locator("#strip").waitFor({ state: "hidden", timeout: kSoon });
-  assert.equal((await state(page)).questions, 1);
+  await until(page, (it) => it.questions === 1);
 });
 
 test("a link to no lesson stands in the strip until that lesson is there", async (t) => {
