@@ -87,7 +87,7 @@ TEST_CASE("first the prediction, then a run in slices, then what the session mak
   CHECK(costs.accuracy().provenance.version == "9");
   CHECK(costs.accuracy().provenance.clock_resolution_ns > 0);
   CHECK(costs.accuracy().rows[1].time.batch >= 1);
-  CHECK(costs.caption(session).find("lie on the front") != std::string::npos);
+  CHECK(costs.caption(session).find(" on the front") != std::string::npos);
 
   CHECK(costs.command(session, "chart_next"));
   CHECK(costs.caption(session).find(" s") != std::string::npos);  // a time with its unit
