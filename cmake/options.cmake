@@ -28,6 +28,11 @@ if(CCACHE)
   list(APPEND launcher ${CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+  # What Clang precompiles names the clone that it lies in, and so nothing that uses it would be shared with another clone.
+  # Without it a build from nothing takes a tenth longer, and one of what another clone has built next to no time.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+  endif()
 endif()
 
 add_library(snug_options INTERFACE)
@@ -38,8 +43,8 @@ target_compile_options(snug_options INTERFACE
   -fno-tree-slp-vectorize
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
   -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
-  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants these two
-  "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>"
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants it
+  -ffile-prefix-map=${PROJECT_SOURCE_DIR}/= # doctest and debuggers are told each file's name, which clones are to share
   # GCC 12 mistakes string's operator+ (its bug 105329), and variants in optionals that are moved.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow
     -Wno-stringop-overread>
