@@ -29,9 +29,12 @@ if(CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
   # What Clang precompiles names the clone that it lies in, and so nothing that uses it would be shared with another clone.
-  # Without it a build from nothing takes a tenth longer, and one of what another clone has built next to no time.
+  # It reads the same headers each time instead: a build from nothing takes a tenth longer, and one of what another clone
+  # has built next to no time. What it makes of them under another ending it does not take for precompiled.
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+    set(CMAKE_PCH_EXTENSION .read)
+    set(CMAKE_CXX_COMPILE_OPTIONS_CREATE_PCH -x c++-header -E -include <PCH_HEADER>)
+    set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -include <PCH_HEADER>)
   endif()
 endif()
 

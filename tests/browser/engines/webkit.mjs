@@ -6,6 +6,7 @@ import { existsSync, readdirSync } from "node:fs";
 
 const kPatience = 60_000; // milliseconds
 const kReply = 4_000; // until a reply is given up for lost
+const kArrival = 15_000; // and one to what loads or moves something
 
 /** Debian keeps it in a folder named after the machine. */
 function mini_browser() {
@@ -65,8 +66,20 @@ export async function launch(width, height) {
     },
   });
   const of_session = (method, path, ...rest) => send(method, `/${sessionId}${path}`, ...rest);
-  // The driver loses a reply now and then where the page's address changes meanwhile. The same is then asked again, and
-  // the page, which keeps what it found, does not do it twice.
+  // The driver loses a reply now and then where the page's address changes meanwhile. What only asks is then asked
+  // again; the page, which keeps what it found, does not do it twice. What acts has acted: the test looks what came.
+  const again = async (ask) => {
+    for (const late = Date.now() + 2 * kPatience; ;) {
+      try {
+        return await ask();
+      } catch (cause) {
+        if (cause.name !== "TimeoutError" || Date.now() > late) throw cause;
+      }
+    }
+  };
+  const act = (path, body) => of_session("POST", path, body, kArrival).catch((cause) => {
+    if (cause.name !== "TimeoutError") throw cause;
+  });
   let asked = 0;
   const evaluate = async (expression) => {
     const id = ++asked;
@@ -74,15 +87,12 @@ export async function launch(width, height) {
       found[${id}] ??= (async () => JSON.stringify(await (${expression})) ?? "null")()
         .then((value) => ({ value }), (error) => ({ error: String(error) }));
       found[${id}].then(done);`;
-    for (const late = Date.now() + kPatience; ;) {
-      try {
-        const { value, error } = await of_session("POST", "/execute/async", { script, args: [] }, kReply);
-        if (error) throw new Error(error);
-        return JSON.parse(value);
-      } catch (cause) {
-        if (cause.name !== "TimeoutError" || Date.now() > late)
-          throw new Error(`${cause.message}, in the page: ${expression}`);
-      }
+    try {
+      const { value, error } = await again(() => of_session("POST", "/execute/async", { script, args: [] }, kReply));
+      if (error) throw new Error(error);
+      return JSON.parse(value);
+    } catch (cause) {
+      throw new Error(`${cause.message}, in the page: ${expression}`);
     }
   };
   // The window has bars of its own: it grows until the page has the size.
@@ -92,10 +102,13 @@ export async function launch(width, height) {
     height: rect.height + height - inner[1],
   });
   return {
-    open: (url) => of_session("POST", "/url", { url }),
+    open: (url) => act("/url", { url }),
     evaluate,
-    perform: (actions) => of_session("POST", "/actions", { actions }),
-    screenshot: async () => Buffer.from(await of_session("GET", "/screenshot"), "base64"),
+    perform: (actions) => act("/actions", { actions }),
+    screenshot: async () => {
+      const picture = await again(() => of_session("GET", "/screenshot", undefined, kArrival));
+      return Buffer.from(picture, "base64");
+    },
     async close() {
       await of_session("DELETE", "").catch(() => {}); // it may be gone before it answers
       child.kill();
