@@ -67,10 +67,11 @@ export async function serve_site() {
     sent.set(name, body.length);
     answer.writeHead(200, { ...headers, "Content-Encoding": "gzip" }).end(body);
   });
+  server.keepAliveTimeout = 2 * kPatience; // no browser asks over a connection that is just being closed
   await once(server.listen(0, "127.0.0.1"), "listening");
   const { port } = /** @type {import("node:net").AddressInfo} */ (server.address());
   const url = `http://127.0.0.1:${port}${kSubPath}`;
-  return { url, refuse, add, sent, close: () => server.close() };
+  return { url, refuse, add, sent, close: () => (server.close(), server.closeAllConnections()) };
 }
 
 /** How long is waited for what must come, milliseconds: machines that do other work as well may be very slow. */

@@ -27,8 +27,10 @@ addEventListener("error", ({ message, target }) =>
 addEventListener("unhandledrejection", ({ reason }) => complaints.push(String(reason)));
 addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sample }) =>
   complaints.push(violatedDirective + " forbids " + (blockedURI || sample)));
-for (const error = console.error; console.error === error;)
-  console.error = (...said) => (complaints.push(said.join(" ")), error(...said));`;
+for (const level of ["warn", "error"]) {
+  const say = console[level];
+  console[level] = (...said) => (complaints.push(said.join(" ")), say(...said));
+}`;
 
 const site = await serve_site();
 after(() => site.close());
@@ -86,7 +88,8 @@ class Page {
     })`);
     if (!held)
       assert.fail(
-        `waited in vain until ${what}; the page complains: ${JSON.stringify(await this.ask("window.complaints"))}`,
+        `waited in vain until ${what}; the page complains: ${JSON.stringify(await this.ask("window.complaints"))}` +
+          ` and shows at ${await this.ask("location.search")}: ${await this.ask("document.body.innerText")}`,
       );
   }
   /** Until the browser has come round several times, and no frame was drawn. */
