@@ -35,6 +35,10 @@ if(CCACHE)
     set(CMAKE_PCH_EXTENSION .read)
     set(CMAKE_CXX_COMPILE_OPTIONS_CREATE_PCH -x c++-header -E -include <PCH_HEADER>)
     set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -include <PCH_HEADER>)
+    file(GLOB_RECURSE precompiled ${PROJECT_BINARY_DIR}/cmake_pch.hxx.pch) # by a build before that: Clang would take it
+    if(precompiled)
+      file(REMOVE ${precompiled})
+    endif()
   endif()
 endif()
 
