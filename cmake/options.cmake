@@ -30,12 +30,12 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
   # What Clang precompiles names the clone that it lies in, and so nothing that uses it would be shared with another clone.
   # It reads the same headers each time instead: four of wasm's files take 60 seconds of a processor so, and 54 with them
-  # precompiled; what another clone has built takes next to none. Under another ending it takes nothing for precompiled.
+  # precompiled; what another clone has built takes next to none. The ending .read is one that Clang does not look for.
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     set(CMAKE_PCH_EXTENSION .read)
     set(CMAKE_CXX_COMPILE_OPTIONS_CREATE_PCH -x c++-header -E -include <PCH_HEADER>)
     set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -include <PCH_HEADER>)
-    file(GLOB_RECURSE precompiled ${PROJECT_BINARY_DIR}/cmake_pch.hxx.pch) # by a build before that: Clang would take it
+    file(GLOB_RECURSE precompiled ${PROJECT_BINARY_DIR}/cmake_pch.hxx.pch) # left by an older build: Clang would use it
     if(precompiled)
       file(REMOVE ${precompiled})
     endif()
@@ -51,8 +51,8 @@ target_compile_options(snug_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
   -Wno-missing-field-initializers # designated initialisers leave the rest at their defaults
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> # ccache wants it
-  # Doctest and debuggers are told each file's name, which clones are to share. GCC would share nothing so: what it
-  # precompiles differs then.
+  # Doctest and debuggers are told each file's name from the clone's root on, so that clones share what is compiled. Not
+  # for GCC: its precompiled headers would differ between clones.
   $<$<CXX_COMPILER_ID:Clang>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>
   # GCC 12 mistakes string's operator+ (its bug 105329), and variants in optionals that are moved.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow

@@ -66,8 +66,8 @@ export async function launch(width, height) {
     },
   });
   const of_session = (method, path, ...rest) => send(method, `/${sessionId}${path}`, ...rest);
-  // The driver loses a reply now and then where the page's address changes meanwhile. What only asks is then asked
-  // again; the page, which keeps what it found, does not do it twice. What acts has acted: the test looks what came.
+  // The driver loses a reply now and then where the page's address changes meanwhile. A question is then asked again:
+  // the page keeps what it found and does not do it twice. An action is not repeated: the test sees what it did.
   const again = async (ask) => {
     for (const late = Date.now() + 2 * kPatience; ;) {
       try {
