@@ -70,8 +70,8 @@ first=$(state 's.focus')
 for i in $(seq 90); do
     before=$(state 's.focus')
     xdotool key Tab
-    for j in $(seq 30); do # a slow frame must not pass over a control
-        sleep 0.1
+    for j in $(seq 100); do # a slow frame must not pass over a control
+        sleep 0.03
         name=$(state 's.focus')
         [[ $name == "$before" ]] || break
     done

@@ -7,9 +7,9 @@ mkdir "$folder"
 text() { cat lessons/examples/cloud.toml; }
 write() { cat >"$folder/$1.toml"; }
 text | write mine
-within_a_second() { # expression: a save is followed so fast
+within_a_second() { # expression: a save is followed so fast; a busy machine is given another
     local i
-    for i in $(seq 20); do
+    for i in $(seq 40); do
         [[ $(state "$1" 2>/dev/null) == true ]] && return
         sleep 0.05
     done
