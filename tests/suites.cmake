@@ -85,5 +85,5 @@ elseif(kind STREQUAL wasm)
   file(GLOB files CONFIGURE_DEPENDS browser/engines/*.test.mjs)
   snug_suites(engines browser FILES ${files} LAUNCHER dbus-run-session -- ${screen} ${node_test})
   # The longest begin first, or one of them would end alone.
-  set_tests_properties(engines.engines browser.axe browser.player browser.switch PROPERTIES COST 100)
+  set_tests_properties(engines.engines engines.package browser.axe browser.look browser.demo PROPERTIES COST 100)
 endif()
