@@ -10,7 +10,7 @@ endif()
 # Compilers spend their time on the headers here, Eigen's above all: files of a room are compiled several at once, and
 # what they share is read and instantiated once. No two of a room share a name in their unnamed namespaces, therefore.
 # The room fit takes 231 seconds of a processor so, and 269 file by file (release, GCC 12).
-# The presets ask for it; dev does not, and shows that each file includes what it uses.
+# The presets ask for it.
 option(SNUG_BATCHES "Compile the files of a room several at once" OFF)
 # snug_batches(TARGET SIZE): so many at once.
 function(snug_batches target size)
