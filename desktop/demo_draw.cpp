@@ -98,7 +98,7 @@ void draw_notes(ImDrawList* list, const app::Look& look, const app::Rect& rect, 
   if (demo.vote() != nullptr) say(Face::kSemiBold, 18, 26, look->current_text, demo.vote()->told_text());
   say(Face::kRegular, 16, 24, look->ink, demo.next_text());
   if (hall.black || hall.frozen)
-    say(Face::kSemiBold, 16, 24, look->wrong_text, hall.black ? "The screen is black." : "The picture stands.");
+    say(Face::kSemiBold, 16, 24, look->wrong_text, hall.black ? "The screen is black." : "The picture is frozen.");
 }
 
 }  // namespace snug::desktop

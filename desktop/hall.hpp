@@ -14,7 +14,7 @@ class Hall {
  public:
   /// L: the spotlight; W: the pen; R: the ruler; or one of curtain_key. Returns whether the key was one of them.
   bool answer_key(const std::string& key);
-  /// B or a full stop: black; F: the picture stands. Returns whether the key was one of them.
+  /// B or a full stop: black; F: the picture is frozen. Returns whether the key was one of them.
   bool curtain_key(const std::string& key);
   /// Lets the class see the window again.
   void lift() { black = frozen = false; }
@@ -26,7 +26,7 @@ class Hall {
 
   CodeWords taken;      // shown over everything, while it has letters
   bool black = false;   // whether the screen is
-  bool frozen = false;  // whether the picture stands, whatever is done meanwhile
+  bool frozen = false;  // whether the picture is frozen, whatever is done meanwhile
 
  private:
   struct Stroke {

@@ -77,7 +77,7 @@ std::vector<KeyRow> key_rows(Shell& shell) {
   rows.push_back({"N  P  T  Esc", "while presenting: the next lesson, the previous one, the text; the end"});
   rows.push_back({"L  W  R", "while presenting: a spotlight, a pen that fades, a ruler for the height of type"});
   rows.push_back(
-      {"B  .  F", "while presenting: black, and the picture again; the picture stands while you prepare another"});
+      {"B  .  F", "while presenting: black, and the picture again; the picture is frozen while you prepare another"});
   rows.push_back({"Q", "this state as a code that a phone scans"});
   rows.push_back({"Shift D", "add this state to a demo’s file, which grows by one each time"});
   rows.push_back({"Ctrl S", "the stage as a picture; with Shift as SVG, whose words are text"});
@@ -85,7 +85,7 @@ std::vector<KeyRow> key_rows(Shell& shell) {
     rows.push_back({"PgDn →  PgUp ←", "the demo: the next reveal or state, and back"});
     rows.push_back({"Home  H", "the demo: this state as it was; so does a key for next or back that is held"});
     rows.push_back({"S  F5", "the demo: the notes in a second window; the whole screen"});
-    rows.push_back({"Esc", "the demo: lays the pointers down; then leaves it, and the lesson stays"});
+    rows.push_back({"Esc", "the demo: puts the pointers away; then leaves it, and the lesson stays"});
     rows.push_back(
         {"V, a number", "the class votes: hands for each answer, Enter after each; V again: the second vote"});
   }

@@ -50,6 +50,11 @@ int Vote::percent(const VoteRow& row, int round) const {
   return all == 0 ? 0 : static_cast<int>(std::lround(100.0 * std::max(0, row.hands[round]) / all));
 }
 
+bool Vote::begins_second() const {
+  const auto of_v = [](const VoteRow& row) { return upper(row.name.front()) == 'V'; };
+  return round_ == 0 && counted(0) && line_.empty() && !open_ && std::none_of(rows_.begin(), rows_.end(), of_v);
+}
+
 VoteRow* Vote::next_row() {
   for (VoteRow& row : rows_)
     if (row.hands[round_] < 0 && !row.words.empty()) return &row;
@@ -88,7 +93,7 @@ void Vote::enter() {
 
 bool Vote::take_key(std::string_view key) {
   const bool letter = key.size() == 1, digit = letter && is_count_digit(key[0]);
-  if (!typing_ && letter && upper(key[0]) == 'V') {
+  if (letter && upper(key[0]) == 'V' && (!typing_ || begins_second())) {
     if (round_ == 0 && counted(0)) round_ = 1, entered_.clear();
     return mistake_.clear(), typing_ = true;
   }

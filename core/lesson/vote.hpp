@@ -24,8 +24,9 @@ class Vote {
   Vote(const std::vector<std::string>& choices, const std::vector<std::string>& places);
 
   /// Takes a key, named as browsers do. A digit begins a count, and so does V, which after a first vote begins the
-  /// second. "12" and Enter count the next row, "2 31" or "B 31" the row of that number or name. Backspace takes a
-  /// letter back, or else the last count; Escape the line. Returns whether the key meant anything.
+  /// second, also while counts are typed. "12" and Enter count the next row, "2 31" or "B 31" the row of that number or
+  /// name. Backspace takes a letter back, or else the last count; Escape the line. Returns whether the key meant
+  /// anything.
   bool take_key(std::string_view key);
 
   [[nodiscard]] const std::vector<VoteRow>& rows() const { return rows_; }
@@ -45,6 +46,8 @@ class Vote {
 
  private:
   void enter();
+  /// Whether a V that is typed is no name's: nothing else of the line is there, and the first vote has counts.
+  [[nodiscard]] bool begins_second() const;
   [[nodiscard]] VoteRow* next_row();
   [[nodiscard]] VoteRow* row_of(std::string_view name);
   [[nodiscard]] bool counts_any() const { return counted(0) || counted(1); }

@@ -155,7 +155,7 @@ void add_demo(Commands& commands) {
   CLI::App& play = *group.add_subcommand("play", "Present a demo in the window");
   play.footer(
       "Page Down or Right: the next reveal or state. Page Up or Left: back, to what was shown then. Home or H: this\n"
-      "state as it was. B or the full stop: black. F: the picture stands. S: the notes in a second window. V or a\n"
+      "state as it was. B or the full stop: black. F: the picture is frozen. S: the notes in a second window. V or a\n"
       "number: the class votes. L, W, R: spotlight, pen, ruler. Q: the state as a code. F11: the whole screen. Esc: "
       "leaves.\n"
       "The card of keys (F1) says more.");

@@ -23,7 +23,7 @@ const kKeys = {
   F5: "fill",
   b: "b", ".": "b", // black
   Home: "again", h: "again",
-  f: "f", // the picture stands
+  f: "f", // the picture is frozen
   s: "notes",
   l: "l", w: "w", r: "r", // the spotlight, the pen, the ruler
   n: "nothing", p: "nothing", // which lead to other lessons otherwise
@@ -127,6 +127,7 @@ export class Demo {
 
   #key = (/** @type {KeyboardEvent} */ event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (document.querySelector(".qr, dialog[open]")) return; // which has the keyboard
     const { key } = event;
     if (is_within(event.target, kWrites) && !kEverywhere.has(key)) return;
     if (!hall.black && !this.#answered && this.#votes?.take_key(this.#at, key)) {

@@ -55,7 +55,7 @@ export async function show_notes(id, downloads) {
     set_text(notes, shown.notes);
     set_text(vote, standing.vote);
     set_text(next, next_text(file, standing));
-    set_text(state, standing.black ? "The screen is black." : standing.frozen ? "The picture stands." : "");
+    set_text(state, standing.black ? "The screen is black." : standing.frozen ? "The picture is frozen." : "");
   };
   channel.onmessage = ({ data }) => {
     if ("at" in data) show(data);

@@ -16,7 +16,7 @@ class Hall {
   #frame = 0;
   #black = element("div", { class: "hall-black", hidden: true });
   #picture = /** @type {HTMLElement | null} */ (null); // that stands
-  changed = () => {}; // called when it gets black or light, or a picture stands or goes
+  changed = () => {}; // called when it gets black or light, or a picture is frozen or goes
 
   constructor() {
     addEventListener("pointermove", (event) => this.#move(event), { capture: true });
@@ -27,7 +27,7 @@ class Hall {
     document.body.append(this.#canvas, this.#black);
   }
 
-  /** l: the spotlight; w: the pen; r: the ruler; b and a full stop: black; f: the picture stands.
+  /** l: the spotlight; w: the pen; r: the ruler; b and a full stop: black; f: the picture is frozen.
    *  @param {string} key @param {Door} door */
   async answer_key(key, door) {
     await bring_style("hall.css");

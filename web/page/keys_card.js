@@ -14,22 +14,22 @@ const kPresenting = [
   ["W", "the pointer as a pen, whose strokes fade"],
   ["R", "a ruler for the height of type"],
   ["B  .", "black, and the picture again by any key"],
-  ["F", "the picture stands while you prepare another"],
+  ["F", "the picture is frozen while you prepare another"],
   ["Tab, Enter", "to the next button or link, and press it"],
-  ["Esc", "lays the pointers down; then ends the presentation"],
+  ["Esc", "puts the pointers away; then ends the presentation"],
 ];
 const kDemo = [
   ["Page Down, →", "the next reveal, or the next state"],
   ["Page Up, ←", "back, to what was shown then"],
   ["Home, H", "this state as it was, after any drag; so does a key for next or back that is held"],
   ["B  .", "black, and the picture again"],
-  ["F", "the picture stands while you prepare another"],
+  ["F", "the picture is frozen while you prepare another"],
   ["S", "the notes, in a second window"],
   ["F5", "the whole screen"],
   ["V, a number", "a vote: the hands for each answer, Enter after each; or “B 31”. V again: the second vote"],
   ["L  W  R  Q", "spotlight, pen, ruler, and the code to scan"],
   ["Tab, Enter", "to the next button or link, and press it"],
-  ["Esc", "lays the pointers down; then leaves the demo, and the lesson stays"],
+  ["Esc", "puts the pointers away; then leaves the demo, and the lesson stays"],
 ];
 
 const list = (/** @type {string} */ title, /** @type {string[][]} */ rows) =>

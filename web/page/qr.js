@@ -37,9 +37,10 @@ export async function show_code(whole, bare, trace) {
   const code = same ?? program.qr_code(address(bare));
   if (!code) return notice("The page’s own address is too long for a code.");
   const says = address(same ? whole : bare) + (same ? "" : kLost);
+  const compared = same ? [element("p", { class: "letters" }, letters)] : []; // else a phone shows another state
   const how = { class: "qr", role: "dialog", "aria-label": "This state, to take along", tabindex: "-1" };
   const sheet = element("div", how,
-    picture(code), element("p", { class: "letters" }, letters), element("p", { class: "says" }, says));
+    picture(code), ...compared, element("p", { class: "says" }, says));
   const before = document.activeElement;
   const away = (/** @type {Event} */ event) => {
     if (event instanceof KeyboardEvent && ["Shift", "Control", "Alt", "Meta"].includes(event.key)) return;

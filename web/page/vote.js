@@ -58,9 +58,11 @@ export class Votes {
    *  @param {number} state @param {boolean} revealed @param {boolean} over */
   show(state, revealed, over) {
     const vote = over ? null : this.#program.vote_of(state);
-    this.#card.hidden = !vote || (!revealed && !vote.hidden);
+    // Of places, which may be many, those that somebody voted for.
+    const rows = vote?.rows.filter(({ words, percents }) => words || percents.some((percent) => percent > 0)) ?? [];
+    this.#card.hidden = revealed ? rows.length === 0 : !vote?.hidden;
     this.#shown = vote && revealed ? vote : null;
-    this.#card.replaceChildren(...(!vote ? [] : revealed ? vote.rows.flatMap(row_nodes) : [vote.hidden]));
+    this.#card.replaceChildren(...(revealed ? rows.flatMap(row_nodes) : [vote?.hidden ?? ""]));
     cancelAnimationFrame(this.#frame);
     this.#dots.replaceChildren();
     if (this.#shown) this.#follow();

@@ -48,6 +48,18 @@ TEST_CASE("a second vote is kept beside the first") {
   CHECK_FALSE(vote.counted(1));
 }
 
+TEST_CASE("V begins the second vote while counts are typed, unless a place may be called so") {
+  Vote vote({"Yes", "No"}, {});
+  type_keys(vote, "v4\nv");  // of the first vote there is a count
+  CHECK(vote.round() == 1);
+  type_keys(vote, "6\n");
+  CHECK(vote.told_text() == "First vote: A 4. Second vote: A 6");
+  Vote places({}, {"V1", "V2"});
+  type_keys(places, "v1 4\nv2 5\n");
+  CHECK(places.round() == 0);
+  CHECK(places.told_text() == "First vote: V1 4, V2 5");
+}
+
 TEST_CASE("places are counted by their names, or by their numbers where these are clear") {
   Vote vote({}, {"P3", "P9", "A1", "B1"});
   type_keys(vote, "9 12\np3 5\n1 4\n");
