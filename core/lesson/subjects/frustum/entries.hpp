@@ -68,6 +68,7 @@ struct Entry<query::PlaneTested<double, 3>> : EntryDefaults {
   static std::string sentence(const Fact& fact, const FrustumWhere& where) {
     std::string plane = plane_name(where.dim(), fact.plane) + " plane: ";
     plane.front() = static_cast<char>(plane.front() - 'a' + 'A');
+    if (where.run.has_no_normal(fact.plane)) return plane + "no normal is left of it, so it rejects nothing.";
     if (!of_box(fact) && !fact.skipped) return plane + about_center(fact, where.body());
     const std::string p = "p-vertex " + sign_name(where.dim(), fact.p_vertex),
                       n = "n-vertex " + sign_name(where.dim(), fact.n_vertex);

@@ -11,6 +11,11 @@ namespace snug::lesson {
 
 template class FactRun<FrustumRun, FrustumStep>;
 
+FrustumRun::FrustumRun(std::string_view test, const BoxPair& pair)
+    : dim_(pair.dim), body_(body_word(pair)), box_(pair.form == Form::kBox), trace_(record_frustum(test, pair)),
+      loses_(verdict_of(trace_) == query::Culling::kOutside && share_a_point(pair).value_or(false)),
+      far_lost_(is_of_matrix(test) && far_plane_of(test, pair).lost) {}
+
 std::vector<Index> FrustumRun::candidates(int) const { return box_ ? vertices_of(dim_, 0) : std::vector<Index>{}; }
 
 namespace {
@@ -134,7 +139,7 @@ BoxSubject::Words FrustumSubject::words_of(int box) const {
 Done FrustumSubject::check(const BoxPair& pair) const { return check_frustum(pair); }
 
 std::unique_ptr<Run> FrustumSubject::run(const Method& method, std::unique_ptr<Run>) const {
-  return std::make_unique<FrustumRun>(boxes(), record_frustum(method.name, boxes()));
+  return std::make_unique<FrustumRun>(method.name, boxes());
 }
 
 void FrustumSubject::start_survey() {

@@ -12,13 +12,14 @@ extern const SubjectRow kFrustumRow;
 
 class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
  public:
-  FrustumRun(const BoxPair& pair, FrustumTrace trace)
-      : dim_(pair.dim), body_(body_word(pair)), box_(pair.form == Form::kBox), trace_(std::move(trace)),
-        loses_(verdict_of(trace_) == query::Culling::kOutside && share_a_point(pair).value_or(false)) {}
+  /// Records the test.
+  FrustumRun(std::string_view test, const BoxPair& pair);
   [[nodiscard]] FrustumSteps trace() const { return trace_; }
   [[nodiscard]] const std::string& body() const { return body_; }
   /// Whether the test says outside of a body that reaches into the frustum.
   [[nodiscard]] bool loses() const { return loses_; }
+  /// Whether that plane has no normal left in the test's matrix: what was tested in its place rejects nothing.
+  [[nodiscard]] bool has_no_normal(int plane) const { return far_lost_ && plane == planes_of_frustum(dim_) - 1; }
   /// Every vertex of the box. Not inline: tests make such a run themselves, and this room has no type information.
   [[nodiscard]] std::vector<Index> candidates(int i) const override;
   struct Where {
@@ -36,6 +37,7 @@ class FrustumRun final : public FactRun<FrustumRun, FrustumStep> {
   bool box_;
   FrustumTrace trace_;
   bool loses_;
+  bool far_lost_;
 };
 
 extern template class FactRun<FrustumRun, FrustumStep>;

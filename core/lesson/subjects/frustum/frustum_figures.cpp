@@ -26,12 +26,12 @@ class FrustumBoard {
     const bool by_planes = matrix || view_.method().name == "p_n_vertex",
                by_center = view_.method().volume != kFrustumBox;
     const int plane = plane_at(steps_.first(view_.step));
-    const bool any = plane >= 0;
+    const bool any = plane >= 0, normal = any && !frustum_run(view_.run()).has_no_normal(plane);
     add("Plane", "plane", any ? plane_name(dim_, plane) : "", plane, "");
     if (by_planes) {
-      add("Signs of the normal", "signs", any ? sign_name(dim_, tested_.signs) : "", tested_.signs, "");
-      length("p-vertex" + (any ? name_of(tested_.p_vertex) : ""), "p_distance", tested_.p_distance, any);
-      length("n-vertex" + (any ? name_of(tested_.n_vertex) : ""), "n_distance", tested_.n_distance, any);
+      add("Signs of the normal", "signs", normal ? sign_name(dim_, tested_.signs) : "", tested_.signs, "");
+      length("p-vertex" + (normal ? name_of(tested_.p_vertex) : ""), "p_distance", tested_.p_distance, normal);
+      length("n-vertex" + (normal ? name_of(tested_.n_vertex) : ""), "n_distance", tested_.n_distance, normal);
       add("Planes tested", "planes_tested", std::to_string(planes_) + " of " + std::to_string(planes_of_frustum(dim_)),
           planes_, "planes");
     } else if (by_center) {
@@ -89,6 +89,7 @@ class FrustumBoard {
     const FarPlane far = far_plane_of(view_.method().name, pair_);
     const std::string off = far.lost ? "no normal left" : (far.off > 0 ? "+" : "") + number_text(far.off, 3) + " %";
     add("Far plane, off by", "far_off", off, far.off, "%");
+    figures_.back().known = !far.lost;
     if (!far.lost) add("Far plane, tilted by", "far_tilt", number_text(far.degrees, 3) + "°", far.degrees, "degrees");
   }
 

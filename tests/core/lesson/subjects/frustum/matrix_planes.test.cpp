@@ -85,6 +85,14 @@ TEST_CASE("at a hundred-millionth the far plane has no normal left in float, and
   CHECK(verdict_of(kMatrixTests[1], pair) != Culling::kOutside);
 }
 
+TEST_CASE("of a plane without a normal nothing is said but that it rejects nothing") {
+  const BoxPair pair = far_away(1e-8);
+  const FrustumRun run(kMatrixTests[1], pair), careful(kMatrixTests[0], pair);
+  CHECK(run.has_no_normal(5));
+  CHECK_FALSE(run.has_no_normal(4));
+  CHECK_FALSE(careful.has_no_normal(5));
+}
+
 TEST_CASE("near is driven as a share of far, and what the far face and the box are stays") {
   FrustumSubject subject(far_away(0.1), 1);
   REQUIRE(subject.drive("near", 0.1, 1e-6));
