@@ -1,6 +1,8 @@
 // What the page keeps on the device: answers, the place, the edits; over real reloads, and where storage does not work.
 import { after, before, test } from "node:test";
-import { answer, assert, drag, handles, kFirst, load, ready, start, state, stop, until } from "./support.mjs";
+import {
+  answer, assert, drag, handles, kFirst, kPatience, load, ready, start, state, stop, until,
+} from "./support.mjs";
 
 before(start);
 after(stop);
@@ -92,6 +94,54 @@ test("a wrong first answer before the first step is kept too", async (t) => {
   await page.keyboard.press("Enter");
   const { asked } = await until(page, (now) => now.asked?.tried);
   assert.deepEqual((await reload(page)).asked.tried, asked.tried);
+});
+
+/** The same address in another tab of the same device. */
+async function second_tab(page) {
+  const other = await page.context().newPage();
+  await other.goto(page.url());
+  await ready(other);
+  return other;
+}
+
+test("an attempt that goes on in one tab goes on in the other; on the course's page none is open", async (t) => {
+  const page = await load(t, "?exercise=be-quickhull&seed=11");
+  const made = (tab) => tab.evaluate(() => window.snug.exercise()?.decision);
+  const until_made = async (tab, count) => {
+    for (const end = Date.now() + kPatience; (await made(tab)) !== count; await tab.waitForTimeout(50))
+      assert.ok(Date.now() < end, `${await made(tab)} decisions are made, not ${count}`);
+  };
+  const other = await second_tab(page);
+  for (const [count, tab, name] of [[1, page, "P4"], [2, other, "P0"]]) {
+    await tab.locator(".ask input").fill(name);
+    await tab.locator(".ask input").press("Enter");
+    for (const each of [page, other]) await until_made(each, count);
+  }
+  await page.locator(".notice", { hasText: "This attempt went on in another tab." }).waitFor();
+  await other.close();
+  await reload(page);
+  assert.equal(await made(page), 2);
+  const { now } = (await kept(page)).exercises["be-quickhull"];
+  assert.deepEqual([now.decisions.length, now.mark], [2, 2]);
+  const attempts = () => page.evaluate(() => JSON.parse(window.snug.result()).attempts.length);
+  assert.equal(await attempts(), 1);
+  await page.locator("#home").click();
+  await page.locator("#course").waitFor();
+  assert.equal(await attempts(), 0, "none is open, and none finished");
+});
+
+test("a tab in which nothing was done writes nothing over what another tab has kept", async (t) => {
+  const page = await load(t, `${kFirst}&step=0`);
+  await to_question(page);
+  await page.waitForTimeout(kPlace);
+  const other = await second_tab(page);
+  await to_question(other);
+  await answer(other, null, "keyboard");
+  await other.waitForTimeout(kPlace);
+  await other.close();
+  const { outcomes } = await reload(page, kFirst);
+  assert.equal(outcomes.length, 1);
+  assert.equal((await kept(page)).lessons["sphere-ritter"].answered, 1);
 });
 
 test("an address with a step wins over the step that is kept", async (t) => {

@@ -38,10 +38,13 @@ import { Words } from "./words.js";
 
 const kAddressDelay = 250; // milliseconds: browsers limit how often the address is replaced
 const kFilesDelay = 400; // milliseconds: if a lesson's files take longer, the page says so
-const kChanged = "This exercise has changed since you began it, so you begin anew. Your best mark stays.";
+const kChanged = "This exercise has changed since you began it, so you begin anew.";
 const kNotLoaded = "could not be loaded. Check the connection, then try again.";
 // Milliseconds between updates of the HTML during a drag: one in every frame would cost a layout each.
 const kPanelsDelay = 250;
+
+/** @param {Attempt | null} attempt */
+const made_in = (attempt) => attempt?.decisions.join("\n") ?? "";
 
 export class Page {
   written = /** @type {string | null} */ (null); // the address that the page wrote for the open lesson
@@ -80,6 +83,7 @@ export class Page {
   #exercise = /** @type {string | null} */ (null); // the id of the one that is open
   #counted = false; // whether it, finished, has counted as a try
   #taken_up = /** @type {string[]} */ ([]); // its decisions that were made before it was opened
+  #known = ""; // what is open, as it was kept last: what another tab has kept since is newer
   #demo = /** @type {Demo | null} */ (null); // whose state is open
   /** What could not be opened, because of its file.
    *  @type {{ asked: Address, reveal: () => void } | null} */
@@ -263,7 +267,18 @@ export class Page {
     this.#address_timer = 0;
     if (!this.#opening) this.#keep(this.#address());
     this.#opening = true;
+    this.#exercise = null;
     if (this.#view?.playing) this.#door.command("play");
+  }
+
+  /** Another tab has kept something: where it went on with the attempt that is open here, so does this one. */
+  async follow_attempt() {
+    const own = this.#opening ? null : this.#attempt(), kept = own && this.#kept.exercise(own.exercise)?.now;
+    if (!own || !kept || this.#view.exercise?.practises || made_in(own) !== this.#known) return;
+    const same = kept.seed === own.seed && (kept.level ?? 0) === (own.level ?? 0) && kept.hash === own.hash;
+    if (!same || made_in(kept) === this.#known) return;
+    await this.open(read_address(here()));
+    notice("This attempt went on in another tab.", "told");
   }
 
   /** Erases all answers. The current place is not kept either, until the student continues. */
@@ -303,6 +318,7 @@ export class Page {
     this.#wanted = { asked, reveal };
     document.documentElement.classList.toggle("exercise", asked.exercise !== null);
     this.#exercise = asked.exercise;
+    this.#known = "";
     if (asked.exercise !== null) return this.#open_exercise(asked, asked.exercise, turn);
     const id = asked.lesson ?? "";
     const known = this.#is_of_course(id) || (await this.#gallery?.has(id));
@@ -373,10 +389,12 @@ export class Page {
     const goes_on = left?.seed === seed && (left.level ?? 0) === level && left.hash === this.#door.attempt()?.hash;
     this.#taken_up = left && goes_on ? left.decisions : [];
     if (left && goes_on) this.#door.take_up_attempt(left.decisions);
+    this.#known = made_in(this.#attempt());
     this.#show_lesson();
     this.#opening = false;
     clear_notices();
-    if (left && left.hash !== this.#door.attempt()?.hash && !asked.practice) asked.problems.push(kChanged);
+    if (left && left.hash !== this.#door.attempt()?.hash && !asked.practice)
+      asked.problems.push(this.#kept.exercise(id)?.best ? `${kChanged} Your best mark stays.` : kChanged);
     notice_all(asked.problems);
     veil.lift();
     this.act(() => {});
@@ -572,22 +590,32 @@ export class Page {
     const { outcomes, step, steps, tasksDone, asked, outcome, deciding, progress } = this.#view;
     if ((address === this.#erased_at && outcomes.length === 0) || address === this.#left_at) return;
     this.#erased_at = this.#left_at = null;
-    if (!progress.begun && !this.#kept.lesson(this.#lesson.id)) return;
     const before = this.#kept.lesson(this.#lesson.id);
-    this.#kept.keep_lesson(this.#lesson.id, {
+    if (!progress.begun && !before) return;
+    const entry = {
       address, answers: this.#door.kept_answers(), answered: progress.answered, step, steps,
-      // Once done, a lesson stays done when it is looked at again.
-      done: Boolean(before?.done) || progress.done,
-      task: Boolean(before?.task) || tasksDone,
+      done: progress.done,
+      task: tasksDone,
       told: (outcome ?? deciding)?.question ?? null,
       tried: asked?.tried ? { question: asked.id, ...asked.tried } : null,
-    });
+    };
+    if (!this.#is_new(JSON.stringify(entry))) return;
+    // Once done, a lesson stays done when it is looked at again.
+    const done = Boolean(before?.done) || entry.done, task = Boolean(before?.task) || entry.task;
+    this.#kept.keep_lesson(this.#lesson.id, { ...entry, done, task });
+  }
+
+  /** Whether something was done here since it was kept, and not only in another tab. */
+  #is_new(/** @type {string} */ now) {
+    const before = this.#known;
+    this.#known = now;
+    return now !== before;
   }
 
   #keep_exercise(/** @type {ShownExercise} */ { finished, practises, mark }) {
     if (practises) return;
     const attempt = this.#attempt();
-    if (!attempt || attempt.decisions.length === 0) return;
+    if (!attempt || attempt.decisions.length === 0 || !this.#is_new(made_in(attempt))) return;
     this.#kept.keep_exercise(attempt, finished, finished && !this.#counted, mark === null);
     this.#counted = finished;
   }
@@ -738,6 +766,7 @@ class Site {
     });
     by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
     addEventListener("pagehide", () => (this.#page?.keep_now(), this.#saving.link?.finish()));
+    addEventListener("storage", () => (this.#kept.refresh(), this.#page?.follow_attempt()));
     document.addEventListener("visibilitychange", () =>
       document.hidden && (this.#page?.keep_now(), this.#saving.link?.flush()));
   }
