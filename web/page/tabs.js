@@ -33,10 +33,12 @@ export class Tabs {
     new MutationObserver(() => this.#fit()).observe(document.documentElement, changes);
   }
 
-  update(/** @type {View} */ { stored, file, toolsWord }) {
+  update(/** @type {View} */ { stored, file, exercise, toolsWord }) {
     this.#tabs.set_words(1, toolsWord);
-    const { tab } = document.documentElement.dataset;
-    if ((stored.length === 0 && tab === "stored") || (file === null && tab === "file")) this.choose("read");
+    const { tab = "" } = document.documentElement.dataset;
+    /** @type {Record<string, boolean>} */
+    const lacks = { stored: !stored.length, file: !file, points: Boolean(exercise && !exercise.build?.adds) };
+    if (lacks[tab]) this.choose("read");
   }
 
   choose(/** @type {string} */ id) {
