@@ -748,7 +748,7 @@ class Site {
   #preview = /** @type {Preview | null} */ (null);
   #typeset = /** @type {Record<string, string>} */ ({}); // the formulas
   #page = /** @type {Page | null} */ (null);
-  #written = /** @type {{ state(): ExerciseState } | null} */ (null); // the function that is open
+  #written = /** @type {{ state(): ExerciseState, keep_now(): void } | null} */ (null); // the function that is open
   #around = /** @type {Promise<void> | null} */ (null); // what the page around this frame has of an exercise
   #demo = /** @type {Demo | null} */ (null); // that is played
   #shown = ""; // the address that is shown
@@ -765,10 +765,10 @@ class Site {
       if (here() !== this.#shown && !stands) this.show({ back: true });
     });
     by_id("home").addEventListener("click", followed_here(() => this.go_to("")));
-    addEventListener("pagehide", () => (this.#page?.keep_now(), this.#saving.link?.finish()));
+    const keep = () => (this.#page?.keep_now(), this.#written?.keep_now());
+    addEventListener("pagehide", () => (keep(), this.#saving.link?.finish()));
     addEventListener("storage", () => (this.#kept.refresh(), this.#page?.follow_attempt()));
-    document.addEventListener("visibilitychange", () =>
-      document.hidden && (this.#page?.keep_now(), this.#saving.link?.flush()));
+    document.addEventListener("visibilitychange", () => document.hidden && (keep(), this.#saving.link?.flush()));
   }
 
   /** Shows what the address asks for. */

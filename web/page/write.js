@@ -96,7 +96,7 @@ class Write {
   #seen = false; // the solution
   #asked_to_see = false;
   #running = false;
-  #draft = 0; // a timer
+  #draft = 0; // a timer, 0 while all that was typed is kept
   #host = element("div", { class: "write-editor" });
   #keys = element("p", { class: "write-hint", role: "status" }, kKeys);
   #run = button("Run", () => this.run(), { class: "button primary", title: "Ctrl+Enter" });
@@ -171,8 +171,20 @@ class Write {
 
   /** Keeps what was typed, so that a reload restores it. */
   #keep_draft() {
+    this.#forget_draft();
+    this.#draft = setTimeout(() => this.keep_now(), kDraftDelay);
+  }
+
+  #forget_draft() {
     clearTimeout(this.#draft);
-    this.#draft = setTimeout(() => this.#around.kept.keep_exercise(this.#attempt(0), false), kDraftDelay);
+    this.#draft = 0;
+  }
+
+  /** Keeps what was typed last: the page may be left before its time has come. */
+  keep_now() {
+    if (!this.#draft) return;
+    this.#forget_draft();
+    this.#around.kept.keep_exercise(this.#attempt(0), false);
   }
 
   // ---- a run --------------------------------------------------------------------------------------------------
@@ -195,7 +207,7 @@ class Write {
   async #try(/** @type {string} */ code) {
     const ran = await this.#engine.run(code, lines_of(this.#trial.cases(kSeed)));
     const judged = this.#trial.judge(`${ran.answers.join("\n")}\n`);
-    clearTimeout(this.#draft);
+    this.#forget_draft();
     this.#around.kept.keep_exercise(this.#attempt(judged.mark), true);
     this.#around.kept.keep_exercise(this.#attempt(judged.mark), false); // what stands there now may not be the best
     const first = ran.answers.length > 0 ? judged.first : null;
@@ -279,7 +291,9 @@ class Write {
       ...variables_of(notes),
       ...(output ? [element("h2", { class: "kicker" }, "What it printed"), element("pre", {}, output)] : []),
     );
-    this.#show_mark(`Mark ${judged.mark} of ${judged.of}.`);
+    const earned = capped(judged.mark, judged.of, this.#seen);
+    const why = earned < judged.mark ? ", at most half: the solution was seen" : "";
+    this.#show_mark(`Mark ${earned} of ${judged.of}${why}.`);
   }
 
   /** @param {FoundCase} found @param {boolean} is_shorter */
