@@ -98,6 +98,9 @@ test("on a phone: a mistake is shown at its line, variables are told, three trie
   assert.equal(await page.getByText("if (a.max[i] < b.min[i]").count(), 0);
   await solution.tap();
   await page.getByText("if (a.max[i] < b.min[i]").waitFor();
+  await runs(kRight);
+  assert.match(await mark(page), /^Mark 3 of 7, at most half: the solution was seen[.] Best mark 3 of 7[.]$/);
+  await type(page, "let x = ;");
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+f");
   await page.locator(".cm-search input").first().waitFor();
@@ -105,6 +108,20 @@ test("on a phone: a mistake is shown at its line, variables are told, three trie
   await page.reload();
   await page.locator(".write .cm-content").waitFor();
   assert.match(await page.locator(".cm-content").textContent(), /let x = ;/); // it is kept
+});
+
+test("what is typed last is kept, however soon one leaves, and a function that is not there is named", async (t) => {
+  const page = await open(t);
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+A");
+  await page.keyboard.type("function overlaps(a, b) {\nreturn true;");
+  await page.reload();
+  await page.locator(".write .cm-content").waitFor();
+  assert.match(await page.locator(".cm-content").textContent() ?? "", /function overlaps.*return true;/);
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+Enter");
+  await ran(page);
+  assert.equal(await page.locator(".write-wrong").textContent(), "There is no function overlap.");
 });
 
 test("a place that a function gives stands on the stage beside the right one, and words say how", async (t) => {

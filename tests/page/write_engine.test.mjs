@@ -37,7 +37,9 @@ test("a mistake has its line", () => {
   assert.deepEqual(run("function f() {\n  retrn 1;\n}").error.line, 2);
   assert.deepEqual(run("function f(a) {\n\n  return a.b.c;\n}").error,
     { what: "TypeError: cannot read property 'c' of undefined", line: 3 });
-  assert.match(run("function g() {}").error.what, /not defined/);
+  assert.deepEqual(run("function f() {\n  return 1;").error.line, 2); // not the line after it
+  assert.deepEqual(run("function g() {\n}\n").error, { what: "There is no function f.", line: 0 });
+  assert.deepEqual(run("const f = g;").error, { what: "ReferenceError: 'g' is not defined", line: 1 });
 });
 
 test("steps are counted to the last one: each call, each condition and each turn of a loop", () => {

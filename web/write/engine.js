@@ -154,7 +154,7 @@ class Sandbox {
   run(/** @type {string[]} */ lines) {
     const context = this.#context;
     const made = context.evalCode(`"use strict";${this.#asked.code}\n;${this.#asked.name}`, "code.js");
-    if (made.error) return this.#ran([], this.#error_of(made.error));
+    if (made.error) return this.#ran([], this.#not_made(this.#error_of(made.error)));
     const own = made.value;
     if (context.typeof(own) !== "function") {
       own.dispose();
@@ -212,6 +212,16 @@ class Sandbox {
     } finally {
       result.value.dispose();
     }
+  }
+
+  /** Why the code gives no function. The line that asks for it, after the code's last, is not the student's.
+   *  @param {{ what: string, line: number }} error */
+  #not_made({ what, line }) {
+    const { code, name } = this.#asked;
+    const last = code.split("\n").length;
+    if (line > last && what === `ReferenceError: '${name}' is not defined`)
+      return { what: `There is no function ${name}.`, line: 0 };
+    return { what, line: Math.min(line, last) };
   }
 
   #is_over() {
