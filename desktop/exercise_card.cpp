@@ -17,12 +17,14 @@ namespace {
 
 constexpr Writing kPromptWriting{16, 23}, kClaimWriting{15, 22};
 
-/// Each level that is asked for, with a tick where the stage reaches it, and a ring where it was reached before.
+/// Each level that is asked for, with a tick where the stage reaches it, and a ring where it was reached before. When
+/// it is over what was reached has the ticks, whatever stands there: a solution may reach more.
 void draw_levels(Column& column, const lesson::Sitting& sitting, const lesson::Session& session) {
   const std::vector<std::string> words = level_texts(sitting.exercise(), session);
   if (words.size() < 2) return;
   const app::Look& look = column.look();
-  const int now = level_of(sitting.exercise(), session), best = sitting.best() ? sitting.best()->level : 0;
+  const int best = sitting.best() ? sitting.best()->level : 0;
+  const int now = sitting.finished(session) ? best : level_of(sitting.exercise(), session);
   column.gap(6);
   float x = 0;
   for (int level = 1; const std::string& text : words) {
@@ -42,6 +44,12 @@ void draw_levels(Column& column, const lesson::Sitting& sitting, const lesson::S
     x += width;
   }
   column.gap(look.px(28));
+}
+
+/// Whether all levels are reached on the stage, and were not before it was over.
+bool is_solved_beyond(const lesson::Sitting& sitting, const lesson::Session& session) {
+  return sitting.exercise().build && level_of(sitting.exercise(), session) == sitting.of() && sitting.best() &&
+         sitting.best()->level < sitting.of();
 }
 
 }  // namespace
@@ -109,6 +117,8 @@ std::string draw_mark(Shell& shell, Column& column, const lesson::Sitting& sitti
                     draw_row(column, sitting.first_difference(session), column.look()->ink, {&runs, 1}) == 0;
   column.gap(8);
   if (sitting.exercise().build) draw_levels(column, sitting, session);
+  if (is_solved_beyond(sitting, session))
+    column.words(lesson::kModelStandsSays, Face::kRegular, 13, column.look()->muted);
   std::string command = draw_lines(shell, column, sitting.marked(session));
   std::vector<RowButton> row;
   if (sitting.exercise().build) row.push_back({"show_model", lesson::kShowModelWord, ButtonKind::kQuiet});

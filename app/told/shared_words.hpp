@@ -37,6 +37,7 @@ inline constexpr std::pair<std::string_view, std::string_view> kSharedWords[] = 
     {"back_to_best", lesson::kBackToBestWord},
     {"back_to_solution", lesson::kBackToSolutionWord},
     {"show_model", lesson::kShowModelWord},
+    {"model_stands", lesson::kModelStandsSays},
     {"harder", lesson::kHarderWord},
     {"without_mark", lesson::kWithoutMarkWord},
     {"for_mark", lesson::kForMarkWord},

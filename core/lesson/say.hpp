@@ -27,6 +27,7 @@ inline constexpr std::string_view kHandInWord = "Hand in", kAnotherInstanceWord 
                                   kYourMarkWord = "Your mark", kDecisionWord = "Your decision", kBuildWord = "Build it",
                                   kBreakWord = "Break it", kFinishWord = "Done", kStartAgainWord = "Start again",
                                   kBackToBestWord = "Back to my best", kShowModelWord = "Show a solution",
+                                  kModelStandsSays = "On the stage: a solution.",
                                   kBackToSolutionWord = "Back to my solution", kHarderWord = "Harder instance",
                                   kPracticeWord = "Practice", kPracticeSays = "no mark",
                                   kWithoutMarkWord = "Practise without a mark", kForMarkWord = "Do it for a mark",

@@ -159,6 +159,14 @@ export class Exercise {
     return element("ol", { class: "levels" }, ...levels.map(level));
   }
 
+  /** The levels that were reached, whatever stands on the stage when it is over: a solution may reach more.
+   *  @param {Build} build */
+  #reached({ levels }) {
+    const solves = levels.every(({ now }) => now) && !levels.every(({ best }) => best);
+    return [levels.length > 1 && this.#levels(levels.map((level) => ({ ...level, now: level.best }))),
+      solves && element("p", { class: "label" }, this.#words.model_stands)];
+  }
+
   /** The card at its end. title_of: of a lesson, undefined if the course has none of that id.
    *  @param {ShownExercise} exercise @param {(id: string) => string | undefined} title_of */
   summary(exercise, title_of) {
@@ -171,7 +179,7 @@ export class Exercise {
       ...followed.map((says) => element("p", { class: "rule" }, says)),
       !build && element("p", { class: "runs" }, ...spelled(firstDifference), " ",
         button(this.#words.both_runs, this.#do("other_run"), { class: "quiet", title: "R" })),
-      build && build.levels.length > 1 && this.#levels(build.levels),
+      ...(build ? this.#reached(build) : []),
       rows.length > 0 &&
         element("ol", { class: "lines-of" }, ...rows.map((row) => element("li", {}, this.#line_of(row, practises)))),
       element("div", { class: "commit" },

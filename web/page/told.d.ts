@@ -564,6 +564,7 @@ type SharedWords = Record<
   | "back_to_best"
   | "back_to_solution"
   | "show_model"
+  | "model_stands"
   | "harder"
   | "without_mark"
   | "for_mark"
