@@ -79,6 +79,8 @@ std::string_view not_read(std::string_view text, std::string_view extension) {
   if (kind == "coff" || kind == "noff" || kind == "cnoff" || kind == "stoff" || kind == "4off")
     return "only plain OFF is read, without colours or normals: save the points as OFF, PLY or OBJ";
   if (kind == "off" && lower_case(trim(rest)) == "binary") return "binary OFF is not read: save the points as text";
+  if (!line.empty() && line[0] == '{' && text.substr(0, 4096).find("\"snug_result\"") != std::string_view::npos)
+    return "this is a result file: hand it in";
   if (!line.empty() && (line[0] == '{' || line[0] == '['))
     return "JSON is not read: give a point file: xyz, csv, obj, ply, stl or off";
   return {};

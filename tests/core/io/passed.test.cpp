@@ -238,6 +238,7 @@ TEST_CASE("OFF is read; its variants, PCD and JSON are named") {
       {"t.pcd", "VERSION .7\n", ": PCD is not read: save the points as PLY or xyz"},
       {"t.txt", "# .PCD v.7\nVERSION .7\n", ": PCD is not read: save the points as PLY or xyz"},
       {"t.json", "{\n", ": JSON is not read: give a point file: xyz, csv, obj, ply, stl or off"},
+      {"be-ritter-5.json", "{\n \"snug_result\": 1,\n \"version\": \"1\",\n", ": this is a result file: hand it in"},
   });
 }
 
