@@ -2,7 +2,9 @@
 import { spawnSync } from "node:child_process";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { assert, handles, kPhone, load, ready, start, state, still, stop, tap, until, visit } from "./support.mjs";
+import {
+  assert, handles, kPhone, kWide, load, ready, start, state, still, stop, tap, until, visit,
+} from "./support.mjs";
 
 const kSnug = fileURLToPath(new URL("../../build/release/snug", import.meta.url));
 
@@ -264,6 +266,36 @@ test("what is built by dragging earns a mark for each level, is kept over a relo
   await page.getByRole("button", { name: "Show a solution" }).press("Enter");
   await until(page, (now, before) => now.trace !== before, trace);
   assert.ok((await state(page)).exercise.build.levels.every(({ now }) => now));
+  assert.equal(await page.locator(".exercise-end .levels .now").count(), 4);
+});
+
+test("a solution that is shown after one level ticks no other", async (t) => {
+  const page = await visit(t, "?exercise=build-worst-ritter&seed=3");
+  await put(page, { ...kBegin }, "P0");
+  await page.getByRole("button", { name: "Done" }).press("Enter");
+  await page.getByRole("button", { name: "Show a solution" }).press("Enter");
+  await until(page, (now) => now.exercise.build.levels.every((level) => level.now));
+  const card = page.locator(".exercise-end");
+  await card.getByText("On the stage: a solution.").waitFor();
+  assert.equal(await card.locator(".mark-line").textContent(), "1 of 4");
+  assert.equal(await card.locator(".levels .now").count(), 1);
+});
+
+test("an exercise that is opened from the Points shows its text, where it has no Points", async (t) => {
+  for (const exercise of ["be-quickhull", "be-ritter"]) {
+    const page = await visit(t, "?lesson=convex-hull", exercise === "be-ritter" ? kPhone : kWide);
+    await page.getByRole("tab", { name: "Points" }).click();
+    await page.evaluate((id) => window.snug.restart(`?exercise=${id}&seed=3`), exercise);
+    await at(page, 0);
+    assert.ok(await page.locator("#prose").isVisible());
+    assert.equal(await page.locator("#tab-read").getAttribute("aria-selected"), "true");
+  }
+});
+
+test("the name of an axis stays on one line", async (t) => {
+  const page = await visit(t, "?exercise=sat-space&seed=3", kPhone);
+  await at(page, 0);
+  assert.match(await page.locator(".ask .prompt").textContent() ?? "", /onto A\u00a0x[?]$/);
 });
 
 test("an example is built by keyboard alone: what is selected is moved by the arrows", async (t) => {

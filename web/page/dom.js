@@ -48,6 +48,10 @@ export const lights = (on, off) => ({
 export const whole_names = (/** @type {string} */ text) =>
   text.replace(/([+−])(?=[+−])|\b([pn]-)(?=vert)/g, "$&\u2060");
 
+/** The name of an axis stays on one line: A x, B y, A x × B y. */
+export const whole_axes = (/** @type {string} */ text) =>
+  text.replace(/\b([AB]) ([xyz])\b(?: × ([AB]) ([xyz])\b)?/g, (name) => name.replaceAll(" ", "\u00a0"));
+
 /** A link that is opened here, without loading the page anew; with a key held, the browser opens it elsewhere. */
 export const followed_here = (/** @type {() => void} */ follow) => (/** @type {MouseEvent} */ event) => {
   if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return;

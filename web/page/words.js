@@ -1,5 +1,5 @@
 // Makes HTML of the lesson's texts, and keeps the figures of the run in them as they are now.
-import { element, set_text, whole_names } from "./dom.js";
+import { element, set_text, whole_axes, whole_names } from "./dom.js";
 
 /** Shows a figure, or says why it is not shown: its sign alone would be read as nothing. */
 function fill(/** @type {HTMLElement} */ node, { text, says } = { text: "…", says: "" }) {
@@ -105,7 +105,7 @@ export class Words {
   #plain({ text, tex, link, figure }, make_link) {
     if (tex) return this.#formula(tex, text);
     if (figure) return this.#figure(figure);
-    return link ? make_link(text, link) : whole_names(text);
+    return link ? make_link(text, link) : whole_axes(whole_names(text));
   }
 
   /** @param {Stretch} stretch @param {MakeLink} make_link */
