@@ -230,6 +230,14 @@ test("the code of a state is seen beside its numbers: nothing is chosen there", 
   assert.ok(await page.locator("#code .fields").isHidden());
 });
 
+/** The letters alone that are read on the page: counters are in no element's text. */
+async function letters_of(page) {
+  const devtools = await page.context().newCDPSession(page);
+  const { nodes } = await devtools.send("Accessibility.getFullAXTree");
+  return nodes.filter(({ role }) => role?.value === "StaticText").map(({ name }) => name?.value)
+    .filter((text) => /^[A-Z]$/.test(text));
+}
+
 test("a class votes twice, and no number is on the page before the answer is revealed", async (t) => {
   const { states } = await demo_of("collision");
   const page = await load(t, "?demo=collision&state=3", kHall);
@@ -239,8 +247,7 @@ test("a class votes twice, and no number is on the page before the answer is rev
   await notes.getByRole("heading", { name: states[2].slide }).waitFor();
   const vote = page.locator(".demo-vote");
   await page.waitForFunction(() => document.querySelector(".demo-vote")); // its program has arrived
-  const called = page.locator("#ask .choices button").first();
-  assert.match(await called.evaluate((choice) => getComputedStyle(choice, "::before").content), /choice, upper-alpha/);
+  assert.deepEqual(await letters_of(page), ["A", "B", "C"], "each choice is called as its vote calls it");
   for (const key of ["1", "2", "Enter", "3", "1", "Enter", "Enter", "v", "4", "Enter", "3", "9", "Enter", "Enter"])
     await page.keyboard.press(key);
   assert.match(await vote.textContent(), /^Second vote: .* counted$/);
@@ -256,6 +263,27 @@ test("a class votes twice, and no number is on the page before the answer is rev
   await page.keyboard.press("PageUp");
   await until(page, (now) => now.asked !== null);
   assert.doesNotMatch((await vote.textContent()).replace(/P\d+/g, ""), /\d/, "and is hidden again");
+});
+
+test("while the card of keys or the code is open keys lead nowhere, and Escape puts it away alone", async (t) => {
+  const { states } = await demo_of("collision");
+  const page = await load(t, "?demo=collision&state=9", kHall);
+  const says = `9 of ${states.length}`;
+  await opened(page, says, states[8].hash);
+  const [stood, shown] = [await standing(page), await classes(page)];
+  for (const [opens, sheet, keys] of [["?", "dialog[open]", ["PageDown", "ArrowRight", "Escape"]],
+    ["q", ".qr", ["PageDown"]], ["q", ".qr", ["Escape"]]]) {
+    await page.keyboard.press(String(opens));
+    await page.locator(String(sheet)).waitFor();
+    for (const key of keys) await page.keyboard.press(key);
+    await page.locator(String(sheet)).waitFor({ state: "detached" });
+    await still(page);
+    assert.equal(await place(page), says);
+    assert.deepEqual(await standing(page), stood);
+    assert.equal(await classes(page), shown);
+  }
+  await page.keyboard.press("PageDown"); // leads on again
+  await until(page, (now) => now.step === now.steps);
 });
 
 test("a vote for a place is a dot there, of the size of its share, once the answer is shown", async (t) => {
@@ -282,6 +310,9 @@ test("a vote for a place is a dot there, of the size of its share, once the answ
       return { x: x + width / 2, y: y + height / 2, width };
     }), window.snug.handles()]));
   assert.equal(dots.length, 2);
+  const rows = await page.locator(".demo-vote p b").allTextContents();
+  assert.equal(rows.length, 2, `no row for a place without hands: ${rows}`);
+  for (const name of [one, two]) assert.ok(rows.some((row) => row.includes(name)), `${name}: ${rows}`);
   assert.ok(Math.abs(dots[0].width / dots[1].width - Math.sqrt(3)) < 0.05, JSON.stringify(dots));
   const places = all.filter(({ id }) => [one, two].includes(id));
   assert.equal(places.length, 2);
