@@ -97,7 +97,13 @@ struct AxisTable {
   /// The right end of a column of figures.
   [[nodiscard]] float right(int column) const { return x + columns.ends[column]; }
 
-  void head(float y) const {
+  /// The columns' names, above rows that end there; where one has scrolled past them, over the first row in sight.
+  void head(float y, float rows_end) const {
+    const float top = ImGui::GetWindowPos().y, height = look.px(kRow);
+    if (y < top && rows_end > top + 2 * height) {
+      y = top;
+      list->AddRectFilled({x - 6, y}, {x + width + 6, y + height}, look->panel);
+    }
     for (int i = 0; i < 4; ++i)
       text_right(list, look, Face::kRegular, kHead, {right(i), y + look.px(4)}, look->muted, kHeads[i]);
   }
@@ -159,14 +165,19 @@ Touch touch_row(const AxisTable& table, const lesson::AxisName& name, float y) {
   return touch_area(("axis " + name.text).c_str(), rect, name.text);
 }
 
-/// Scrolls the panel to the row of the step where that is out of sight, once for each step that moves to another row.
+/// Scrolls the panel to the row of the step where that is out of sight, once for each step that moves to another row
+/// and each time that the panel gets another height.
 void follow_row(const Look& look, int row, float y) {
-  int& before = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("row followed"), -1);
-  if (row == before) return;
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  int& before = *storage.GetIntRef(ImGui::GetID("row followed"), -1);
+  float& room = *storage.GetFloatRef(ImGui::GetID("in a height of"));
+  if (row == before && room == ImGui::GetWindowHeight()) return;
   before = row;
+  room = ImGui::GetWindowHeight();
   if (row < 0) return;
-  const float height = look.px(kRow), top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
-  if (y < top || y + 2 * height > bottom) ImGui::SetScrollFromPosY(y + height / 2 - top);
+  const float height = look.px(kRow), top = ImGui::GetWindowPos().y + height,  // below the head
+      bottom = ImGui::GetWindowPos().y + room;
+  if (y < top || y + 2 * height > bottom) ImGui::SetScrollFromPosY(y + height / 2 - ImGui::GetWindowPos().y);
 }
 
 /// Draws the table and returns its height.
@@ -183,7 +194,6 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
   const AxisTable table{look, ImGui::GetWindowDrawList(), at.x, width, Columns(look, names, seen, width)};
   const lesson::Asked* asked = session.conversation().asked();
   const bool choosing = asked != nullptr && asked->on_axes;
-  table.head(at.y);
   if (light != nullptr) light->pointed = -1;
   float y = at.y + look.px(kRow);
   for (int i = 0; i < static_cast<int>(names.size()); ++i, y += look.px(kRow)) {
@@ -199,6 +209,7 @@ float draw_table(const Look& look, lesson::Session& session, const TableUnit& un
     if (wrong[i]) draw_wrong_row(table, y);
     if (i == at_hand) follow_row(look, i, y);
   }
+  table.head(at.y, y);
   return y - at.y;
 }
 
