@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/inspector.hpp"
 #include "app/timeline.hpp"
+#include "app/timeline_map.hpp"
 #include "app/widgets.hpp"
 #include "lesson/speaking.hpp"
 #include "lesson/subjects.hpp"
@@ -216,6 +217,7 @@ tl::expected<void, InputError> App::open_exercise(std::shared_ptr<const lesson::
   return {};
 }
 lesson::Sitting* App::sitting() { return state_->sitting ? &*state_->sitting : nullptr; }
+const lesson::Sitting* App::sitting() const { return state_->sitting ? &*state_->sitting : nullptr; }
 
 void AppState::open(lesson::Session next, bool anew) {
   if (session && !sitting) answers[session->lesson().id] = lesson::answers_of(*session);
@@ -363,7 +365,8 @@ void App::frame(const Layout& layout, double now) {
   // The timeline and the stage change the session; the inspector comes last, with the figures of the same frame.
   if (shows(layout.timeline)) {
     const Pane pane("##timeline", layout.timeline);
-    const PlayerWish wish = draw_timeline(s.look, *s.session, *s.view, layout.timeline, {s.playing, s.speed});
+    const PlayerWish wish = draw_timeline(s.look, *s.session, *s.view, layout.timeline,
+                                          {s.playing, s.speed, furthest_to_show(*s.session, sitting())});
     if (!wish.command.empty() && !s.press_ends) command(wish.command);
     if (wish.speed > 0) s.speed = wish.speed;
     s.step_button = wish.step, s.play_button = wish.play;

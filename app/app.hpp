@@ -114,6 +114,7 @@ class App {
                                                bool practises = false);
   /// The exercise that is open; null while a lesson is.
   [[nodiscard]] lesson::Sitting* sitting();
+  [[nodiscard]] const lesson::Sitting* sitting() const;
   /// Keeps the answers of an earlier visit for when the lesson is opened; and forgets all answers of all lessons.
   void keep_answers(const std::string& lesson, lesson::KeptAnswers answers);
   void forget_answers();

@@ -102,7 +102,8 @@ void draw_track(ImDrawList* list, const Look& look, lesson::Session& session, co
   const float thumb = map.x_of(session.player().step());
   list->AddRectFilled({map.left, y - half}, {map.left + map.width, y + half}, p.track, half);
   list->AddRectFilled({map.left, y - half}, {thumb, y + half}, p.current, half);
-  const std::vector<lesson::Mark> marks = marks_with_room(marks_to_show(session), map, kMarksApart);
+  std::vector<lesson::Mark> marks = marks_with_room(marks_to_show(session), map, kMarksApart);
+  std::erase_if(marks, [&](const lesson::Mark& mark) { return mark.step > map.steps; });
   const std::vector<float> flags = flag_places(marks, map, kFlagWidth + 2);
   auto asked = std::find_if(session.conversation().questions().begin(), session.conversation().questions().end(),
                             [](const lesson::Asked& one) { return one.step != lesson::Asked::kAnytime; });
@@ -242,13 +243,13 @@ PlayerWish draw_timeline(const Look& look, lesson::Session& session, const Subje
   rule(list, rect.x, rect.y, rect.width, p.line);
 
   const TimelineButtons buttons = timeline_buttons(look, rect);
-  const TimelineMap map{buttons.left, buttons.width, session.player().steps()};
+  const TimelineMap map{buttons.left, buttons.width, player.furthest.value_or(session.player().steps())};
   draw_track(list, look, session, map, buttons.track);
   const Rect& at = buttons.speed;
   if (!buttons.low) {
     const std::string step = std::string(session.lesson().subject->step_word) + " " +
-                             std::to_string(session.player().step()) + " of " +
-                             std::to_string(session.player().steps());
+                             std::to_string(session.player().step()) +
+                             (player.furthest ? "" : " of " + std::to_string(session.player().steps()));
     text(list, look, Face::kRegular, kSize, {map.left + 2, middle_of(buttons.words, look.px(kSize))}, p.muted, step);
     const float said = measure(look, Face::kRegular, kSize, step).x;
     const float legend = buttons.speed_among_words ? at.x - 8 : map.left + map.width;

@@ -1,6 +1,7 @@
 // The timeline: track, marks, gates, thumb, and the buttons of the player.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "app/subject.hpp"
@@ -10,6 +11,7 @@ namespace snug::app {
 struct PlayerView {
   bool playing = false;
   float speed = 1;
+  std::optional<int> furthest;  // see furthest_to_show
 };
 
 /// What the user asked for: a command's name, or empty; a speed, or 0. And where two of its buttons stand.

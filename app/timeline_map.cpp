@@ -21,13 +21,29 @@ bool is_open(const lesson::Session& session, const lesson::Asked& asked) {
   return own == outcomes.end() || own->passed;
 }
 
-std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
-  int known =
-      session.player().previewing() ? 0 : session.player().step();  // up to here the trace was shown to the student
+namespace {
+
+/// The step of the first question without an answer; the last step if there is none.
+int first_open(const lesson::Session& session) {
   int gate = session.player().steps();
   for (const lesson::Asked& asked : session.conversation().questions())
     if (is_open(session, asked)) gate = std::min(gate, asked.step);
-  known = std::max(known, gate);
+  return gate;
+}
+
+}  // namespace
+
+bool count_known(const lesson::Exercise& exercise) { return exercise.least == exercise.most; }
+
+std::optional<int> furthest_to_show(const lesson::Session& session, const lesson::Sitting* sitting) {
+  if (sitting == nullptr || count_known(sitting->exercise()) || all_decided(session)) return std::nullopt;
+  return std::max(session.player().step(), first_open(session));
+}
+
+std::vector<lesson::Mark> marks_to_show(const lesson::Session& session) {
+  int known =
+      session.player().previewing() ? 0 : session.player().step();  // up to here the trace was shown to the student
+  known = std::max(known, first_open(session));
   std::vector<lesson::Mark> shown = session.player().marks();
   std::erase_if(
       shown, [&](const lesson::Mark& mark) { return mark.kind != lesson::Mark::Kind::kQuestion && mark.step > known; });

@@ -1,9 +1,11 @@
 // Maps steps to the timeline's track, and chooses the marks that have room.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "lesson/exercise/sitting.hpp"
 #include "lesson/session.hpp"
 
 namespace snug::app {
@@ -24,6 +26,13 @@ struct TimelineMap {
 /// The marks that give no answer away: every question, and other marks up to the shown step or the first unanswered
 /// question.
 [[nodiscard]] std::vector<lesson::Mark> marks_to_show(const lesson::Session& session);
+
+/// Whether a student may know how many decisions an exercise has: else that would tell where a test ends.
+[[nodiscard]] bool count_known(const lesson::Exercise& exercise);
+
+/// The furthest step that may be shown, that of the open decision, while the number of steps would tell where a test
+/// ends; none where they may be counted. sitting: null for no exercise.
+[[nodiscard]] std::optional<int> furthest_to_show(const lesson::Session& session, const lesson::Sitting* sitting);
 
 /// The marks that are drawn: every question, every best, and those others that are at least `apart` pixels from these
 /// and from the mark before.

@@ -1,6 +1,7 @@
 #include "desktop/exercise_card.hpp"
 
 #include "app/marks.hpp"
+#include "app/timeline_map.hpp"
 #include "desktop/prose.hpp"
 #include "desktop/shell.hpp"
 #include "lesson/exercise/build.hpp"
@@ -56,9 +57,9 @@ bool is_solved_beyond(const lesson::Sitting& sitting, const lesson::Session& ses
 
 std::pair<std::string, std::string> decision_place(const lesson::Sitting& sitting, const lesson::Session& session) {
   const bool tells = sitting.tells_at_once() || sitting.finished(session);
-  // How many there are would tell where a test ends.
-  const bool same = sitting.exercise().least == sitting.exercise().most;
-  return {"Decision " + std::to_string(sitting.at(session) + 1) + (same ? " of " + std::to_string(sitting.of()) : ""),
+  const bool counted = app::count_known(sitting.exercise());
+  return {"Decision " + std::to_string(sitting.at(session) + 1) +
+              (counted ? " of " + std::to_string(sitting.of()) : ""),
           sitting.practises() ? std::string(lesson::kPracticeSays)
           : tells             ? "mark " + lesson::plain_number(sitting.mark(session))
                               : "told at the end"};

@@ -69,7 +69,7 @@ Items file_items(Shell& shell) {
     items.push_back({std::filesystem::path(path).filename().string(), "", takes_points,
                      [&shell, path] { shell.open_points(path); }, items.size() == 2});
   items.push_back({"Save points …", "", has_points(shell), [&] { ask_path(shell, What::kSavePoints); }, true});
-  items.push_back({"Save picture …", "", !shell.course_shown, [&] { ask_path(shell, What::kSavePicture); }});
+  items.push_back({"Save picture …", "", open, [&] { ask_path(shell, What::kSavePicture); }});
   items.push_back({"Add to a demo", "", open, [&] { shell.record(); }});
   items.push_back({"Export table …", "", chart && !shell.app().cover()->file("csv").empty(),
                    [&] { ask_path(shell, What::kExportTable); }});

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/timeline_map.hpp"
 #include "app/told/json.hpp"
 #include "lesson/exercise/build.hpp"
 #include "lesson/exercise/sitting.hpp"
@@ -72,7 +73,7 @@ Exercise exercise_of(App& app) {
                      .of = sitting->of(),
                      .told = session.conversation().outcome() != nullptr,
                      .tells_at_once = tells,
-                     .count_known = own.least == own.most,
+                     .count_known = count_known(own),
                      .finished = over,
                      .hints = sitting->hints(session),
                      .hint = sitting->hint_words(session),

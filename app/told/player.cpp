@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/timeline_map.hpp"
 #include "app/told/stage.hpp"
 #include "lesson/patience.hpp"
 #include "lesson/speaking.hpp"
@@ -18,6 +19,7 @@ Player player_of(const App& app, const lesson::Session& session) {
   Player told{.lesson = session.lesson().id,
               .step = session.player().step(),
               .steps = session.player().steps(),
+              .furthest = furthest_to_show(session, app.sitting()),
               .caption = app.caption(),
               .section = lesson::section_at(session),
               .lit = {.mark = app.lit(), .words = app.marks_in_hand()},

@@ -50,6 +50,7 @@ struct Preparing {
 struct Player {
   std::string_view lesson;
   int step = 0, steps = 0;
+  std::optional<int> furthest;  // what people may see of the steps, if not all
   std::string caption;
   std::optional<int> section;
   Lit lit;
@@ -60,8 +61,8 @@ struct Player {
   float speed = 1;
   bool previewing = false;
   std::optional<Preparing> preparing;
-  SNUG_FIELDS(lesson, step, steps, caption, section, lit, invitation, close_up, invited, playing, speed, previewing,
-              preparing);
+  SNUG_FIELDS(lesson, step, steps, furthest, caption, section, lit, invitation, close_up, invited, playing, speed,
+              previewing, preparing);
 };
 
 struct Frames {

@@ -3,6 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "bench.hpp"
+#include "course_lessons.hpp"
+#include "lesson/exercise/instance.hpp"
 
 namespace snug::app {
 
@@ -105,6 +111,53 @@ TEST_CASE("gates of steps that lie close together stand side by side, within the
   CHECK(flags[0] == map.x_of(0));
   CHECK(flags[2] == map.x_of(60));  // where there is room it stands over its step
   CHECK(flags[4] == map.x_of(120));
+}
+
+namespace {
+
+std::shared_ptr<const lesson::Exercise> course_exercise(const std::string& id) {
+  std::ifstream file(lessons_folder() + "exercises/" + id + ".toml");
+  lesson::ExerciseDraft draft =
+      lesson::read_exercise(std::string(std::istreambuf_iterator<char>(file), {}), id + ".toml");
+  REQUIRE(draft.mistakes.empty());
+  return std::make_shared<const lesson::Exercise>(std::move(draft.exercise));
+}
+
+bool says(Bench& bench, const std::string& wanted) {
+  const std::vector<std::string> words = bench.words();
+  return std::find(words.begin(), words.end(), wanted) != words.end();
+}
+
+}  // namespace
+
+TEST_CASE("where the number of steps would tell the end of a test, it is told with the last decision") {
+  Bench bench(course_lesson("obb-axes"));
+  for (const char* id : {"sat-space", "aabb-overlap", "kdop-overlap-test", "cull-a-box"}) {
+    REQUIRE(bench.app.open_exercise(course_exercise(id), 1));
+    bench.frames(3);
+    lesson::Session& session = bench.session();
+    lesson::Conversation& talk = session.conversation();
+    while (!all_decided(session)) {
+      const int step = session.player().step();
+      CHECK_MESSAGE(says(bench, "step " + std::to_string(step)), id);
+      const auto open = [&](const lesson::Asked& asked) { return is_open(session, asked); };
+      const auto next = std::find_if(talk.questions().begin(), talk.questions().end(), open);
+      CHECK_MESSAGE(furthest_to_show(session, bench.app.sitting()) == std::max(next->step, step), id);
+      if (talk.asked() == nullptr) session.forward();
+      else REQUIRE(talk.give(lesson::model_answer(*talk.asked(), session.player().run(0))));
+    }
+    CHECK_FALSE(furthest_to_show(session, bench.app.sitting()));
+    const std::string all = std::to_string(session.player().steps());
+    CHECK_MESSAGE(says(bench, "step " + std::to_string(session.player().step()) + " of " + all), id);
+  }
+}
+
+TEST_CASE("where an exercise says how many decisions there are, its steps are counted") {
+  Bench bench(course_lesson("obb-axes"));
+  REQUIRE(bench.app.open_exercise(course_exercise("sat-plane"), 1));
+  bench.frames(3);
+  CHECK_FALSE(furthest_to_show(bench.session(), bench.app.sitting()));
+  CHECK(says(bench, "step 0 of " + std::to_string(bench.session().player().steps())));
 }
 
 }  // namespace snug::app

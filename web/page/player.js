@@ -6,7 +6,7 @@ const kButtons = [["first"], ["back"], ["step"], ["next_mark", "Next mark"], ["p
   ["slower", "Slower"], ["faster", "Faster"], ["reset_view", "Show all points"]];
 
 /** @typedef {Lesson["stepWord"]} StepWord
- *  @typedef {Pick<View, "step" | "steps" | "previewing"> & { word: StepWord }} Standing */
+ *  @typedef {Pick<View, "step" | "steps" | "furthest" | "previewing"> & { word: StepWord }} Standing */
 
 /** The names of the player's buttons, if the timeline counts steps and if it counts frames.
  *  @type {Record<StepWord, Record<string, string>>} */
@@ -67,18 +67,18 @@ export class Player {
     this.#switches[names.findIndex((name) => name === held)]?.focus(); // an element each, in whatever order
   });
 
-  #show_step = when_changed((/** @type {Standing} */ { step, steps, previewing, word }) => {
+  #show_step = when_changed((/** @type {Standing} */ { step, steps, furthest, previewing, word }) => {
     set_text(this.#step, previewing ? "From the start" : kWords[word].step);
-    this.#slider.max = String(steps);
+    this.#slider.max = String(furthest ?? steps);
     this.#slider.value = String(step);
-    const place = `${word} ${step} of ${steps}`;
+    const place = furthest === null ? `${word} ${step} of ${steps}` : `${word} ${step}`;
     this.#slider.setAttribute("aria-valuetext", place);
     set_text(this.#place, place);
   });
 
   update(/** @type {View} */ view) {
-    const { step, steps, previewing } = view;
-    this.#show_step({ step, steps, previewing, word: this.#word });
+    const { step, steps, furthest, previewing } = view;
+    this.#show_step({ step, steps, furthest, previewing, word: this.#word });
     const effects = view.effects ?? [];
     this.#list_effects(...effects.map(({ effect }) => effect));
     for (const [i, { on, called, says }] of effects.entries()) {

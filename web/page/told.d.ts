@@ -33,6 +33,7 @@ interface Player {
   lesson: string;
   step: number;
   steps: number;
+  furthest: number | null;
   caption: string;
   section: number | null;
   lit: Lit;
