@@ -15,6 +15,7 @@
 #include "lesson/kept_answers.hpp"
 #include "lesson/playground.hpp"
 #include "lesson/say.hpp"
+#include "lesson/words.hpp"
 
 namespace snug::desktop {
 Shell::Shell(app::App& app, std::vector<LessonFile> lessons, Kept kept, std::optional<Drafts> drafts)
@@ -224,7 +225,8 @@ void Shell::use_file(const std::string& path) {
 }
 
 void Shell::use_points(const io::PointFile& points, const std::string& path) {
-  tell(app_.load(points, std::filesystem::path(path).filename().string()));
+  const auto loaded = app_.load(points, std::filesystem::path(path).filename().string());
+  if (!loaded) notice = lesson::capital(loaded.error().message()) + ".";
 }
 
 void Shell::use_dropped(const std::vector<std::string>& paths) {

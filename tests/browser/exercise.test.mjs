@@ -3,7 +3,7 @@ import { spawnSync } from "node:child_process";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import {
-  assert, handles, kPhone, kWide, load, ready, start, state, still, stop, tap, until, visit,
+  assert, handles, kPhone, kWide, load, paste, ready, start, state, still, stop, tap, until, visit,
 } from "./support.mjs";
 
 const kSnug = fileURLToPath(new URL("../../build/release/snug", import.meta.url));
@@ -177,6 +177,18 @@ test("nothing on the stage can be changed, and no decision is skipped", async (t
   await still(page);
   assert.deepEqual(on_stage(await state(page)), before);
   assert.equal((await exercise(page)).decision, 0);
+  await paste(page, "0\t0\n4\t0\n");
+  await page.getByText("In an exercise, points cannot be pasted or opened.", { exact: true }).waitFor();
+  assert.deepEqual(on_stage(await state(page)), before);
+});
+
+test("where a test ends is not told by the number of steps before the last decision", async (t) => {
+  const page = await visit(t, "?exercise=sat-space&seed=1");
+  const slider = page.locator("#player input[type=range]");
+  const { step, steps, furthest } = await state(page);
+  assert.ok(furthest < steps);
+  assert.equal(await slider.getAttribute("aria-valuetext"), `step ${step}`);
+  assert.equal(await slider.getAttribute("max"), String(furthest));
 });
 
 test("a double click decides once", async (t) => {

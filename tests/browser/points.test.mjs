@@ -1,7 +1,7 @@
 // Points are dragged, moved, typed, added and taken back, by mouse, finger and keyboard.
 import { after, before, test } from "node:test";
 import {
-  assert, drag, drag_by_finger, handles, kPhone, lesson_with, start, state, still, stop, until, visit, to_points,
+  assert, drag, drag_by_finger, handles, kPhone, lesson_with, paste, start, state, still, stop, until, visit, to_points,
 } from "./support.mjs";
 
 before(start);
@@ -200,15 +200,10 @@ test("a drop says what became of each file", async (t) => {
 
 test("rows of a spreadsheet are pasted, and decimal commas are refused with a hint", async (t) => {
   const page = await visit(t, await in_the_plane());
-  const paste = (text) => page.evaluate((rows) => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData("text/plain", rows);
-    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
-  }, text);
-  await paste("0\t0\n4\t0\n4\t3\n");
+  await paste(page, "0\t0\n4\t0\n4\t3\n");
   assert.equal((await until(page, (now) => now.size === 3)).dim, 2);
-  await paste("0,5\t1\n");
-  await page.getByText(/pasted\.csv:1.*decimal/).waitFor();
+  await paste(page, "0,5\t1,5\n");
+  await page.getByText(/^Those rows cannot be used\. pasted\.csv:1: "0,5" is not a number.*decimal/).waitFor();
 });
 
 test("a dropped point file is used", async (t) => {

@@ -298,6 +298,13 @@ export const panel_tables = (page) =>
     })),
   );
 
+/** Pastes a text, as from a spreadsheet. */
+export const paste = (page, text) => page.evaluate((rows) => {
+  const clipboardData = new DataTransfer();
+  clipboardData.setData("text/plain", rows);
+  document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+}, text);
+
 /** Clicks on a handle, once the view stands still. */
 export async function tap(page, id) {
   await still(page);

@@ -4,6 +4,7 @@ import { result_as_csv } from "./result.js";
 import { answer_edit, clear_notices, notice } from "./messages.js";
 
 const kAxes = ["x", "y", "z"];
+const kPasted = "pasted.csv"; // its ending lets tabs separate numbers
 const kMostBytes = 64e6;
 const kMostMeasured = 256e6; // bytes: two million points, written out
 
@@ -189,8 +190,10 @@ export class PointTools {
     let error = "";
     const refused = await this.#act(() => {
       error = this.#take(bytes, name);
-      if (error) notice(`That file cannot be used. ${error}.`);
-      else clear_notices();
+      const what = name === kPasted ? "Those rows" : "That file";
+      // What is wrong with the file itself begins with its name.
+      if (error.startsWith(name)) notice(`${what} cannot be used. ${error}.`);
+      else answer_edit(error);
     });
     return !error && !refused;
   }
@@ -251,13 +254,13 @@ export class PointTools {
     });
   }
 
-  /** Rows of numbers, as spreadsheets copy them, wherever nobody writes. The name's ending lets tabs separate them. */
+  /** Rows of numbers, as spreadsheets copy them, wherever nobody writes. */
   #accept_pastes() {
     document.addEventListener("paste", (event) => {
       const text = event.clipboardData?.getData("text/plain") ?? "";
       if (is_within(event.target, kWrites) || !/\d/.test(text)) return;
       event.preventDefault();
-      this.load(new File([text], "pasted.csv"));
+      this.load(new File([text], kPasted));
     });
   }
 

@@ -192,7 +192,8 @@ Done Stage::remove(Index i) {
 }
 
 Done Stage::load(const io::PointFile& file, std::string_view name) {
-  if (conduct_.builds) return tl::unexpected(InputError{.what = std::string(kStageIsFixed)});
+  if (conduct_.decides || conduct_.builds)
+    return tl::unexpected(InputError{.what = "in an exercise, points cannot be pasted or opened"});
   return become(anew([&](Subject& next) -> Done {
     return next.with_points() != nullptr ? next.with_points()->load(file, name) : no_points();
   }));

@@ -487,6 +487,9 @@ TEST_CASE("a claim is refuted with any number of points, and fewer earn more") {
   }
   CHECK_FALSE(sat.session.stage().set_rows({{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}, {1, 1, 0}}));  // not in space
   CHECK_FALSE(sat.session.stage().set_float(true));
+  const Done loaded = sat.session.stage().load(io::PointFile{2, {{0, 0, 0}}, {}}, "pasted");
+  REQUIRE_FALSE(loaded);
+  CHECK(loaded.error().message() == "in an exercise, points cannot be pasted or opened");
   CHECK(mark_with(0) == 4);
   CHECK(mark_with(2) == 3);
   CHECK(mark_with(5) == 1);
