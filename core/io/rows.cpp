@@ -30,9 +30,8 @@ char separator_of(std::string_view line, bool csv) {
   return csv && line.find('\t') != std::string_view::npos ? '\t' : '\0';
 }
 
-Fields fields_of(std::string_view line, bool csv) {
+Fields fields_of(std::string_view line, char separator) {
   Fields fields;
-  const char separator = separator_of(line, csv);
   if (separator == '\0') {
     for (auto word = take_word(line); !word.empty() && !fields.full(); word = take_word(line)) fields.add(word);
     return fields;
@@ -95,6 +94,15 @@ tl::expected<Vector<double, 3>, std::string> point_of(const Fields& fields, cons
   return point;
 }
 
+/// What is wrong with a line that is no point. fields: its own. Where commas leave a tab within a field, numbers have
+/// decimal commas and tabs separate them: "1,5" is wrong then, and not "5 2".
+std::string fault_of(std::string_view line, const Fields& fields, const Wanted& wanted, std::string fault) {
+  const auto has_tab = [](std::string_view field) { return field.find('\t') != std::string_view::npos; };
+  if (std::none_of(fields.at.begin(), fields.at.end(), has_tab)) return fault;
+  const auto by_tabs = point_of(fields_of(line, '\t'), wanted);
+  return by_tabs ? fault : by_tabs.error();
+}
+
 /// Whether a line has as many columns as the first. Beyond the third one, an empty field may be missing.
 bool are_alike(const Fields& fields, const Fields& first) {
   const auto may_be_more = [](const Fields& some) { return some.full() || (some.count == 3 && some.open); };
@@ -114,7 +122,7 @@ Read<PointFile> read_rows(std::string_view text, bool csv, const Wanted& wanted)
   for (Lines lines(text); lines.next();) {
     const std::string_view line = content_of(lines.line());
     if (line.empty() || (header_may_come && line.substr(0, 4) == "sep=")) continue;
-    const Fields fields = fields_of(line, csv);
+    const Fields fields = fields_of(line, separator_of(line, csv));
     if (std::exchange(header_may_come, false) && is_header(fields)) {
       if (const std::string wrong = wrong_columns(fields); !wrong.empty()) return at_line(lines.number(), wrong);
       if (csv) continue;
@@ -123,7 +131,7 @@ Read<PointFile> read_rows(std::string_view text, bool csv, const Wanted& wanted)
       continue;
     }
     const auto point = point_of(fields, wanted);
-    if (!point) return at_line(lines.number(), point.error());
+    if (!point) return at_line(lines.number(), fault_of(line, fields, wanted, point.error()));
     if (first_line == 0) {
       first_line = lines.number();
       first = fields;

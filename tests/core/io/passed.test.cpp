@@ -62,6 +62,7 @@ TEST_CASE("tables with more columns, headers and other punctuation") {
       {"empty_field.csv", "X,Y,Z,Intensity\n0,0,0,1\n9,9,9,\n", 2, "1 line with more columns than three"},
       {"empty_field.csv", "0,0,0,\n9,9,9,1\n8,8,8,\n", 3, "1 line with more columns than three"},
       {"cr.xyz", "1 2 3\r4 5 6\r", 2},
+      {"tabs.xyz", "1,\t2,\t3\n", 1},
       {"lfcr.xyz", "1 2 3\n\r4 5 6\n\r", 2},
   });
   check_refusals({
@@ -212,6 +213,10 @@ TEST_CASE("decimal commas are named in every text") {
       {"t.stl", "solid\n" + facet_of("1,5 2,5 3,5"), ":4: " + hint},
       {"t.off", "OFF\n1 0 0\n1,5 2,5 3,5\n", ":3: " + hint},
       {"t.csv", "1,5;2,5\n", ":1: " + hint},
+      {"t.csv", "1,5\t2,5\n", ":1: " + hint},
+      {"t.xyz", "0\t0\t0\n1,5\t2,5\t3,5\n", ":2: " + hint},
+      {"t.csv", "2\t1,5\n", ":1: " + hint},
+      {"note.csv", "1\t2\ta,b\n", ":1: \"a,b\" is not a number"},
       {"list.obj", "v 1,5,2\n", ":1: \"1,5,2\" is not a number"},
   });
 }
