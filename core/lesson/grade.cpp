@@ -17,12 +17,13 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity(), kNone = st
 
 std::string due_text(const Requirement& due, const Figure& figure) {
   const std::string& unit = figure.unit;
+  const std::string must = figure.key == kPointsFigure ? "there must be " : "it must be ";
   if (due.at_least == due.at_most && due.at_least >= 0 && due.at_least < static_cast<double>(figure.names.size()))
-    return "it must be " + std::string(figure.names[static_cast<std::size_t>(due.at_least)]);
-  if (due.at_least == due.at_most) return "it must be " + bound_text(due.at_least, unit);
-  if (due.at_most == kInfinite) return "it must be at least " + bound_text(due.at_least, unit);
-  if (due.at_least == -kInfinite) return "it must be at most " + bound_text(due.at_most, unit);
-  return "it must be from " + bound_text(due.at_least, unit) + " to " + bound_text(due.at_most, unit);
+    return must + std::string(figure.names[static_cast<std::size_t>(due.at_least)]);
+  if (due.at_least == due.at_most) return must + bound_text(due.at_least, unit);
+  if (due.at_most == kInfinite) return must + "at least " + bound_text(due.at_least, unit);
+  if (due.at_least == -kInfinite) return must + "at most " + bound_text(due.at_most, unit);
+  return must + "from " + bound_text(due.at_least, unit) + " to " + bound_text(due.at_most, unit);
 }
 
 /// A value that misses its bound, with enough digits not to look as if it had reached it.

@@ -79,6 +79,7 @@ std::string text_of(const Slider& slider, const Drive& drive, double value) {
   if (fixed && std::abs(value) < power_of_ten(4) && text.find_first_not_of("0123456789,.−-") == std::string::npos)
     text = decimal_text(rounded, decimals_shown(rounded, decimals_of(slider, drive)));
   if (text == "1" && (unit == "units" || unit == "points")) unit.pop_back();
+  if (unit == "times") return "× " + text;
   return text + (unit == "degrees" ? "°" : unit.empty() ? "" : " " + unit);
 }
 

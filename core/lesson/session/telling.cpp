@@ -10,8 +10,12 @@ namespace snug::lesson {
 
 std::string Telling::caption() const {
   const WithDecimals wished(now_.lesson().view.decimals);
-  return player_.step() == 0 ? stage_.subject().opening(*player_.method(0))
-                             : player_.run(0).sentence(player_.step() - 1, untold());
+  if (player_.step() > 0) return player_.run(0).sentence(player_.step() - 1, untold());
+  constexpr std::string_view kFirstStep = " Take the first step.";
+  std::string opening = stage_.subject().opening(*player_.method(0));
+  // No step can be taken before the answer.
+  if (predicting() && opening.ends_with(kFirstStep)) opening.resize(opening.size() - kFirstStep.size());
+  return opening;
 }
 
 std::string_view Telling::asked_figure() const {

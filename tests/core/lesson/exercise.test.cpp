@@ -237,6 +237,13 @@ TEST_CASE("a tap decides, a key only chooses, nothing can be skipped, and the st
   CHECK(sat.sitting.at(sat.session) == 1);
 }
 
+TEST_CASE("before the first decision is made, nobody is asked to take a step") {
+  Sat sat(exercise_of("be-ritter"));
+  REQUIRE(sat.session.conversation().asked() != nullptr);
+  REQUIRE(sat.session.player().step() == 0);
+  CHECK(sat.session.telling().caption().ends_with(": nothing is known yet."));
+}
+
 TEST_CASE("where all is told at the end, a decision can be taken back, and nothing is told before") {
   Sat sat(
       exercise_from(ritter_with("lesson = \"sphere-ritter\"", "lesson = \"sphere-ritter\"\ntold = \"at the end\"")));
@@ -480,6 +487,7 @@ TEST_CASE("a claim is refuted with any number of points, and fewer earn more") {
     REQUIRE(sat.session.stage().set_rows(all));
     return level_of(*exercise, sat.session);
   };
+  CHECK(now_says(sat.session).find("Points: 12 points; there must be at most 4 points.") != std::string::npos);
   for (const Rows& flat : {Rows{{0, 0}, {1, 0.3}}, Rows{{0, 0}, {1, 1}, {2, 2}, {3, 3}}}) {
     REQUIRE(sat.session.stage().set_rows(flat));
     CHECK(level_of(*exercise, sat.session) == 0);

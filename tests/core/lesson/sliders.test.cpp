@@ -181,12 +181,12 @@ TEST_CASE("scale and angle are about the centroid, and several sliders hold toge
   const Point3 way = session.stage().subject().at(1) - session.stage().subject().at(0), before = second - first;
   CHECK(way[0] == doctest::Approx(-2 * before[1]));
   CHECK(way[1] == doctest::Approx(2 * before[0]));
-  CHECK(session.stage().sliders()[0].text == "2.000 times");
+  CHECK(session.stage().sliders()[0].text == "× 2.000");
   CHECK(session.stage().sliders()[1].text == "90°");
   REQUIRE(session.stage().move(0, {5, 5, 0}));  // by hand: the sliders stay, and go on from there
   CHECK(session.stage().sliders()[1].text == "90°");
   REQUIRE(session.stage().slide(1, 0));
-  CHECK(session.stage().sliders()[0].text == "2.000 times");
+  CHECK(session.stage().sliders()[0].text == "× 2.000");
   const Point3 after = session.stage().subject().at(2) - session.stage().subject().at(1);
   CHECK(after[0] == doctest::Approx(2 * (0 - 2)));
   CHECK(after[1] == doctest::Approx(2 * (1 - 0)));
