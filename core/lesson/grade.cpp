@@ -11,7 +11,6 @@
 namespace snug::lesson {
 namespace {
 
-constexpr int kMostFrames = 2000;
 constexpr std::string_view kPointsFigure = "points";  // how many there are, of whatever stands on the stage
 constexpr double kInfinite = std::numeric_limits<double>::infinity(), kNone = std::numeric_limits<double>::quiet_NaN();
 

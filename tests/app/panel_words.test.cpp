@@ -68,6 +68,22 @@ TEST_CASE("the numbers of all six planes are told as they are drawn, and follow 
   point.check_drawn();
 }
 
+TEST_CASE("R, t and the half extents of two boxes are told as they are drawn, from the step on that computes them") {
+  AtItsEnd boxes("obb-sat", "own", "sat");
+  boxes.check_drawn();
+  const auto numbers = [&] { return boxes.bench.app.panel_words()[0].table.rows; };
+  const auto after = numbers();
+  REQUIRE(after.size() == 3);
+  CHECK(after[0][0] == "A x");
+  CHECK(after[2][0] == "b");
+  boxes.bench.session().go(0);
+  const auto before = numbers();
+  CHECK(before[0][1] == "—");
+  CHECK(before[0][3] == "—");
+  CHECK(before[0][4] == after[0][4]);  // the half extents are given
+  CHECK(before[2] == after[2]);
+}
+
 TEST_CASE("a million spheres are counted where nothing is drawn, and then told as they are drawn") {
   AtItsEnd sphere("frustum-sphere", "edge", "grown_planes");
   const auto panel = [&] { return sphere.bench.app.panel_words()[1]; };

@@ -26,6 +26,24 @@ std::string entry_text(double value) {
   return (value < 0 ? "−" : "") + std::string(text.data());
 }
 
+constexpr std::string_view kUnknown = "—";
+
+using Related = query::FramesRelated<double, 3>;
+
+/// How the frames are related, null before the step that computes it.
+const Related* related(const lesson::Session& session) { return last_fact<Related>(steps_shown(session)); }
+
+bool tests_axes(const lesson::Session& session) {
+  return !lesson::axes_seen(lesson::pair_run(session.player().run(0)).trace()).empty();
+}
+
+std::string title_in(const TableUnit& unit) {
+  return unit.power == 0 ? "B in A's frame: R, t; half extents a, b" : "B in A's frame; t, a, b in " + unit.words();
+}
+
+/// "A x"
+std::string axis_of(char box, int i) { return {box, ' ', "xyz"[i]}; }
+
 /// R with t and a at its right and b below, in columns of equal width.
 struct FrameTable {
   const Look& look;
@@ -40,12 +58,11 @@ struct FrameTable {
   [[nodiscard]] float top(int row) const { return at.y + static_cast<float>(row) * look.px(kLine); }
 
   void head() const {
-    for (int i = 0; i < dim; ++i) name(right(i), 0, std::string("B ") + "xyz"[i]);
+    for (int i = 0; i < dim; ++i) name(right(i), 0, axis_of('B', i));
     name(right(dim), 0, "t");
     name(right(dim + 1), 0, "a");
     for (int i = 0; i < dim; ++i)
-      text(list, look, Face::kRegular, kEntry, {at.x, top(i + 1) + look.px(3)}, look->muted,
-           std::string("A ") + "xyz"[i]);
+      text(list, look, Face::kRegular, kEntry, {at.x, top(i + 1) + look.px(3)}, look->muted, axis_of('A', i));
     text(list, look, Face::kRegular, kEntry, {at.x, top(dim + 1) + look.px(3)}, look->muted, "b");
     rule(list, at.x, top(dim + 1), width, look->line);
   }
@@ -58,7 +75,7 @@ struct FrameTable {
       list->AddRectFilled({right(i) - column() + 5, y + 1}, {right(i) + 3, y + look.px(kLine) - 1},
                           with_alpha(look->examined, 0.28f), 3);
     text_right(list, look, is_lit ? Face::kMonoBold : Face::kMono, kEntry, {right(i), y + look.px(3)},
-               known ? look->ink : look->muted, known ? entry_text(value) : "—");
+               known ? look->ink : look->muted, known ? entry_text(value) : kUnknown);
   }
 };
 
@@ -86,10 +103,9 @@ void draw_choices(const FrameTable& table, lesson::Session& session) {
   }
 }
 
-void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const TableUnit& unit,
-                  const query::FramesRelated<double, 3>* frames) {
+void draw_numbers(const FrameTable& table, const lesson::BoxPair& pair, const TableUnit& unit, const Related* frames) {
   const auto bit = [](auto mask, int i) { return (mask >> i & 1) != 0; };
-  const auto known = frames != nullptr ? *frames : query::FramesRelated<double, 3>{};
+  const Related known = frames != nullptr ? *frames : Related{};
   for (int i = 0; i < table.dim; ++i) {
     for (int j = 0; j < table.dim; ++j)
       table.number(i, j, known.rotation(i, j), bit(table.lit.rotation, 3 * i + j), frames != nullptr);
@@ -128,8 +144,7 @@ float draw_formulas(const Look& look, int dim, int row, bool asks, ImVec2 at) {
 }  // namespace
 
 float draw_frame_panel(const Look& look, lesson::Session& session, const AxisLight& light, ImVec2 at, float width) {
-  const lesson::PairRun& run = lesson::pair_run(session.player().run(0));
-  if (lesson::axes_seen(run.trace()).empty()) return 0;
+  if (!tests_axes(session)) return 0;
   const bool asks = asks_for_entries(session);
   const int dim = session.stage().subject().dim(), lit = light.row(dim),
             row = asks       ? -1
@@ -139,15 +154,37 @@ float draw_frame_panel(const Look& look, lesson::Session& session, const AxisLig
   const lesson::BoxPair& pair = lesson::boxes_of(session.stage().subject());
   const TableUnit unit = table_unit(pair);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(3)}, look->muted,
-       unit.power == 0 ? "B in A's frame: R, t; half extents a, b" : "B in A's frame; t, a, b in " + unit.words());
+  text(list, look, Face::kSemiBold, 13, {at.x, at.y + look.px(3)}, look->muted, title_in(unit));
   const FrameTable table{look,  list, {at.x, at.y + head},
                          width, dim,  row < 0 ? lesson::RowEntries{} : lesson::row_entries(dim, row)};
   table.head();
-  draw_numbers(table, pair, unit, last_fact<query::FramesRelated<double, 3>>(steps_shown(session)));
+  draw_numbers(table, pair, unit, related(session));
   if (asks) draw_choices(table, session);
   const float numbers = head + static_cast<float>(dim + 2) * look.px(kLine) + look.px(6);
   return numbers + draw_formulas(look, dim, row, asks, {at.x, at.y + numbers}) + look.px(8);
+}
+
+std::optional<PanelWords> frames_in_words(const lesson::Session& session) {
+  if (!tests_axes(session)) return std::nullopt;
+  const int dim = session.stage().subject().dim();
+  const lesson::BoxPair& pair = lesson::boxes_of(session.stage().subject());
+  const TableUnit unit = table_unit(pair);
+  const Related* const frames = related(session);
+  const auto if_known = [&](auto value) { return frames != nullptr ? entry_text(value()) : std::string(kUnknown); };
+  PanelWords words{{.head = {""}, .title = title_in(unit)}};
+  std::vector<std::string> last{"b"};
+  for (int i = 0; i < dim; ++i) {
+    words.table.head.push_back(axis_of('B', i));
+    std::vector<std::string>& row = words.table.rows.emplace_back(1, axis_of('A', i));
+    for (int j = 0; j < dim; ++j) row.push_back(if_known([&] { return frames->rotation(i, j); }));
+    row.push_back(if_known([&] { return unit.in(frames->translation[i]); }));
+    row.push_back(entry_text(unit.in(pair.boxes[0].half_extents[i])));
+    last.push_back(entry_text(unit.in(pair.boxes[1].half_extents[i])));
+  }
+  words.table.head.insert(words.table.head.end(), {"t", "a"});
+  last.resize(words.table.head.size());
+  words.table.rows.push_back(std::move(last));
+  return words;
 }
 
 }  // namespace snug::app

@@ -104,8 +104,10 @@ class PairView final : public SubjectView, private LocalFrame {
     return counts > 0 ? axes + gap + counts : axes;
   }
   [[nodiscard]] std::vector<PanelWords> panel_words(const lesson::Session& session) const override {
-    if (auto counts = random_in_words(session)) return {*counts};
-    return {};
+    std::vector<PanelWords> all;
+    for (auto panel : {frames_in_words(session), random_in_words(session)})
+      if (panel) all.push_back(std::move(*panel));
+    return all;
   }
   /// The lit row of the table has them.
   [[nodiscard]] bool in_panels(const lesson::Figure& figure) const override {
