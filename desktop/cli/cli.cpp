@@ -16,6 +16,7 @@
 #include "desktop/cli/did_you_mean.hpp"
 #include "desktop/cli/human.hpp"
 #include "desktop/cli/terminal.hpp"
+#include "desktop/cli/words.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -34,11 +35,8 @@ constexpr const char* kFooter =
     "they are.\n"
     "`snug help COMMAND` describes a command in full.";
 
-/// Prints a message as one line.
-void complain(std::string what) {
-  std::replace(what.begin(), what.end(), '\n', ' ');
-  std::fprintf(stderr, "snug: %s\n", what.c_str());
-}
+/// Prints a message as one line. It may quote what a file says.
+void complain(const std::string& what) { std::fprintf(stderr, "snug: %s\n", without_controls(what).c_str()); }
 
 /// What is printed: JSON Lines as a table, where people read it.
 std::string for_reader(const std::string& text, bool json) {
@@ -131,6 +129,16 @@ std::string meant(const Defined& chosen, const std::vector<std::string>& unexpec
   return {};
 }
 
+/// The parser's message, but of an option that is given too often in words that say so: the parser's are
+/// "--volume: At Most 1 required but received 2".
+std::string said_of(const CLI::ParseError& error) {
+  const std::string what = error.what(), too_often = ": At Most 1 required but received ";
+  const std::size_t at = what.find(too_often);
+  if (at == std::string::npos) return what;
+  const std::string times = what.substr(at + too_often.size());
+  return what.substr(0, at) + " is given " + (times == "2" ? "twice" : times + " times");
+}
+
 /// What was wrong with the arguments, in one line.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const Defined chosen = chosen_of(app);
@@ -138,7 +146,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto& lesson = app.get_option("LESSON")->results();
   if (chosen.app == &app && !lesson.empty())
     if (auto wrong = neither_command_nor_lesson(app, lesson.front())) return *std::move(wrong);
-  return error.what() + meant(chosen, app.remaining(true)) + " (see `" + chosen.call + " --help`)";
+  return said_of(error) + meant(chosen, app.remaining(true)) + " (see `" + chosen.call + " --help`)";
 }
 
 int run(int argc, const char* const* argv, OpenWindow open_window) {

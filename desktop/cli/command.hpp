@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -54,6 +56,17 @@ inline CLI::Validator whole_number(std::uint64_t least = 0,
     return std::string();
   };
   return CLI::Validator(read, "");
+}
+
+/// Seeds that a page can hold, in its numbers and its address: it refuses larger ones.
+inline CLI::Validator seed_of_page() { return whole_number(0, std::uint64_t{1} << 53); }
+
+/// A number of a range. The parser's own takes what is not a number for one of every range.
+inline CLI::Validator number_in(double least, double most) {
+  const auto is_number = [](const std::string& text) {
+    return std::isnan(std::atof(text.c_str())) ? "\"" + text + "\" is not a number" : std::string();
+  };
+  return CLI::Range(least, most) & CLI::Validator(is_number, "");
 }
 
 /// The options of every command that reads points from a file, and no faces.

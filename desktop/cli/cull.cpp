@@ -393,7 +393,7 @@ CommandResult run_survey(const CullOptions& options) {
 
 CommandResult run_cull(const CullOptions& options) {
   if (options.survey > 0) return run_survey(options);
-  auto trace = trace_file(options.steps);
+  auto trace = trace_file(options.steps, options.name.empty() ? options.file : "");
   if (!trace) return bad_input(trace.error());
   if (!options.tree.empty()) return with_trace(run_tree(options, *trace), *trace);
   std::int64_t number = 0;
@@ -474,7 +474,9 @@ void add_cull(Commands& commands) {
   command
       .add_option("--survey", options->survey, "Test this many random spheres instead, and count the false positives")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
-  command.add_option("--seed", options->seed, "Seed of the random spheres")->capture_default_str();
+  command.add_option("--seed", options->seed, "Seed of the random spheres")
+      ->transform(whole_number())
+      ->capture_default_str();
   command.add_option("--case", options->name, kCaseHelp);
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }

@@ -118,7 +118,7 @@ tl::expected<FitPoints, InputError> points_of(const FitOptions& options, const f
 tl::expected<fit::Watched, InputError> watch(const FitOptions& options, const fit::Algorithm& algorithm,
                                              const AnyPointSet& points) {
   const fit::Options chosen{.seed = options.seed};
-  auto trace = trace_file(options.steps);
+  auto trace = trace_file(options.steps, options.file);
   if (!trace) return tl::unexpected(trace.error());
   if (!*trace) return algorithm.watch(points, chosen, {});
   const int dim = fit::dim_of(points);

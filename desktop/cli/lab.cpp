@@ -30,7 +30,7 @@ CommandResult new_lab(const LabOptions& options) {
   if (lab == nullptr) {
     std::vector<std::string_view> names;
     for (const Lab& one : labs()) names.push_back(one.name);
-    return bad_input(lesson::none_of_text(options.name, names));
+    return bad_input("the lab " + lesson::none_of_text(options.name, names));
   }
   std::error_code error;
   if (fs::exists(options.folder, error) && !fs::is_empty(options.folder, error))
@@ -159,7 +159,7 @@ void add_lab(Commands& commands) {
       });
   checked.add_option("DIR", options->folder, "The folder that snug lab new has made")->required();
   checked.add_option("--student", options->student, "Your name, for the result file");
-  checked.add_option("--seed", options->seed, "Of the random cases; 1 unless told")->transform(whole_number());
+  checked.add_option("--seed", options->seed, "Of the random cases; 1 unless told")->transform(seed_of_page());
   checked.add_flag("--show", options->show, "Open the case in the window, as a lesson that is written beside it");
 }
 

@@ -208,7 +208,7 @@ CommandResult run_costs(const OverlapOptions& options) {
 CommandResult run_overlap(const OverlapOptions& options) {
   if (options.random > 0) return run_random(options);
   if (options.costs) return run_costs(options);
-  auto file = trace_file(options.steps);
+  auto file = trace_file(options.steps, options.name.empty() ? options.file : "");
   if (!file) return bad_input(file.error());
   std::int64_t number = 0;
   RoughAxes rough;
@@ -279,7 +279,9 @@ void add_overlap(Commands& commands) {
       "Instead, measure what the test of each pair of kinds costs: a line for each of the 28 pairs, in the lesson's "
       "order, with its test and its source. time_ns: near bodies, about half of which overlap; scene_ns: bodies of a "
       "scene, most of which are apart; gjk_ns: GJK on the near ones");
-  command.add_option("--seed", options->seed, "Seed of the random pairs or bodies")->capture_default_str();
+  command.add_option("--seed", options->seed, "Seed of the random pairs or bodies")
+      ->transform(whole_number())
+      ->capture_default_str();
   command.add_option("FILE", options->file, "JSON Lines file; - is standard input")->capture_default_str();
 }
 

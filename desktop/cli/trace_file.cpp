@@ -4,13 +4,15 @@
 
 namespace snug::desktop {
 
-tl::expected<TraceFile, InputError> trace_file(const std::string& path) {
+tl::expected<TraceFile, InputError> trace_file(const std::string& path, const std::string& input) {
   if (path.empty()) return std::nullopt;
-  const tl::unexpected taken(InputError{.what = "is where the result goes", .file = path});
-  if (is_standard_output(path)) return taken;
-  std::error_code none;
-  if (std::filesystem::is_regular_file(path, none) && std::filesystem::equivalent(path, "/dev/stdout", none))
-    return taken;
+  const auto taken = [&](const char* what) { return tl::unexpected(InputError{.what = what, .file = path}); };
+  const auto is_same = [&](const std::string& other) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(path, none) && std::filesystem::equivalent(path, other, none);
+  };
+  if (is_standard_output(path) || is_same("/dev/stdout")) return taken("is where the result goes");
+  if (is_same(input == "-" ? "/dev/stdin" : input)) return taken("is the file that is read");
   return NewFile::create(path).map([](NewFile&& file) { return TraceFile(std::move(file)); });
 }
 

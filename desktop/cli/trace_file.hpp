@@ -11,8 +11,9 @@ namespace snug::desktop {
 
 using TraceFile = std::optional<NewFile>;
 
-/// Creates the trace file; none if no path is given. Errors: those of NewFile; standard output, where the answers go.
-[[nodiscard]] tl::expected<TraceFile, InputError> trace_file(const std::string& path);
+/// Creates the trace file; none if no path is given. input: the file that is read; "-" is standard input, and "" is
+/// none. Errors: those of NewFile; standard output, where the answers go; the input, which it would replace.
+[[nodiscard]] tl::expected<TraceFile, InputError> trace_file(const std::string& path, const std::string& input);
 
 /// Puts the trace in place and returns the command's answers. A failed command leaves no trace.
 [[nodiscard]] CommandResult with_trace(CommandResult printed, TraceFile& trace);

@@ -107,7 +107,7 @@ CommandResult run_update(const UpdateOptions& options) {
   if (!points) return bad_input(points.error());
   const int dim = fit::dim_of(*points);
   if (const auto wrong = wrong_with(options, dim)) return bad_input(*wrong);
-  auto file = trace_file(options.steps);
+  auto file = trace_file(options.steps, options.file);
   if (!file) return bad_input(file.error());
 
   const fit::UpdateBody update = fit::start_updates(**strategy, *points);

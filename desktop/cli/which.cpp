@@ -75,14 +75,14 @@ void add_which(Commands& commands) {
   const auto options = add_command<WhichOptions>(commands, command, run_which);
   add_points(command, options->points);
   const auto add_count = [&](const char* name, double& count, const char* says) {
-    command.add_option(name, count, says)->check(CLI::Range(0.0, kMostOfLoad))->capture_default_str();
+    command.add_option(name, count, says)->check(number_in(0, kMostOfLoad))->capture_default_str();
   };
   add_count("--bodies", options->load.bodies, "How many volumes are computed, once");
   add_count("--frames", options->load.frames, "How many frames there are; in each:");
   add_count("--updates", options->load.updates, "how many volumes are updated; 0: bodies keep their orientation");
   add_count("--pairs", options->load.pairs, "how many pairs of volumes are tested");
   command.add_option("--hit-rate", options->hit_rate, "Per cent of these pairs whose bodies do overlap")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number_in(0, 100))
       ->capture_default_str();
   command.add_flag("--deforms", options->load.deforms, "Bodies change their shape: an update is a new fit");
   command.add_option("--repeat", options->repeat, "Number of timed batches")

@@ -158,7 +158,7 @@ void add_common(CLI::App& command, WindowOptions& options) {
       ->needs(question);
   add_lessons_folder(command, options.folder);
   command.add_option("--seed", options.seed, "Seed of the points; by default the lesson's own")
-      ->transform(whole_number());
+      ->transform(seed_of_page());
   command.add_option("--situation", options.at.situation, "The situation to show; by default the lesson's own");
   add_size(command, options);
   command.add_option("--points", options.points_file, "Point file to show instead of the lesson's points");
@@ -271,7 +271,7 @@ void add_render(Commands& commands) {
       ->excludes("--step")
       ->excludes("--question");
   command.add_option("--pause", options->pause, "Seconds from step to step in an animation; 0.8 by default")
-      ->check(CLI::Range(0.05, 10.0));
+      ->check(number_in(0.05, 10));
   command
       .add_option("-o,--output", options->screenshot, "PNG, SVG or GIF file to write; - is a PNG on standard output")
       ->required();

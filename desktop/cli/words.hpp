@@ -35,6 +35,17 @@ template <class Words>
   return text;
 }
 
+/// The text with blanks in place of control characters, which a terminal would obey and a table would break at: those
+/// of ASCII, and those that UTF-8 writes in two bytes. lines: its line ends stay.
+[[nodiscard]] inline std::string without_controls(std::string text, bool lines = false) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto code = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0; };
+    if ((code(i) < 0x20 && !(lines && text[i] == '\n')) || code(i) == 0x7f) text[i] = ' ';
+    else if (code(i) == 0xc2 && code(i + 1) >= 0x80 && code(i + 1) < 0xa0) text.replace(i, 2, " ");
+  }
+  return text;
+}
+
 /// The text as XML has it, in elements and attributes.
 [[nodiscard]] inline std::string xml_text(std::string text) {
   text = replaced(replaced(std::move(text), "&", "&amp;"), "<", "&lt;");

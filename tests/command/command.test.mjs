@@ -155,6 +155,23 @@ test("a trace is not written over the result", () => {
   }
 });
 
+test("a trace is not written over the points or lines that are read", () => {
+  const ball = JSON.stringify({ sphere: { center: [0, 0, 0], radius: 1 } });
+  const planes = "[[1,0,0,-1],[-1,0,0,-1],[0,1,0,-1],[0,-1,0,-1],[0,0,1,-1],[0,0,-1,-1]]";
+  symlinkSync("read.txt", join(folder, "linked.txt"));
+  for (const [text, ...args] of [
+    ["0 0 0\n1 2 3\n", "fit", "--volume", "sphere", "--algorithm", "ritter"],
+    ["0 0 0\n1 2 3\n", "update", "--volume", "sphere", "--strategy", "transform"],
+    [`{"a":${ball},"b":${ball}}\n`, "overlap"],
+    [`{"frustum":{"planes":${planes}},"volume":${ball}}\n`, "cull"],
+  ])
+    for (const name of ["read.txt", "./read.txt", "linked.txt"]) {
+      write("read.txt", text);
+      refused([...args, "--steps", name, "read.txt"], `${name}: is the file that is read`);
+      assert.equal(read("read.txt"), text);
+    }
+});
+
 test("a trace that is interrupted leaves nothing behind", async () => {
   write("long.xyz", Array.from({ length: 300000 }, (_, i) => `${i * i % 1009} ${i * 7 % 1013} ${i % 11}`).join("\n"));
   const parts = () => readdirSync(folder).filter((name) => name.startsWith("long.jsonl"));
@@ -227,6 +244,18 @@ test("bad usage is refused in one line", () => {
   refused(fit_args("welzl", "--seed", "-1", tetra), /--seed/);
   refused(fit_args("welzl", "--seed", "18446744073709551616", tetra), /--seed/);
   refused(fit_args("welzl", "--seed", "1.5", tetra), /--seed/);
+  for (const seed of ["-1", "010", "0x10"]) {
+    refused(["overlap", "--random", "10", "--seed", seed], /--seed/);
+    refused(["cull", "--survey", "10", "--seed", seed], /--seed/);
+  }
+  for (const command of ["render", "lab check"])
+    refused([...command.split(" "), "x", "--seed", "9007199254740993"], /--seed: .* from 0 to 9007199254740992/);
+  refused(["which", tetra, "--hit-rate", "nan"], /--hit-rate: "nan" is not a number/);
+  refused(["which", tetra, "--bodies", "-NaN"], /--bodies: "-NaN" is not a number/);
+  refused(["which", tetra, "--hit-rate", "101"], /--hit-rate: Value 101 not in range 0/);
+  refused(["render", "sphere-ritter", "-o", "x.gif", "--pause", "nan"], /--pause: "nan" is not a number/);
+  refused(fit_args("welzl", "--volume", "aabb", tetra), /^snug: --volume is given twice \(see/);
+  refused(fit_args("welzl", "--seed", "1", "--seed", "1", "--seed", "1", tetra), /^snug: --seed is given 3 times \(see/);
   refused(fit_args("welzl", "--scalar", "half", tetra), /--scalar/);
   refused(fit_args("welzl", "--repeat", "1000001", tetra), /--repeat: "1000001" is not a whole number from 1 to 1000000/);
   refused(fit_args("welzl", "--dim", "4", tetra), /--dim: "4" is not a whole number from 2 to 3/);

@@ -35,7 +35,7 @@ test("what is begun has a stub, its header, three tests, a project and a page to
     assert.ok(existsSync(join(folder, "overlap", name)), name);
   assert.doesNotMatch(readFileSync(join(folder, "overlap", "README.md"), "utf8"), /@/);
   refused(["lab", "new", "overlap", "overlap"], "overlap: is there already, and not empty");
-  refused(["lab", "new", "ovrlap", "x"], /^snug: .*ovrlap/);
+  refused(["lab", "new", "ovrlap", "x"], /^snug: the lab is none of overlap, .*: ovrlap; did you mean overlap\?$/m);
   refused(["lab", "check", "."], ".: is no folder that snug lab new has made");
 });
 
