@@ -260,8 +260,9 @@ tl::expected<void, InputError> check_written(const std::vector<WrittenExercise>&
   return {};
 }
 
-/// How even a count is over the instances.
+/// How even a count is over the instances; null if no seed has one.
 Json spread_of(std::vector<int>& counts) {
+  if (counts.empty()) return nullptr;
   std::sort(counts.begin(), counts.end());
   const double sum = std::accumulate(counts.begin(), counts.end(), 0.0), all = static_cast<double>(counts.size());
   return {
@@ -318,7 +319,7 @@ void add_level(CLI::App& command, int& level) {
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "The student's seed")->transform(whole_number(0, std::uint64_t{1} << 53));
+  command.add_option("--seed", seed, "The student's seed")->transform(seed_of_page());
 }
 
 }  // namespace
@@ -351,8 +352,7 @@ void add_exercise(Commands& commands) {
         return Printed{"", open_window(options)};
       });
   play.add_option("ID", played->exercise, "The exercise's id")->required();
-  play.add_option("--seed", played->seed, "The student's seed; by default a fresh one")
-      ->transform(whole_number(0, std::uint64_t{1} << 53));
+  play.add_option("--seed", played->seed, "The student's seed; by default a fresh one")->transform(seed_of_page());
 
   CLI::App& answer = *group.add_subcommand("answer", "Write a result file with the model's decisions");
   answer.footer("For tests, and for teachers who try their reports.");
@@ -385,8 +385,11 @@ void add_exercise(Commands& commands) {
       "{\"exercise\",\"seeds\",\"kept\",\"passed_over\",\"decisions\":{\"least\",\"median\",\"mean\",\"most\"},\n"
       "\"hard\",\"promised\",\"nearest\",\"faults\"}: how many seeds were passed over for one, how many decisions an "
       "instance\n"
-      "has, how many of these are hard (nearer to a tie than twice what is promised, counted likewise), and how\n"
-      "near to a tie the nearest of all decisions is, as a share of the extent, or null. Exit status 1 if a promise is "
+      "has, how many of these are hard (nearer to a tie than twice what is promised, counted likewise), both null if "
+      "no "
+      "seed\n"
+      "has an instance, and how near to a tie the nearest of all decisions is, as a share of the extent, or null. Exit "
+      "status 1 if a promise is "
       "broken. Of an exercise in which a function is written, its reference solution, its other methods and each of "
       "its\n"
       "usual mistakes are tried, which takes Node: "
