@@ -16,6 +16,7 @@
 #include "desktop/cli/terminal.hpp"
 #include "desktop/cli/words.hpp"
 #include "desktop/window.hpp"
+#include "io/text.hpp"
 #include "lesson/exercise/sitting.hpp"
 #include "lesson/figures.hpp"
 #include "number/fnv.hpp"
@@ -131,6 +132,11 @@ std::vector<Row> grade_file(const std::string& path, const Known& known) {
   if (!file) return bad(file.error().foreign ? "foreign" : "damaged", file.error().what);
   if (file->format != kResultFormat)
     return bad(file->format > kResultFormat ? "newer" : "older", "its format is " + std::to_string(file->format));
+  if (file->attempts.empty() && file->sheets.empty()) {
+    std::vector<Row> one = bad("missing", "it has no attempt");
+    one.front().student = file->student;
+    return one;
+  }
   std::vector<Row> rows;
   for (const auto& claimed : file->attempts) {
     Row row{.file = path, .student = file->student};
@@ -147,28 +153,53 @@ std::vector<Row> grade_file(const std::string& path, const Known& known) {
   return rows;
 }
 
-/// The files themselves, and those of folders, by name.
-tl::expected<std::vector<std::string>, InputError> files_in(const std::vector<std::string>& paths) {
+/// What there is to grade: files, and rows in the place of what is none.
+struct ToGrade {
   std::vector<std::string> files;
+  std::vector<Row> rows;
+};
+
+/// Adds a folder's result files, and those of the folders in it, by name. What cannot be read is a row: it must not end
+/// the grading of everything else.
+void add_folder(const std::string& path, ToGrade& found) {
+  const auto add_row = [&](const std::string& file, const char* status, std::string says) {
+    Row row{.file = file};
+    row.status = status, row.says = std::move(says);
+    found.rows.push_back(std::move(row));
+  };
+  std::vector<std::string> inside;
+  const std::size_t rows = found.rows.size();
+  for (std::vector<fs::path> folders{path}; !folders.empty();) {
+    const fs::path folder = folders.back();
+    folders.pop_back();
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+      const std::string own = entry->path().string();
+      std::error_code wrong;  // with a file: what it is is told when it is read
+      if (entry->is_directory(wrong) && !entry->is_symlink(wrong)) folders.push_back(entry->path());
+      else if (ending_of(own) == "json" && (entry->is_regular_file(wrong) || wrong)) inside.push_back(own);
+    }
+    if (failed) add_row(folder.string(), "damaged", "cannot be read: " + failed.message());
+  }
+  std::sort(inside.begin(), inside.end());
+  if (inside.empty() && found.rows.size() == rows) add_row(path, "missing", "there is no result file (*.json) in it");
+  found.files.insert(found.files.end(), inside.begin(), inside.end());
+}
+
+ToGrade find_files(const std::vector<std::string>& paths) {
+  ToGrade found;
   for (const std::string& path : paths) {
     std::error_code error;
-    if (!fs::is_directory(path, error)) {
-      files.push_back(path);
-      continue;
-    }
-    std::vector<std::string> inside;
-    for (const auto& entry : fs::recursive_directory_iterator(path, error))
-      if (entry.is_regular_file() && entry.path().extension() == ".json") inside.push_back(entry.path().string());
-    if (error) return tl::unexpected(InputError{.what = error.message(), .file = path});
-    std::sort(inside.begin(), inside.end());
-    files.insert(files.end(), inside.begin(), inside.end());
+    if (fs::is_directory(path, error)) add_folder(path, found);
+    else found.files.push_back(path);
   }
-  return files;
+  return found;
 }
 
 /// What people read of a lab sheet, under the table.
 std::string sheet_text(const Row& row) {
-  std::string text = '\n' + (row.student.empty() ? "" : row.student + ", ") + row.file + ": " + row.exercise + '\n';
+  const std::string who = (row.student.empty() ? "" : row.student + ", ") + row.file + ": " + row.exercise;
+  std::string text = '\n' + without_controls(who) + '\n';
   for (const auto& [part, measured] : row.work.measured) {
     const Json& about = measured.table["provenance"];
     text += "  Measured on " + measured.date + ": " + std::to_string(measured.table["rows"].size()) + " rows on " +
@@ -180,7 +211,7 @@ std::string sheet_text(const Row& row) {
   for (const auto& [prompt, answer] : row.answers)
     text +=
         "  " + prompt + "\n      " + (answer.empty() ? "(nothing written)" : replaced(answer, "\n", "\n      ")) + '\n';
-  return text;
+  return without_controls(text, true);
 }
 
 Json json_of(const Row& row) {
@@ -242,9 +273,17 @@ std::vector<Cells> by_student(const std::vector<Row>& rows) {
   return table;
 }
 
+/// Whether a spreadsheet takes a cell for a formula: a number is none, and neither is -, as standard input is called.
+bool is_formula(const std::string& cell) {
+  if (cell.empty() || cell == "-" || std::string_view("=+-@\t\r").find(cell.front()) == std::string_view::npos)
+    return false;
+  const auto number = io::parse_number(cell);
+  return !number || !std::isfinite(*number);
+}
+
 /// A cell as CSV has it. What a spreadsheet would take for a formula is a text.
 std::string csv_cell(std::string cell) {
-  if (!cell.empty() && std::string_view("=+-@\t\r").find(cell.front()) != std::string_view::npos) cell.insert(0, "'");
+  if (is_formula(cell)) cell.insert(0, "'");
   if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
   std::string quoted = "\"";
   for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
@@ -258,7 +297,9 @@ std::string as_csv(const std::vector<Cells>& table) {
   return text;
 }
 
-std::string as_table(const std::vector<Cells>& table) {
+std::string as_table(std::vector<Cells> table) {
+  for (Cells& cells : table)
+    for (std::string& cell : cells) cell = without_controls(std::move(cell));
   std::vector<std::size_t> widths(table.front().size());
   for (const Cells& cells : table)
     for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], letters_of(cells[i]));
@@ -277,7 +318,7 @@ std::string as_table_of_marks(std::vector<Cells> table) {
   const auto of = static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), "of") - table[0].begin());
   for (Cells& cells : table)
     if (cells[of] == "0") cells[of].clear(), cells[of - 1].clear();
-  return as_table(table);
+  return as_table(std::move(table));
 }
 
 /// A pair of attempts that a teacher may want to look at.
@@ -386,7 +427,7 @@ CommandResult report_alike(const std::vector<Row>& rows, const GradeOptions& opt
   }
   if (options.csv) printed.text = as_csv(table);
   else if (!options.json)
-    printed.text = (table.size() > 1 ? as_table(table) : "No two attempts are alike.\n") +
+    printed.text = (table.size() > 1 ? as_table(std::move(table)) : "No two attempts are alike.\n") +
                    std::string("This is a hint for a teacher, and no verdict: students may work together, or hand in a "
                                "file twice.\n");
   return printed;
@@ -421,11 +462,11 @@ CommandResult run_grade(const GradeOptions& options) {
   auto known = read_known(options.folder);
   if (!known) return bad_input(known.error());
   known->tries_code = !options.tables && !options.alike;
-  const auto files = files_in(options.paths);
-  if (!files) return bad_input(files.error());
-  std::vector<Row> rows;
-  Progress progress("Grading", static_cast<int>(files->size()));
-  for (const std::string& path : *files) {
+  ToGrade found = find_files(options.paths);
+  std::vector<Row> rows = std::move(found.rows);
+  if (found.files.empty()) return tl::unexpected(faults_of(rows));
+  Progress progress("Grading", static_cast<int>(found.files.size()));
+  for (const std::string& path : found.files) {
     for (Row& row : grade_file(path, *known)) rows.push_back(std::move(row));
     progress.advance();
   }
@@ -464,7 +505,8 @@ void add_grade(Commands& commands) {
   command.footer(
       "Replays every decision of each file on the instance of its seed: a row an exercise, with file, student,\n"
       "exercise, seed, mark, of, claimed and status. Status is ok; differs, if it claims what it does not earn;\n"
-      "damaged; missing, if there is no such file; foreign, if it is no result file or of no exercise here; older or\n"
+      "damaged; missing, if there is no such file, or no attempt in it; foreign, if it is no result file or of no "
+      "exercise here; older or\n"
       "newer, if the exercise was another then. Every other file is graded all the same; exit status 1 if any is not\n"
       "ok, with the reason on standard error. Code that was written is tried again: JavaScript in the page's engine, "
       "which Node runs, C++ as snug lab\n"

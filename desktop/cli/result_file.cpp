@@ -1,6 +1,8 @@
 #include "desktop/cli/result_file.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "number/fnv.hpp"
 
@@ -77,7 +79,11 @@ tl::expected<ResultFile, NoResult> read_result(std::string_view text) {
   const Json* format = value_at(json, "snug_result");
   if (format == nullptr || !format->is_number_integer()) return tl::unexpected(NoResult{true, "is no result file"});
   ResultFile file;
-  file.format = format->get<int>();
+  constexpr std::uint64_t kMostFormat =
+      std::numeric_limits<std::int64_t>::max();  // a larger one would wrap to an older
+  file.format = format->is_number_unsigned()
+                    ? static_cast<std::int64_t>(std::min(format->get<std::uint64_t>(), kMostFormat))
+                    : format->get<std::int64_t>();
   if (const Json* version = value_at(json, "version"); version != nullptr && version->is_string())
     file.version = version->get<std::string>();
   if (const Json* student = value_at(json, "student"); student != nullptr && student->is_string())

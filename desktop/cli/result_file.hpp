@@ -28,7 +28,7 @@ inline constexpr char kCodeMark = 'w';
 
 /// A result file (README of lessons): one student's attempts.
 struct ResultFile {
-  int format = 0;
+  std::int64_t format = 0;
   std::string version;  // of the program that wrote it
   std::string student;
   std::vector<tl::expected<Claimed, std::string>> attempts;  // or what is wrong with one

@@ -1,9 +1,9 @@
 // snug exercise and snug grade: instances, result files, and a folder of them, some damaged or edited.
 import assert from "node:assert/strict";
-import { mkdirSync } from "node:fs";
+import { chmodSync, mkdirSync, readFileSync, symlinkSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { folder, good, json_lines, read, refused, snug, write } from "./support.mjs";
+import { folder, good, json_lines, read, refused, root, snug, write } from "./support.mjs";
 
 const kKinds = Object.fromEntries(json_lines(good(["exercise", "list"])).map(({ exercise, kind }) => [exercise, kind]));
 const kIds = Object.keys(kKinds).filter((id) => kKinds[id] !== "write");
@@ -80,6 +80,17 @@ test("the promise is checked on many seeds", () => {
   }
 });
 
+test("a promise that every seed breaks is told, beside those that are kept", () => {
+  const text = readFileSync(join(root, "lessons/exercises/be-ritter.toml"), "utf8");
+  write("broken.toml", text.replace(/^decisions = .*/m, "decisions = [50, 60]"));
+  const { out, err, status } = snug(["exercise", "check", "--seeds", "1", "broken.toml", "be-quickhull"]);
+  assert.deepEqual([err, status], ["", 1]);
+  const [broken, kept] = json_lines(out);
+  assert.deepEqual([broken.kept, broken.decisions, broken.hard, broken.nearest], [false, null, null, null]);
+  assert.match(broken.faults[0], /^seed 1: /);
+  assert.equal(kept.kept, true);
+});
+
 test("every exercise has a sheet, in space with coordinates, and what the run did before is printed", () => {
   for (const id of kIds) {
     const { out, err } = snug(["exercise", "print", id, "-o", "all"]);
@@ -139,6 +150,47 @@ test("a folder of 200 result files is graded, whatever is wrong with twenty of t
   const csv = snug(["grade", "class", "--csv"]).out.trimEnd().split("\n");
   assert.equal(csv[0], "file,student,exercise,seed,mark,of,claimed,status");
   assert.equal(csv.length, 201);
+});
+
+test("a file without an attempt is told, endings are of any case, and a folder without a result file is refused", () => {
+  mkdirSync(join(folder, "few/below"), { recursive: true });
+  hand_in("few/below/Ann.JSON", "be-ritter", 3, "Ann");
+  hand_in("few/Bob.json", "be-ritter", 3, "Bob", (it) => (it.attempts = []));
+  const { out, err, status } = snug(["grade", "--json", "few"]);
+  assert.deepEqual(json_lines(out).map(({ student, status }) => [student, status]), [["Bob", "missing"], ["Ann", "ok"]]);
+  assert.deepEqual([err, status], ["snug: few/Bob.json: warning: missing: it has no attempt\n", 1]);
+  assert.match(snug(["grade", "--csv", "--by-student", "few"]).out, /^Bob,0,0,0,missing$/m);
+  mkdirSync(join(folder, "empty"));
+  refused(["grade", "empty"], "empty: missing: there is no result file (*.json) in it");
+  const beside = snug(["grade", "--json", "empty", "few/below"]);
+  assert.deepEqual([beside.status, json_lines(beside.out).map((row) => row.status)], [1, ["missing", "ok"]]);
+});
+
+test("what cannot be read does not end the grading of what can", (t) => {
+  mkdirSync(join(folder, "odd/shut"), { recursive: true });
+  hand_in("odd/z.json", "be-ritter", 3, "Zoe");
+  symlinkSync("loop.json", join(folder, "odd/loop.json"));
+  const grade = () => json_lines(snug(["grade", "--json", "odd"]).out).map(({ file, status }) => [file, status]);
+  assert.deepEqual(grade(), [["odd/loop.json", "damaged"], ["odd/z.json", "ok"]]);
+  chmodSync(join(folder, "odd/shut"), 0);
+  t.after(() => chmodSync(join(folder, "odd/shut"), 0o700));
+  if (process.getuid() !== 0) assert.deepEqual(grade()[0], ["odd/shut", "damaged"]); // root reads everything
+});
+
+test("a format beyond 32 bits is newer as well", () => {
+  for (const format of ["4294967297", "9223372036854775809"]) {
+    write("far.json", `{"snug_result":${format},"attempts":[]}`);
+    assert.equal(json_lines(snug(["grade", "--json", "far.json"]).out)[0].status, "newer");
+  }
+});
+
+test("a name with control characters stays in its row, and numbers and - are no formulas", () => {
+  hand_in("name.json", "be-ritter", 3, "Eve\n\u001b[31m\u009b1mMallory", (it) => (it.attempts[0].mark = -1));
+  const { out, err } = snug(["grade", "name.json"]);
+  assert.match(out, /^.*\n.*Eve {2}\[31m 1mMallory.*\n$/);
+  assert.doesNotMatch(out + err, /[^\n -\u007e]/);
+  const csv = snug(["grade", "--csv", "-"], read("name.json").replace(/Eve.*Mallory/, "-1+2")).out.split("\n")[1];
+  assert.match(csv, /^-,'-1\+2,be-ritter,3,\d+,\d+,-1,differs$/);
 });
 
 test("a stage that another could not have built earns nothing, and copies of one are alike", () => {
