@@ -69,6 +69,7 @@ DemoState read_state(const toml::table& toml, Complaints& complaints) {
   TomlTable table(toml, "[[state]]", complaints);
   DemoState state;
   state.place = table.place();
+  state.in_braces = toml.is_inline();
   for (const auto& [key, node] : toml) state.places.emplace_back(std::string(key.str()), file_place(node));
   state.lesson = table.text("lesson");
   read_place_keys(table, state);
@@ -96,6 +97,13 @@ std::size_t begin_of_line(std::string_view text, int line) {
   std::size_t at = 0;
   for (; line > 1; --line) at = text.find('\n', at) + 1;
   return at;
+}
+
+/// Where the digits of a hash begin, of which only the line is known in bytes: after its key, whatever quotes they
+/// stand in.
+std::size_t begin_of_digits(std::string_view text, int line) {
+  const std::size_t equals = text.find('=', begin_of_line(text, line));
+  return text.find_first_not_of("= \t\r\n\"'", equals);
 }
 
 }  // namespace
@@ -175,18 +183,33 @@ void reveal_answer(Session& session) {
   session.conversation().review(question);
 }
 
-std::string with_hashes(std::string_view toml, const Demo& demo, const std::vector<std::uint64_t>& hashes) {
+tl::expected<std::string, FileError> with_hashes(std::string_view toml, const Demo& demo,
+                                                 const std::vector<std::uint64_t>& hashes) {
+  for (const DemoState& state : demo.states)
+    if (state.in_braces)
+      return tl::unexpected(
+          FileError{state.place, "a state in braces has no line for its hash: write it as [[state]]"});
   std::string text(toml);
   for (std::size_t i = demo.states.size(); i-- > 0;) {  // from the end, so that the places before stay true
     const DemoState& state = demo.states[i];
-    const std::string line = "hash = \"" + hex_of(hashes[i]) + '"';
+    const std::string digits = hex_of(hashes[i]);
     if (state.hash) {
-      const std::size_t begin = begin_of_line(text, state.place_of("hash").line);
-      text.replace(begin, text.find('\n', begin) - begin, line);
+      const std::size_t begin = begin_of_digits(text, state.place_of("hash").line);
+      if (begin != std::string::npos) text.replace(begin, kHashDigits, digits);
     } else {
-      text.insert(begin_of_line(text, state.place.line + 1), line + '\n');
+      const std::size_t begin = begin_of_line(text, state.place.line + 1);
+      const bool has_cr = begin >= 2 && text[begin - 2] == '\r';
+      text.insert(begin, "hash = \"" + digits + (has_cr ? "\"\r\n" : "\"\n"));
     }
   }
+  // Nothing is written over a file unless it reads as it should.
+  const DemoDraft after = read_demo(text, demo.id);
+  const bool is_demo = after.mistakes.empty() && after.demo.states.size() == demo.states.size();
+  for (std::size_t i = 0; i < demo.states.size(); ++i)
+    if (!is_demo || after.demo.states[i].hash != hashes[i])
+      return tl::unexpected(
+          FileError{demo.states[i].place_of("hash"),
+                    "the hash cannot be written here: write it as hash = \"" + hex_of(hashes[i]) + '"'});
   return text;
 }
 

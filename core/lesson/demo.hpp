@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct DemoState : Place {
   std::optional<std::uint64_t> hash;  // none: not written yet
 
   FilePlace place;                                             // its header's
+  bool in_braces = false;                                      // it has no lines of its own
   std::vector<std::pair<std::string, FilePlace>> places = {};  // those of its keys
   [[nodiscard]] FilePlace place_of(std::string_view key) const;
 };
@@ -53,8 +55,9 @@ void pass_questions(Session& session);
 /// trace.
 [[nodiscard]] std::string state_text(const Place& place, std::string_view title, std::uint64_t hash);
 
-/// The file with each state's hash written, the others' lines as they are. hashes: one for each state.
-[[nodiscard]] std::string with_hashes(std::string_view toml, const Demo& demo,
-                                      const std::vector<std::uint64_t>& hashes);
+/// The file with each state's hash written, and all else as it is. hashes: one for each state. Errors: a state in
+/// braces, or written otherwise so that its hash cannot be found.
+[[nodiscard]] tl::expected<std::string, FileError> with_hashes(std::string_view toml, const Demo& demo,
+                                                               const std::vector<std::uint64_t>& hashes);
 
 }  // namespace snug::lesson

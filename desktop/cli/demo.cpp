@@ -76,6 +76,7 @@ std::string differences(const DemoFile& file, const std::vector<std::uint64_t>& 
 
 CommandResult check_demos(const DemoOptions& options) {
   Printed printed;
+  std::vector<std::pair<std::string, std::string>> changed;  // files, and their new text: written if all is well
   std::vector<InputError> mistakes;
   LessonsRead lessons;
   for (const std::string& path : options.files) {
@@ -95,10 +96,13 @@ CommandResult check_demos(const DemoOptions& options) {
     printed.text += differences(**file, hashes, differ);
     if (differ > 0 && !options.write) printed.status = 1;
     if (differ == 0 || !options.write) continue;
-    if (const auto done = write_file((*file)->path, lesson::with_hashes((*file)->text, (*file)->demo, hashes)); !done)
-      return bad_input(done.error());
+    auto text = lesson::with_hashes((*file)->text, (*file)->demo, hashes);
+    if (!text) text.error().file = (*file)->path, mistakes.push_back(with_column(text.error()));
+    else changed.emplace_back((*file)->path, *std::move(text));
   }
   if (!mistakes.empty()) return tl::unexpected(std::move(mistakes));
+  for (const auto& [path, text] : changed)
+    if (const auto done = write_file(path, text); !done) return bad_input(done.error());
   return printed;
 }
 

@@ -44,6 +44,27 @@ test("a state that is not as it was is told, and written on request; then nothin
   assert.deepEqual([differs.state, differs.was, differs.is === two.is], [2, two.is, false]);
 });
 
+test("of a file's line only the hash is written, and the rest stays: remarks, quotes and line ends", () => {
+  const old = "0".repeat(16), lines = `lesson = "sphere-ritter" # é\nhash   = '${old}'  # "as shown" = 1`;
+  const file = write("remarks.toml", kDemo.replace('lesson = "sphere-ritter"', lines).replaceAll("\n", "\r\n"));
+  const before = read(file);
+  const [one, two] = json_lines(snug(["demo", "check", file]).out);
+  good(["demo", "check", "--write", file]);
+  const second = before.lastIndexOf("[[state]]\r\n") + "[[state]]\r\n".length;
+  const with_second = `${before.slice(0, second)}hash = "${two.is}"\r\n${before.slice(second)}`;
+  assert.equal(read(file), with_second.replace(old, one.is));
+  good(["demo", "check", file]);
+});
+
+test("a state in braces has no line for its hash: it is told where, and no file is written", () => {
+  const keys = kDemo.split("[[state]]\n").slice(1).map((keys) => `{ ${keys.trim().split("\n").join(", ")} }`);
+  const braces = write("braces.toml", `${kDemo.split("[[state]]")[0]}state = [\n  ${keys.join(",\n  ")},\n]\n`);
+  const before = read(braces), plain = write("plain.toml", kDemo);
+  assert.equal(json_lines(snug(["demo", "check", braces]).out).at(-1).differ, 2);
+  refused(["demo", "check", "--write", plain, braces], /^snug: braces\.toml:6:3: a state in braces has no line for its hash/);
+  assert.deepEqual([read(braces), read(plain)], [before, kDemo]);
+});
+
 test("mistakes are told with file, line and column", () => {
   const wrong = (from, to, says) => refused(["demo", "check", write("wrong.toml", kDemo.replace(from, to))], says);
   wrong('slide = "One"', 'slid = "One"', /wrong\.toml:6:1: \[\[state\]\] has no key "slid": did you mean "slide"\?/);
