@@ -1,5 +1,10 @@
 // snug package: a lesson, an exercise, a set or the course, for a course's site, for any host, or as one file.
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <random>
 
 #include "desktop/cli/command.hpp"
 #include "desktop/cli/data_folder.hpp"
@@ -56,26 +61,40 @@ tl::expected<std::string, InputError> site_folder(const std::string& asked) {
                                        "FOLDER leads to one that is"});
 }
 
-/// Writes to a folder beside it first, so that it is whole or not there.
-tl::expected<void, InputError> write_folder(const fs::path& folder, const SiteFiles& files) {
-  const auto cannot = [&](const std::string& what) {
-    return tl::unexpected(InputError{.what = what, .file = folder.string()});
-  };
+/// The signal that asked the program to end, for which an unfinished folder is removed first; else 0.
+volatile std::sig_atomic_t asked_to_end = 0;
+extern "C" void note_signal(int signal) { asked_to_end = signal; }
+
+/// Writes files into a new folder. Errors: what went wrong, or nothing where a signal asked to end.
+tl::expected<void, std::string> write_files(const fs::path& folder, const SiteFiles& files) {
   std::error_code error;
-  fs::path part = folder;
-  part += ".part";
-  fs::remove_all(part, error);
-  const auto fail = [&](const std::string& what) {
-    fs::remove_all(part, error);
-    return cannot(what);
-  };
   for (const auto& [path, bytes] : files) {
-    fs::create_directories((part / path).parent_path(), error);
-    if (error) return fail("cannot be written: " + error.message());
-    if (const auto written = write_file((part / path).string(), bytes); !written) return fail(written.error().what);
+    fs::create_directories((folder / path).parent_path(), error);
+    if (error) return tl::unexpected(error.message());
+    std::ofstream file(folder / path, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) return tl::unexpected(std::string(std::strerror(errno)));
+    if (asked_to_end != 0) return tl::unexpected(std::string());
   }
-  fs::rename(part, folder, error);
-  if (error) return fail("cannot be written: " + error.message());
+  return {};
+}
+
+/// Writes to a folder beside it first, so that it is whole or not there.
+tl::expected<void, InputError> write_folder(fs::path folder, const SiteFiles& files) {
+  if (!folder.has_filename()) folder = folder.parent_path();  // out/: the name beside it is out's, and not in it
+  fs::path part = folder;
+  part += "." + std::to_string(std::random_device{}()) + ".part";  // a name of nobody's
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, note_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+  std::error_code error, ignored;
+  auto written = write_files(part, files);
+  if (written) fs::rename(part, folder, error);
+  if (error) written = tl::unexpected(error.message());
+  if (!written) fs::remove_all(part, ignored);
+  if (asked_to_end != 0) std::signal(asked_to_end, SIG_DFL), std::raise(asked_to_end);
+  if (!written)
+    return tl::unexpected(InputError{.what = "cannot be written: " + written.error(), .file = folder.string()});
   return {};
 }
 

@@ -1,8 +1,9 @@
 // Packages on courses' sites, in Chromium: what a zip has in it, and a student who decides, leaves, comes back, loses
 // the connection, has two tabs open, or finds the package replaced.
-import { execFileSync, spawnSync } from "node:child_process";
+import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { once } from "node:events";
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { brotliDecompressSync, gunzipSync } from "node:zlib";
@@ -103,6 +104,16 @@ test("a package's manifest is as the schemas want it, lists what is in it, and e
   assert.ok(readFileSync(shop.at("exercise.zip")).length < 1_800_000);
 });
 
+test("a folder that is interrupted leaves nothing behind", async () => {
+  const run = spawn(kProgram, ["package", "lesson:aabb", "--site", kSite, "--static", shop.at("cut")]);
+  const ended = once(run, "exit");
+  const parts = () => readdirSync(shop.at("")).filter((name) => /^cut.*\.part$/.test(name));
+  while (parts().length === 0 && run.exitCode === null) await new Promise((done) => setTimeout(done, 2));
+  run.kill("SIGINT");
+  await ended;
+  assert.deepEqual(parts(), []);
+});
+
 test("the same page makes the same bytes, and a mistake is one line", () => {
   snug("package", `exercise:${kQuick}`, "-o", shop.at("again.zip"), "--site", kSite);
   assert.ok(readFileSync(shop.at("again.zip")).equals(readFileSync(shop.at("exercise.zip"))));
@@ -122,6 +133,10 @@ test("the same page makes the same bytes, and a mistake is one line", () => {
   const single = ["--site", kSite, "--single", shop.at("x.html")];
   assert.match(refused("exercise:write:sat", ...single), /^2 snug: .*one file cannot start: take -o or --static/);
   assert.match(refused("course", "--site", kSite, "--static", shop.at("set")), /^2 snug: .*: is there already/);
+  mkdirSync(shop.at("mine.part")); // a user's own, whatever its name
+  assert.equal(refused("lesson:aabb", "--site", kSite, "--static", `${shop.at("mine")}/`), "done");
+  assert.deepEqual(readdirSync(shop.at("")).filter((name) => name.startsWith("mine")), ["mine", "mine.part"]);
+  assert.ok(existsSync(shop.at("mine/index.html")));
   const { stderr } = spawnSync(kProgram, ["package", "set:collision", ...single], { encoding: "utf8" });
   assert.match(stderr, /^snug: warning: left out 1 exercise in which code is written/);
 });
