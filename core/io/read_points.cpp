@@ -109,23 +109,10 @@ Read<PointFile> read_as(Format format, std::string_view bytes, const Wanted& wan
   return read_stl_binary(bytes, wanted);
 }
 
-/// Whether every second byte is zero.
-bool is_utf16(std::string_view bytes) {
-  const std::string_view start = bytes.substr(0, 8);
-  if (start.size() < 8) return false;
-  for (const std::size_t zero : {0, 1}) {
-    bool all = true;
-    for (std::size_t i = 0; i < start.size(); ++i) all = all && (start[i] == '\0') == (i % 2 == zero);
-    if (all) return true;
-  }
-  return false;
-}
-
 /// The text without a byte order mark.
 Read<std::string_view> without_mark(std::string_view bytes) {
   if (has_size_of_stl(bytes)) return bytes;  // its header may contain anything
-  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff" || is_utf16(bytes))
-    return at_byte(0, "the text is UTF-16: save it as UTF-8");
+  if (is_utf16(bytes)) return at_byte(0, kIsUtf16);
   return bytes.substr(bytes.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0);
 }
 

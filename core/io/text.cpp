@@ -58,6 +58,18 @@ bool Lines::next_filled() {
   return false;
 }
 
+bool is_utf16(std::string_view bytes) {
+  if (bytes.substr(0, 2) == "\xff\xfe" || bytes.substr(0, 2) == "\xfe\xff") return true;
+  const std::string_view start = bytes.substr(0, 8);
+  if (start.size() < 8) return false;
+  for (const std::size_t zero : {0, 1}) {
+    bool all = true;
+    for (std::size_t i = 0; i < start.size(); ++i) all = all && (start[i] == '\0') == (i % 2 == zero);
+    if (all) return true;
+  }
+  return false;
+}
+
 std::string_view trim(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};

@@ -47,6 +47,11 @@ class Lines {
   std::int64_t number_;
 };
 
+/// Whether the text is UTF-16: it has that byte order mark, or every second byte at its start is zero.
+[[nodiscard]] bool is_utf16(std::string_view bytes);
+/// What is said of such a file.
+inline constexpr const char* kIsUtf16 = "the text is UTF-16: save it as UTF-8";
+
 [[nodiscard]] std::string_view trim(std::string_view text);
 
 /// A line without its comment: '#' begins one at the line's start or after a blank, and not in a word such as "1.#IND".

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/text.hpp"
 #include "lesson/lesson.hpp"
 
 namespace snug::lesson {
@@ -53,6 +54,10 @@ std::optional<toml::table> parse_file(std::string_view text, std::string_view ki
   if (text.size() > kMostLessonBytes) {
     complaints.add(1, "the file is too long: " + std::string(kind) + " has at most " +
                           std::to_string(kMostLessonBytes) + " bytes");
+    return std::nullopt;
+  }
+  if (io::is_utf16(text)) {
+    complaints.add(1, io::kIsUtf16);
     return std::nullopt;
   }
   if (const auto line = line_of_deep_key(text)) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/sort.hpp"
+#include "io/text.hpp"
 #include "lesson/names.hpp"
 
 namespace snug::lesson {
@@ -119,7 +120,9 @@ double TomlTable::number(std::string_view key, double most) {
   const auto value = node->is_number() ? node->value<double>() : std::nullopt;
   if (!value) return wrong(key, "must be a number"), 1;
   if (!(*value > 0 && *value <= most)) {
-    wrong(key, "must be above 0 and at most " + std::to_string(static_cast<int>(most)));
+    const bool is_whole = most == std::floor(most);  // "1000000000", and not "1e+09"
+    wrong(key, "must be above 0 and at most " +
+                   (is_whole ? std::to_string(static_cast<std::int64_t>(most)) : io::shortest_text(most)));
     return 1;
   }
   return *value;

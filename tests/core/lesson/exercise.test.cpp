@@ -379,6 +379,11 @@ TEST_CASE("mistakes in an exercise's file are told with their places") {
     return draft.mistakes.empty() ? std::string() : draft.mistakes.front().message();
   };
   CHECK(says(ritter_with("apart = 0.01", "apart = 0.9")).find("x.toml:9:") == 0);
+  CHECK(says(ritter_with("apart = 0.01", "apart = 0.9")).find("above 0 and at most 0.2") != std::string::npos);
+  std::string wide;
+  for (const char letter : test::lessons_file("exercises/be-ritter.toml")) wide += letter, wide += '\0';
+  for (const std::string& text : {wide, "\xff\xfe" + wide})
+    CHECK(says(text) == "x.toml:1:1: the text is UTF-16: save it as UTF-8");
   CHECK(says(ritter_with("farthest = \"You took the point farthest", "farhtest = \"You took the point farthest"))
             .find("did you mean farthest?") != std::string::npos);
   CHECK(says(ritter_with("asks = \"next_outside\"", "asks = \"grows\""))
