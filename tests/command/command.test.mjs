@@ -251,7 +251,7 @@ test("bad usage is refused in one line", () => {
   for (const command of ["render", "lab check"])
     refused([...command.split(" "), "x", "--seed", "9007199254740993"], /--seed: .* from 0 to 9007199254740992/);
   refused(["which", tetra, "--hit-rate", "nan"], /--hit-rate: "nan" is not a number/);
-  refused(["which", tetra, "--bodies", "-NaN"], /--bodies: "-NaN" is not a number/);
+  refused(["which", tetra, "--bodies=-NaN"], /--bodies: "-NaN" is not a number/);
   refused(["which", tetra, "--hit-rate", "101"], /--hit-rate: Value 101 not in range 0/);
   refused(["render", "sphere-ritter", "-o", "x.gif", "--pause", "nan"], /--pause: "nan" is not a number/);
   refused(fit_args("welzl", "--volume", "aabb", tetra), /^snug: --volume is given twice \(see/);
