@@ -237,7 +237,8 @@ Json json_of(const Row& row) {
   return json;
 }
 
-std::string number(double value) { return lesson::plain_number(value); }
+/// With a hyphen for the minus sign: spreadsheets read it.
+std::string number(double value) { return replaced(lesson::plain_number(value), "−", "-"); }
 
 Cells cells_of(const Row& row) {
   return {row.file,

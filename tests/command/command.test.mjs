@@ -244,10 +244,11 @@ test("bad usage is refused in one line", () => {
   refused(fit_args("welzl", "--seed", "-1", tetra), /--seed/);
   refused(fit_args("welzl", "--seed", "18446744073709551616", tetra), /--seed/);
   refused(fit_args("welzl", "--seed", "1.5", tetra), /--seed/);
-  for (const seed of ["-1", "010", "0x10"]) {
+  for (const seed of ["-1", "0x10", "1.5"]) {
     refused(["overlap", "--random", "10", "--seed", seed], /--seed/);
     refused(["cull", "--survey", "10", "--seed", seed], /--seed/);
   }
+  assert.equal(json_lines(good(["overlap", "--random", "10", "--seed", "010"]))[0].seed, 10);
   for (const command of ["render", "lab check"])
     refused([...command.split(" "), "x", "--seed", "9007199254740993"], /--seed: .* from 0 to 9007199254740992/);
   refused(["which", tetra, "--hit-rate", "nan"], /--hit-rate: "nan" is not a number/);
