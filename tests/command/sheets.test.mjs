@@ -98,7 +98,7 @@ test("the tables of forty machines are one chart, a table and a picture", async 
   for (const tick of ["2 µs", "4 µs", "8 µs"]) assert.ok(svg.includes(`>${tick}<`), `less than a decade, and no ${tick}`);
   assert.equal(good(["grade", "--tables", "--csv", "class"]).trimEnd().split("\n").length, 81);
   write("none.json", JSON.stringify({ snug_result: 1, version: "0.1.0", student: "", attempts: [] }));
-  refused(["grade", "--tables", "none.json"], /no file has a measured table/);
+  refused(["grade", "--tables", "none.json"], /^snug: none\.json: missing: it has no attempt$/m);
 });
 
 test("tables are of as many points of one name, and machines are counted, not files", async () => {
