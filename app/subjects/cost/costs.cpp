@@ -128,6 +128,16 @@ Index Costs::size(const lesson::Session& session) const {
                                                                      : session.stage().subject().size();
 }
 
+std::string Costs::not_for_these(const lesson::Session& session) const {
+  if (view_ == CostView::kTurn) return {};
+  const int dim = session.stage().subject().dim();
+  for (const fit::Algorithm* algorithm : algorithms_of(session))
+    if (!fit::takes(*algorithm, dim))
+      return algorithm_title(algorithm->volume, algorithm->name) + " takes points with " +
+             (dim == 2 ? "three" : "two") + " coordinates, and these have " + (dim == 2 ? "two." : "three.");
+  return {};
+}
+
 void Costs::start(const lesson::Session& session) {
   const AnyPointSet& points = *session.stage().subject().points();
   at_start_[static_cast<std::size_t>(view_)] = points;
@@ -221,6 +231,8 @@ bool Costs::command(lesson::Session& session, std::string_view name) {
   refused_.clear();
   if (name == "measure") {
     if (running() || !clock_ || session.conversation().asked() != nullptr) return false;
+    refused_ = not_for_these(session);
+    if (!refused_.empty()) return true;
     if (session.conversation().to_predict() != nullptr) session.conversation().ask_predictions();
     else start(session);
   } else if (name == "stop_measuring") {

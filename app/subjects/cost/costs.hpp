@@ -79,6 +79,8 @@ class Costs final : public Cover {
 
  private:
   [[nodiscard]] CostSheet& of(CostView view) const { return *sheets_[static_cast<std::size_t>(view)]; }
+  /// Why these points cannot be measured by every algorithm of the chart that is seen; empty if they can.
+  [[nodiscard]] std::string not_for_these(const lesson::Session& session) const;
   void start(const lesson::Session& session);
   void start_accuracy(const lesson::Session& session, cost::Provenance about);
   void start_growth(const lesson::Session& session, cost::Provenance about);

@@ -153,6 +153,22 @@ TEST_CASE("a large file is measured whole and shown in part; above two million p
   CHECK(costs.size(session) == 5);
 }
 
+TEST_CASE("points of a dimension that an algorithm does not take are refused by name") {
+  Costs costs({.clock = now, .here = {}});
+  std::string text(kLesson);
+  text.replace(text.find("[\"ritter\", \"welzl\"]"), 19, "[\"sphere/welzl\", \"kdop/k14\"]");
+  text.replace(text.find("[[0, 0], [4, 1], [3, 3], [1, 2], [2, 5]]"), 40,
+               "[[0, 0, 0], [4, 1, 1], [3, 3, 2], [1, 2, 5]]");
+  auto lesson = lesson::read_lesson(text, "chart.toml");
+  REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
+  auto session = lesson::Session::open(*std::move(lesson));
+  REQUIRE(session.has_value());
+  REQUIRE(costs.load(*session, cloud(20), "flat.csv").has_value());
+  CHECK(costs.command(*session, "measure"));
+  CHECK_FALSE(costs.running());
+  CHECK(costs.caption(*session).ends_with("takes points with three coordinates, and these have two."));
+}
+
 TEST_CASE("an earlier result lies over the present one, with marks of no row") {
   Costs costs({.clock = now, .here = {}});
   lesson::Session session = opened();
