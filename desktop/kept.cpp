@@ -126,6 +126,20 @@ class Lock {
   int file_;
 };
 
+bool same(const MeasuredTable& a, const MeasuredTable& b) { return a.date == b.date && a.table == b.table; }
+bool same(const auto& a, const auto& b) { return a == b; }
+
+/// Takes the parts of another window that this one has not changed since both had those of before.
+template <class Parts>
+void take_parts(Parts& own, const Parts& before, Parts theirs) {
+  for (auto& [part, work] : theirs) {
+    const auto mine = own.find(part), then = before.find(part);
+    const bool changed =
+        mine == own.end() ? then != before.end() : then == before.end() || !same(mine->second, then->second);
+    if (!changed) own.insert_or_assign(part, std::move(work));
+  }
+}
+
 fs::path beside(fs::path path, const char* ending) { return path += ending; }
 
 }  // namespace
@@ -141,7 +155,7 @@ Kept::Kept(const std::string& folder) : path_(path_of_state()) {
   works_ = !path_.empty();
   if (auto file = read()) {
     last_ = file->last, invited = file->invited, lessons_ = std::move(file->lessons);
-    exercises_ = std::move(file->exercises), sheets_ = std::move(file->sheets);
+    exercises_ = std::move(file->exercises), sheets_ = sheets_read_ = std::move(file->sheets);
     student = student_read_ = file->student, recent = recent_read_ = file->recent;
     view = view_read_ = file->view;
   }
@@ -192,8 +206,13 @@ void Kept::merge(State file) {
   student_read_ = student;
   if (recent == recent_read_) recent = file.recent;
   recent_read_ = recent;
-  for (auto& [id, work] : file.sheets)
-    if (changed_.count("sheet:" + id) == 0) sheets_[id] = std::move(work);
+  for (auto& [id, work] : file.sheets) {
+    const SheetWork before = sheets_read_[id];
+    take_parts(sheets_[id].written, before.written, std::move(work.written));
+    take_parts(sheets_[id].measured, before.measured, std::move(work.measured));
+    take_parts(sheets_[id].built, before.built, std::move(work.built));
+  }
+  sheets_read_ = sheets_;
   if (changed_.empty() || !folder_.empty()) last_ = file.last;
   for (auto& [id, exercise] : file.exercises)
     if (changed_.count("exercise:" + id) == 0) exercises_[id] = std::move(exercise);
@@ -254,6 +273,7 @@ void Kept::erase() {
   lessons_.clear();
   exercises_.clear();
   sheets_.clear();
+  sheets_read_.clear();
   student.clear();
   recent.clear();
   changed_.clear();

@@ -118,7 +118,7 @@ class Kept {
   std::string last_, written_, set_aside_;
   Lessons lessons_;
   Exercises exercises_;
-  std::map<std::string, SheetWork> sheets_;
+  std::map<std::string, SheetWork> sheets_, sheets_read_;  // the second: as the file had them last
   std::string student_read_;
   std::vector<std::string> recent_read_;
   std::set<std::string> changed_;  // the lessons and exercises that this window has kept

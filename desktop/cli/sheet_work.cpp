@@ -11,8 +11,16 @@
 namespace snug::desktop {
 namespace {
 
-constexpr std::size_t kMostWritten = 4000;  // letters of an answer
+constexpr std::size_t kMostWritten = 4000;  // bytes of an answer
 constexpr std::size_t kMostRows = 200;      // of a table
+
+/// The beginning of an answer, which does not end within a letter.
+std::string shortened(std::string text) {
+  if (text.size() <= kMostWritten) return text;
+  std::size_t end = kMostWritten;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end);
+}
 
 /// A key's object; an empty one where it is missing or something else.
 Json object_at(const Json& json, const char* key) {
@@ -74,7 +82,7 @@ tl::expected<ClaimedSheet, std::string> sheet_of(const Json& json) {
              examples = object_at(json, "built");
   for (const auto& [part, text] : writings.items()) {
     if (!text.is_string()) return wrong("the answer \"" + part + "\" is no text");
-    claimed.work.written[part] = text.get<std::string>().substr(0, kMostWritten);
+    claimed.work.written[part] = shortened(text.get<std::string>());
   }
   for (const auto& [part, one] : tables.items()) {
     const Json *const date = value_at(one, "date"), *const table = value_at(one, "table");

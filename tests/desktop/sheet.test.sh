@@ -77,3 +77,25 @@ tab_to "Hand in"
 xdotool key Return
 write_into "Answer 4" "never"
 until_state 's.sheet.written.never === "never"'
+
+# Two windows on a sheet keep what was written in either.
+write_answer() { # field words part
+    tab_to "Hand in"
+    xdotool key Return
+    write_into "$1" "$2"
+    until_state "s.sheet.written.$3?.includes('$2')"
+    sleep 1
+    close_window
+}
+open_window --lesson break-float
+first=$pid first_window=$window first_state=$SNUG_STATE
+export SNUG_STATE=$work/second.json
+open_window --lesson break-float
+write_answer "Answer 2" "Of the second." double
+export SNUG_STATE=$first_state
+pid=$first window=$first_window
+xdotool windowfocus --sync "$window" 2>/dev/null || true
+write_answer "Answer 1" "Of the first." where
+node -e 'const { written } = JSON.parse(require("fs").readFileSync(process.argv[1])).sheets["break-float"];
+if (!written.where.includes("first") || !written.double.includes("second")) throw Error(JSON.stringify(written))' \
+    "$work/snug/course.json" || fail "one window destroyed what the other kept"
