@@ -358,8 +358,11 @@ CommandResult watch(const GradeOptions& options, OpenWindow open_window) {
   if (!file) return bad_input(InputError{.what = file.error().what, .file = options.paths.front()});
   const auto count = static_cast<int>(file->attempts.size());
   if (options.attempt > count)
-    return bad_input(
-        InputError{.what = "has only " + std::to_string(count) + " attempts", .file = options.paths.front()});
+    return bad_input(InputError{.what = count == 0
+                                            ? std::string("has no attempt: of a lab sheet there is none to watch")
+                                        : count == 1 ? std::string("has only one attempt")
+                                                     : "has only " + std::to_string(count) + " attempts",
+                                .file = options.paths.front()});
   const auto& claimed = file->attempts[options.attempt - 1];
   if (!claimed) return bad_input(InputError{.what = claimed.error(), .file = options.paths.front()});
   if (file->format != kResultFormat)

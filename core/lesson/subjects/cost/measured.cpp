@@ -151,7 +151,7 @@ Truth front_truth(const Asked& asked, const Run&) {
   const Costs rows = rows_of(asked);
   if (rows.size() != asked.choices.size()) return unknown();
   if (const auto doubtful = doubtful_titles(*asked.lesson, rows); !doubtful.empty())
-    return unknown(" " + listed(doubtful, " and ") +
+    return unknown(listed(doubtful, " and ") +
                    " could not be measured reliably, so the front is not decided: measure again.");
   Truth truth;
   const auto front = cost::pareto_front(rows);
