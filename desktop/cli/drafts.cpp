@@ -7,6 +7,7 @@
 #include "check/check_lesson.hpp"
 #include "desktop/cli/files.hpp"
 #include "lesson/read_lesson.hpp"
+#include "lesson/sheet.hpp"
 
 namespace snug::desktop {
 namespace {
@@ -34,10 +35,21 @@ lesson::Draft draft_of(const std::string& text, const std::string& path, bool pl
   return draft;
 }
 
+/// A lab sheet's lesson, and the sheet.
+lesson::Draft sheet_draft(const std::string& text, LessonFile& file) {
+  lesson::SheetDraft read = lesson::read_sheet(text, file.path);
+  if (!read.mistakes.empty()) return {{}, std::move(read.mistakes), {}};
+  file.sheet = std::make_shared<const lesson::Sheet>(std::move(read.sheet));
+  return {file.sheet->lesson, {}, {}};
+}
+
 void read_into(DraftFile& draft, bool played) {
   const std::string& path = draft.file.path;
   const auto text = read_start(path, lesson::kMostLessonBytes);
-  lesson::Draft read = text ? draft_of(*text, path, played) : lesson::Draft{{}, {{1, text.error().what, path}}, {}};
+  draft.file.sheet = nullptr;
+  lesson::Draft read = !text                     ? lesson::Draft{{}, {{1, text.error().what, path}}, {}}
+                       : lesson::is_sheet(*text) ? sheet_draft(*text, draft.file)
+                                                 : draft_of(*text, path, played);
   draft.says = check::text_of(read, fs::path(path).filename().string());
   draft.played = played;
   draft.draws = read.lesson.has_value();

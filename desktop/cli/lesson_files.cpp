@@ -73,6 +73,14 @@ std::optional<std::string> path_of_sheet(const std::string& folder, const std::s
   return std::nullopt;
 }
 
+/// Whether a path is that of a lab sheet. A pipe can be read only once, and is none.
+bool is_sheet_file(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;
+  const auto text = read_start(path, lesson::kMostLessonBytes);
+  return text && lesson::is_sheet(*text);
+}
+
 }  // namespace
 
 std::vector<LessonFile> in_order(std::vector<LessonFile> lessons, const lesson::Course& course) {
@@ -162,7 +170,7 @@ InputError no_lesson(const std::string& folder, const std::string& id) {
 }
 
 tl::expected<LessonFile, InputError> find_lesson(const std::string& folder, const std::string& id, Read how) {
-  if (is_path(id)) return read_lesson_file(id, how);
+  if (is_path(id)) return is_sheet_file(id) ? read_sheet_file(id) : read_lesson_file(id, how);
   const auto paths = toml_files(folder_or_own(folder));
   if (!paths) return tl::unexpected(paths.error());
   for (const std::string& path : *paths)

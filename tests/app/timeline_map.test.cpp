@@ -157,7 +157,8 @@ TEST_CASE("where an exercise says how many decisions there are, its steps are co
   REQUIRE(bench.app.open_exercise(course_exercise("sat-plane"), 1));
   bench.frames(3);
   CHECK_FALSE(furthest_to_show(bench.session(), bench.app.sitting()));
-  CHECK(says(bench, "step 0 of " + std::to_string(bench.session().player().steps())));
+  const lesson::Player& player = bench.session().player();
+  CHECK(says(bench, "step " + std::to_string(player.step()) + " of " + std::to_string(player.steps())));
 }
 
 }  // namespace snug::app

@@ -14,6 +14,8 @@ test("each sheet is sound, model answers and models included", () => {
     assert.equal(line.sheet, id);
     assert.ok(line.written >= 3);
     assert.ok(line.measured + line.built >= 1);
+    const by_id = good(["lesson", "facts", id]); // its file is taken wherever its id is
+    assert.equal(good(["lesson", "facts", file_of(id)]), by_id);
   }
 });
 

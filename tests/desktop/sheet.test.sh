@@ -90,7 +90,7 @@ write_answer() { # field words part
 open_window --lesson break-float
 first=$pid first_window=$window first_state=$SNUG_STATE
 export SNUG_STATE=$work/second.json
-open_window --lesson break-float
+open_window "$OLDPWD/lessons/labs/break-float.toml" # its file is the sheet as well
 write_answer "Answer 2" "Of the second." double
 export SNUG_STATE=$first_state
 pid=$first window=$first_window
