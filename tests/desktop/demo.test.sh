@@ -106,7 +106,7 @@ walk() { # demo width height
     until_state "s.height === $3"
     while read -r hash presses; do
         until_state "s.trace === '$hash'"
-        [[ $(state 's.smallest.size >= s.height / 40') == true ]] ||
+        (until_state 's.smallest.size >= s.height / 40') 2>/dev/null ||
             fail "$1 at $2x$3, state $((i + 1)): too small for the last row: $(state 'JSON.stringify(s.smallest)')"
         if ((++i % 5 == 3)) && read -r x y < <(handle "$(state 's.handles[0]?.id ?? ""')" 2>/dev/null); then
             xdotool mousemove --window "$window" "$x" "$y" mousedown 1 mousemove --window "$window" $((x + 70)) $((y - 50)) mouseup 1
