@@ -70,8 +70,7 @@ first=$(state 's.focus')
 for i in $(seq 90); do
     before=$(state 's.focus')
     xdotool key Tab
-    for j in $(seq 100); do # a slow frame must not pass over a control
-        sleep 0.03
+    for j in $(seq 40); do # a slow frame must not pass over a control
         name=$(state 's.focus')
         [[ $name == "$before" ]] || break
     done

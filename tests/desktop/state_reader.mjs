@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { format } from "node:util";
 
 const kLook = 20; // milliseconds
+const kFrame = 80; // what a key has just done is drawn and told by then
 const pause = new Int32Array(new SharedArrayBuffer(4));
 const wait = (milliseconds) => Atomics.wait(pause, 0, 0, milliseconds);
 
@@ -26,7 +27,10 @@ function of_state(file, made_of, patience = 2000) {
 const evaluated = (expression) => (state) => ((globalThis.s = state), (0, eval)(expression));
 
 const kAnswers = {
-  state: (file, expression) => of_state(file, evaluated(expression)),
+  state(file, expression) {
+    wait(kFrame);
+    return of_state(file, evaluated(expression));
+  },
 
   /** Waits until the expression is true; machines that do other work as well may be very slow. */
   until(file, expression) {

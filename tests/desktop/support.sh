@@ -51,8 +51,7 @@ tab_to() { # name [key]
         focus=$(state 's.focus')
         [[ $focus == "$1" ]] && return
         xdotool key "${2:-Tab}"
-        for j in $(seq 32); do # a slow frame must not make it go one too far
-            sleep 0.025
+        for j in $(seq 10); do # a slow frame must not make it go one too far
             [[ $(state 's.focus') == "$focus" ]] || break
         done
     done
