@@ -31,7 +31,7 @@ until_state 's.asked === null'
 whole=$(state s.height)
 xdotool windowsize --sync "$window" 900 600
 until_state 's.height === 600'
-read -r x y < <(state 'Math.round(s.storedRows[0].x) + " " + Math.round(s.storedRows[0].y)')
+read -r x y < <(settled 'Math.round(s.storedRows[0].x) + " " + Math.round(s.storedRows[0].y)')
 xdotool mousemove --window "$window" "$x" "$y" sleep 0.3
 for i in 1 2 3 4 5 6; do xdotool click 5 sleep 0.1; done
 until_state "s.storedRows[0].y < $y - 5"

@@ -17,7 +17,7 @@ xdotool key ctrl+z
 until_state "s.trace === '$own'"
 
 # With the mouse: a drag is one entry of undo.
-read -r x y width < <(state 'const t = s.sliders[0]; [t.x, t.y, t.width].map(Math.round).join(" ")')
+read -r x y width < <(settled 'const t = s.sliders[0]; [t.x, t.y, t.width].map(Math.round).join(" ")')
 xdotool mousemove $((x + 10)) "$y" mousedown 1
 for part in 5 4 3 2; do
     xdotool mousemove $((x + width / part)) "$y"
@@ -32,7 +32,7 @@ until_state "s.trace === '$own'"
 tab_to "Near"
 xdotool key Return
 until_state 's.situation === "near" && s.sliders.length === 1 && s.sliders[0].text === "5°"'
-read -r x y < <(state 'const l = s.links.find(l => l.to === "own"); Math.round(l.x) + " " + Math.round(l.y)')
+read -r x y < <(settled 'const l = s.links.find(l => l.to === "own"); Math.round(l.x) + " " + Math.round(l.y)')
 xdotool mousemove "$x" "$y" click 1
 until_state 's.situation === "own"'
 xdotool key ctrl+z

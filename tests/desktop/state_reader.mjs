@@ -1,6 +1,6 @@
 // Reads a window's state file for the shell's tests (support.sh): one program for a whole test, because to start one takes
 // longer than it takes to answer. A request is three texts that end with NUL: what is wanted, the state file, and an
-// expression of the state s, or a handle's name. So does the answer, which begins with + or, where there is none, with -.
+// expression of the state s. So does the answer, which begins with + or, where there is none, with -.
 import { readFileSync } from "node:fs";
 import { format } from "node:util";
 
@@ -46,20 +46,16 @@ const kAnswers = {
     throw Error(`never came true: ${expression}`);
   },
 
-  /** Where a handle is, once it stands still: a window that has just opened frames its stage anew when it knows its
-   *  cards. */
-  handle(file, name) {
-    const place = () =>
-      of_state(file, ({ handles }) => {
-        const { x, y } = handles.find(({ id }) => id === name);
-        return `${Math.round(x)} ${Math.round(y)}`;
-      });
-    let before = place();
+  /** What the expression comes to, once that stays the same: a window that has opened, or has another size, is laid out
+   *  anew for some frames. */
+  settled(file, expression) {
+    const now = () => format(of_state(file, evaluated(expression)));
+    let before = now();
     for (let same = 0, looks = 0; same < 6 && looks < 100; ++looks) {
       wait(50);
-      const now = place();
-      same = now === before ? same + 1 : 0;
-      before = now;
+      const after = now();
+      same = after === before ? same + 1 : 0;
+      before = after;
     }
     return before;
   },

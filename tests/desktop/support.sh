@@ -58,8 +58,10 @@ tab_to() { # name [key]
     fail "the keyboard never came to $1, it is on $(state 's.focus')"
 }
 
+# The same, once it stays as it is.
+settled() { look settled "$1"; } # expression
 # P3 -> x y, once it stands still.
-handle() { look handle "$1"; }
+handle() { settled "(({ x, y }) => Math.round(x) + ' ' + Math.round(y))(s.handles.find(({ id }) => id === '$1'))"; }
 
 # An item of a menu, and a path where one is asked for.
 choose() { # menu item

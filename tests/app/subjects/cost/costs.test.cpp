@@ -157,8 +157,8 @@ TEST_CASE("points of a dimension that an algorithm does not take are refused by 
   Costs costs({.clock = now, .here = {}});
   std::string text(kLesson);
   text.replace(text.find("[\"ritter\", \"welzl\"]"), 19, "[\"sphere/welzl\", \"kdop/k14\"]");
-  text.replace(text.find("[[0, 0], [4, 1], [3, 3], [1, 2], [2, 5]]"), 40,
-               "[[0, 0, 0], [4, 1, 1], [3, 3, 2], [1, 2, 5]]");
+  text.replace(text.find("list = [[0, 0], [4, 1], [3, 3], [1, 2], [2, 5]]"), 47,
+               "dim = 3\nlist = [[0, 0, 0], [4, 1, 1], [3, 3, 2], [1, 2, 5]]");
   auto lesson = lesson::read_lesson(text, "chart.toml");
   REQUIRE_MESSAGE(lesson.has_value(), (lesson ? "" : lesson.error().message()));
   auto session = lesson::Session::open(*std::move(lesson));
