@@ -133,7 +133,8 @@ bool same(const auto& a, const auto& b) { return a == b; }
 template <class Parts>
 void take_parts(Parts& own, const Parts& before, Parts theirs) {
   for (auto& [part, work] : theirs) {
-    const auto mine = own.find(part), then = before.find(part);
+    const auto mine = own.find(part);
+    const auto then = before.find(part);
     const bool changed =
         mine == own.end() ? then != before.end() : then == before.end() || !same(mine->second, then->second);
     if (!changed) own.insert_or_assign(part, std::move(work));
