@@ -208,7 +208,7 @@ test("a stage that another could not have built earns nothing, and copies of one
 
 test("an attempt of a file is watched, and what is none is refused", () => {
   hand_in("watched.json", "be-ritter", 3, "Ada");
-  refused(["grade", "--watch", "watched.json", "--attempt", "2"], /watched.json: has only 1 attempts?/);
+  refused(["grade", "--watch", "watched.json", "--attempt", "2"], /watched.json: has only one attempt$/m);
   write("odd.json", "{}");
   refused(["grade", "--watch", "odd.json"], /odd.json: is no result file/);
   refused(["grade", "watched.json", "--attempt", "1"], /--watch/);
