@@ -237,7 +237,7 @@ Json json_of(const Row& row) {
   return json;
 }
 
-/// With a hyphen for the minus sign: spreadsheets read it.
+/// The minus sign is a hyphen, which spreadsheets read.
 std::string number(double value) { return replaced(lesson::plain_number(value), "−", "-"); }
 
 Cells cells_of(const Row& row) {

@@ -58,7 +58,7 @@ export class Votes {
    *  @param {number} state @param {boolean} revealed @param {boolean} over */
   show(state, revealed, over) {
     const vote = over ? null : this.#program.vote_of(state);
-    // Of places, which may be many, those that somebody voted for.
+    // There may be many places: those without votes are left out.
     const rows = vote?.rows.filter(({ words, percents }) => words || percents.some((percent) => percent > 0)) ?? [];
     this.#card.hidden = revealed ? rows.length === 0 : !vote?.hidden;
     this.#shown = vote && revealed ? vote : null;
