@@ -131,6 +131,7 @@ test("a place that a function gives stands on the stage beside the right one, an
     page.getByText(`On the stage what is right has dashes or a ring; yours ${yours}.`).waitFor({ timeout: 60_000 });
   await page.getByRole("button", { name: "Run" }).click(); // the stub gives none
   await says("is -1: none");
+  await page.locator(".button.primary:enabled", { hasText: "Run" }).waitFor(); // the first run has come to its end
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+A");
   await page.keyboard.type("function farthest(points, a, b) {\nreturn a;");
